@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "app/commands.h"
+#include "app/mesh_measures.h"
+#include "app/scene.h"
+#include "app/scene_mesh.h"
+#include "meshops/components.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+/// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
+/// = 5.36 at a Poisson ratio of 0.3 (Leissa, Vibration of Plates, 1969). A curved shell vibrates faster.
+double slowest_period(const MaterialSpec& m, double area) {
+    const double rigidity = m.young * std::pow(m.thickness, 3) / (12 * (1 - m.poisson * m.poisson));
+    const double frequency = 5.36 * std::numbers::pi / area * std::sqrt(rigidity / (m.density * m.thickness));
+    return 2 * std::numbers::pi / frequency;
+}
+
+std::size_t count_behind(const Mesh& mesh, const PlaneSpec& plane) {
+    const auto behind = [&](Vertex v) { return (position(mesh, v) - plane.point).dot(plane.normal) < 0; };
+    return std::count_if(mesh.vertices().begin(), mesh.vertices().end(), behind);
+}
+
+void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, const MeshMeasures& measures,
+               std::vector<std::string>& warnings) {
+    if (measures.mean_edge < sheet.material.thickness)
+        warnings.push_back(
+            fmt::format("edges of {:.3g} m on the mean are shorter than the thickness of {:.3g} m: "
+                        "thin-shell mechanics does not resolve that; make edge_length larger",
+                        measures.mean_edge, sheet.material.thickness));
+    if (measures.smallest_edge < measures.mean_edge / 50)
+        warnings.push_back(fmt::format("the shortest edge, {:.3g} m, is far below the mean, {:.3g} m: remesh",
+                                       measures.smallest_edge, measures.mean_edge));
+    // 20 steps a period lose a tenth of the peak strain with implicit Euler.
+    const double step = slowest_period(sheet.material, measures.area) / 20;
+    if (sheet.strain_threshold > 0 && scene.solver.step > step)
+        warnings.push_back(
+            fmt::format("solver.step of {:.2g} s is long for this sheet: peaks of strain come out "
+                        "low; use {:.1g} s or less",
+                        scene.solver.step, step));
+    for (const PlaneSpec& plane : scene.planes)
+        if (const std::size_t count = count_behind(mesh, plane))
+            warnings.push_back(
+                fmt::format("{} vertices start behind obstacle.{}: move the sheet", count, plane.name));
+}
+
+void print_sheet(const SheetSpec& sheet, const Scene& scene) {
+    std::vector<std::string> warnings;
+    const Mesh mesh = make_mesh(sheet, scene, warnings);
+    const std::size_t pinned = pinned_vertices(sheet, mesh).size();
+    const MeshMeasures m = measure(mesh);
+    add_hints(sheet, scene, mesh, m, warnings);
+    fmt::print("sheet {}\n", sheet.name);
+    fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}\n",
+               mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
+               m.boundary_loops, pinned);
+    fmt::print("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
+               m.area * sheet.material.thickness * sheet.material.density);
+    fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
+               m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
+    fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m\n", m.mean_edge, m.smallest_edge,
+               m.largest_edge);
+    if (sheet.strain_threshold > 0)
+        fmt::print("  breaks above {:.4g} 1/m, {:.3g} of strain at its surface\n", sheet.strain_threshold,
+                   sheet.strain_threshold * sheet.material.thickness / 2);
+    else
+        fmt::print("  does not break\n");
+    for (const std::string& warning : warnings) fmt::print("  warning: {}\n", warning);
+}
+
+int check(const SceneOptions& options) {
+    const Scene scene = read_scene(options.file, options.overrides);
+    fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
+               scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
+    std::vector<std::string> mistakes;
+    for (const SheetSpec& sheet : scene.sheets) {
+        try {
+            print_sheet(sheet, scene);
+        } catch (const Error& error) {
+            mistakes.emplace_back(error.what());
+        }
+    }
+    if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+    return 0;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Command& chosen) {
+    CLI::App* command =
+        program.add_subcommand("check", "Say what is wrong with a scene before hours are spent");
+    auto options = std::make_shared<SceneOptions>();
+    add_scene_options(*command, *options);
+    command->footer("Example:\n  sherd check scenes/plate_drop.toml");
+    command->callback([&chosen, options] { chosen = [options] { return check(*options); }; });
+}
+
+}  // namespace sherd

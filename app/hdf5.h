@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/vector.h"
+
+/// The little of HDF5 that a recording needs. Every function throws Error (Fault::run) with the name of the
+/// object and HDF5's own reason when something cannot be done.
+namespace sherd::hdf5 {
+
+/// Owns an identifier of HDF5, of whatever kind.
+class Handle {
+  public:
+    explicit Handle(hid_t id = H5I_INVALID_HID) : id(id) {}
+    Handle(Handle&& other) noexcept : id(std::exchange(other.id, H5I_INVALID_HID)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(id, other.id);
+        return *this;
+    }
+    ~Handle() {
+        if (id >= 0) H5Idec_ref(id);
+    }
+    operator hid_t() const { return id; }
+
+    /// Gives the identifier back now, so that a failing write is noticed.
+    void close(const std::string& what);
+
+  private:
+    hid_t id;
+};
+
+/// How the values of a C++ type lie in a dataset: [rows] of `Scalar`, or [rows, width].
+template <class T>
+struct Element {
+    using Scalar = T;
+    static constexpr hsize_t width = 1;
+};
+template <class T>
+requires std::is_enum_v<T>
+struct Element<T> {
+    using Scalar = std::underlying_type_t<T>;
+    static constexpr hsize_t width = 1;
+};
+template <class T, std::size_t N>
+struct Element<std::array<T, N>> {
+    using Scalar = T;
+    static constexpr hsize_t width = N;
+};
+template <>
+struct Element<Vector3d> {
+    using Scalar = double;
+    static constexpr hsize_t width = 3;
+};
+
+template <class Scalar>
+hid_t native_type() {
+    if constexpr (std::same_as<Scalar, double>) return H5T_NATIVE_DOUBLE;
+    if constexpr (std::same_as<Scalar, std::int32_t>) return H5T_NATIVE_INT32;
+    if constexpr (std::same_as<Scalar, std::int64_t>) return H5T_NATIVE_INT64;
+    if constexpr (std::same_as<Scalar, std::uint8_t>) return H5T_NATIVE_UINT8;
+}
+
+/// What a dataset is, for whoever opens it: attributes `unit` and `description`.
+struct Meaning {
+    const char* unit = "1";
+    const char* description = "";
+};
+
+Handle create_file(const std::filesystem::path& file);
+/// Wait for a writer to finish; Error (input) when the file is missing or not HDF5.
+Handle open_to_read(const std::filesystem::path& file);
+/// Waits a moment for readers to close the file, then goes on beside them (they may have to open it again to
+/// see what is new). Never goes on beside another writer.
+Handle open_to_write(const std::filesystem::path& file);
+
+/// Objects are named by their path below `where`; groups on the way are created when they are missing.
+Handle create_group(hid_t where, const std::string& name);
+Handle open_group(hid_t where, const std::string& name);
+bool contains(hid_t where, const std::string& name);
+std::size_t member_count(hid_t where, const std::string& group);
+void remove(hid_t where, const std::string& name);
+
+/// Attributes of a file, group or dataset; writing one again replaces its value.
+void write_attribute(hid_t where, const std::string& name, const std::string& value);
+void write_attribute(hid_t where, const std::string& name, double value);
+void write_attribute(hid_t where, const std::string& name, std::int64_t value);
+std::string read_text_attribute(hid_t where, const std::string& name);
+double read_real_attribute(hid_t where, const std::string& name);
+std::int64_t read_integer_attribute(hid_t where, const std::string& name);
+
+void write_text(hid_t where, const std::string& name, const std::string& text);
+std::string read_text(hid_t where, const std::string& name);
+void write_texts(hid_t where, const std::string& name, const std::vector<std::string>& texts);
+std::vector<std::string> read_texts(hid_t where, const std::string& name);
+
+/// Untyped core of the functions below; `type` is the type in memory.
+void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+                  const void* values, const Meaning& meaning);
+void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning);
+void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+                  const void* values);
+void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values);
+/// Rows of a dataset; throws when its other dimension is not `width`.
+hsize_t row_count(hid_t where, const std::string& name, hsize_t width);
+void resize_table(hid_t where, const std::string& name, hsize_t rows);
+
+/// A compressed dataset that does not change any more.
+template <class T>
+void write(hid_t where, const std::string& name, std::span<const T> values, const Meaning& meaning) {
+    using E = Element<T>;
+    create_array(where, name, native_type<typename E::Scalar>(), values.size(), E::width, values.data(),
+                 meaning);
+}
+
+/// An empty dataset that rows are appended to.
+template <class T>
+void create_column(hid_t where, const std::string& name, const Meaning& meaning) {
+    create_table(where, name, native_type<typename Element<T>::Scalar>(), Element<T>::width, meaning);
+}
+
+template <class T>
+void append(hid_t where, const std::string& name, std::span<const T> values) {
+    using E = Element<T>;
+    append_table(where, name, native_type<typename E::Scalar>(), values.size(), E::width, values.data());
+}
+
+template <class T>
+std::vector<T> read(hid_t where, const std::string& name) {
+    using E = Element<T>;
+    std::vector<T> values(row_count(where, name, E::width));
+    read_array(where, name, native_type<typename E::Scalar>(), E::width, values.data());
+    return values;
+}
+
+}  // namespace sherd::hdf5

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/info.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "meshops/error.h"
+
+namespace sherd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const std::vector<Index>& face_sheet) {
+    std::vector<SheetInfo> sheets;
+    for (const std::string& name : header.sheet_names) sheets.push_back({name, 0, 0});
+    for (std::size_t f = 0; f < face_sheet.size(); ++f) {
+        SheetInfo& sheet = sheets.at(face_sheet[f]);
+        ++sheet.faces;
+        sheet.area += header.rest_area[f];
+    }
+    return sheets;
+}
+
+/// Fragments by id, those without a face included. The mass of a vertex goes to its faces as their rest
+/// areas.
+std::vector<FragmentInfo> fragments_of(const RecordingHeader& header, const Snapshot& frame) {
+    VectorXd vertex_area = VectorXd::Zero(frame.mass.size());
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (const Index v : frame.faces[f]) vertex_area[v] += header.rest_area[f];
+    std::vector<FragmentInfo> fragments;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        const Index id = frame.face_fragment[f];
+        while (fragments.size() <= static_cast<std::size_t>(id))
+            fragments.push_back({static_cast<Index>(fragments.size()), 0, 0, 0});
+        FragmentInfo& fragment = fragments[id];
+        ++fragment.faces;
+        fragment.area += header.rest_area[f];
+        for (const Index v : frame.faces[f])
+            fragment.mass += frame.mass[v] * header.rest_area[f] / vertex_area[v];
+    }
+    return fragments;
+}
+
+void add_last_frame(RunInfo& info, const RecordingHeader& header, const Snapshot& frame) {
+    if (frame.faces.size() != header.rest_faces.size())
+        throw Error(fmt::format("the recording is damaged: its last frame has {} faces, the unbroken mesh {}",
+                                frame.faces.size(), header.rest_faces.size()));
+    info.vertices = frame.position.cols();
+    info.faces = frame.faces.size();
+    info.sheets = sheets_of(header, frame.face_sheet);
+    info.fragments = fragments_of(header, frame);
+}
+
+void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
+    if (!steps.empty()) info.last = steps.back();
+    for (const StepReport& step : steps) {
+        info.newton_iterations += step.newton_iterations;
+        info.unconverged_steps += !step.converged;
+        info.most_stages = std::max(info.most_stages, step.stages);
+        info.peak_strain = std::max(info.peak_strain, step.peak_strain);
+    }
+}
+
+void add_events(RunInfo& info, const CrackEvents& events) {
+    info.failures = events.failures.size();
+    info.openings = events.openings.size();
+    info.splits = events.splits.size();
+}
+
+Json vector_json(const Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) {
+    constexpr std::size_t most = 20;
+    auto out = std::back_inserter(text);
+    std::ranges::stable_sort(fragments, std::greater(), &FragmentInfo::area);
+    fmt::format_to(out, "fragments    {}\n", fragments.size());
+    if (!fragments.empty())
+        fmt::format_to(out, "  {:>6} {:>8} {:>12} {:>12}\n", "id", "faces", "area m^2", "mass kg");
+    for (std::size_t i = 0; i < std::min(most, fragments.size()); ++i)
+        fmt::format_to(out, "  {:>6} {:>8} {:>12.5g} {:>12.5g}\n", fragments[i].id, fragments[i].faces,
+                       fragments[i].area, fragments[i].mass);
+    if (fragments.size() > most)
+        fmt::format_to(out, "  and {} smaller ones (--json lists all)\n", fragments.size() - most);
+}
+
+void add_last_step(std::string& text, const RunInfo& info) {
+    auto out = std::back_inserter(text);
+    const StepReport& last = *info.last;
+    fmt::format_to(
+        out,
+        "energy       kinetic {:.5g}, bending {:.5g}, membrane {:.5g}, gravity {:.5g}, contact {:.5g} J\n",
+        last.kinetic, last.bending, last.membrane, last.gravity, last.contact);
+    fmt::format_to(out,
+                   "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",
+                   last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),
+                   last.angular_momentum.x(), last.angular_momentum.y(), last.angular_momentum.z());
+    fmt::format_to(
+        out,
+        "solver       {} Newton iterations, at most {} stages of breaking a step, {} steps not converged\n",
+        info.newton_iterations, info.most_stages, info.unconverged_steps);
+    fmt::format_to(out, "peak strain  {:.5g} 1/m\n", info.peak_strain);
+}
+
+struct InfoOptions {
+    std::filesystem::path recording;
+    bool json = false;
+};
+
+int print_info(const InfoOptions& options) {
+    const RunInfo info = read_run_info(options.recording);
+    fmt::print("{}", options.json ? run_info_json(info) : run_info_text(info));
+    return 0;
+}
+
+}  // namespace
+
+RunInfo read_run_info(const std::filesystem::path& file) try {
+    const Recording recording(file);
+    const RecordingHeader header = recording.header();
+    RunInfo info;
+    info.scene_file = header.scene_file;
+    info.seed = header.seed;
+    info.end = recording.end();
+    info.wall_seconds = recording.wall_seconds();
+    info.frames = recording.frame_count();
+    info.vertices = header.rest_position.cols();
+    info.faces = header.rest_faces.size();
+    if (info.frames > 0) add_last_frame(info, header, recording.frame(info.frames - 1));
+    add_steps(info, recording.steps());
+    add_events(info, recording.events());
+    return info;
+} catch (const std::out_of_range&) {
+    throw Error(fmt::format("the recording '{}' is damaged: a face belongs to a sheet that has no name",
+                            file.string()));
+}
+
+std::string run_info_json(const RunInfo& info) {
+    const StepReport last = info.last.value_or(StepReport{});
+    Json json{{"steps", last.step},
+              {"time", last.time},
+              {"frames", info.frames},
+              {"vertices", info.vertices},
+              {"faces", info.faces},
+              {"crack_events", info.failures},
+              {"edges_opened", info.openings},
+              {"vertices_split", info.splits}};
+    json["fragments"] = Json::array();
+    for (const FragmentInfo& f : info.fragments)
+        json["fragments"].push_back({{"id", f.id}, {"faces", f.faces}, {"area", f.area}, {"mass", f.mass}});
+    json["sheets"] = Json::array();
+    for (const SheetInfo& s : info.sheets)
+        json["sheets"].push_back({{"name", s.name}, {"faces", s.faces}, {"area", s.area}});
+    json["energy"] = {{"kinetic", last.kinetic},
+                      {"bending", last.bending},
+                      {"membrane", last.membrane},
+                      {"gravity", last.gravity},
+                      {"contact", last.contact}};
+    json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
+                        {"angular", vector_json(last.angular_momentum)}};
+    json["peak_strain"] = info.peak_strain;
+    json["newton_iterations"] = info.newton_iterations;
+    json["unconverged_steps"] = info.unconverged_steps;
+    json["most_stages"] = info.most_stages;
+    json["wall_seconds"] = info.wall_seconds;
+    json["end"] = info.end;
+    json["seed"] = info.seed;
+    json["scene_file"] = info.scene_file;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string run_info_text(const RunInfo& info) {
+    const StepReport last = info.last.value_or(StepReport{});
+    std::string text;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "scene        {}, seed {}\n", info.scene_file, info.seed);
+    fmt::format_to(out, "end          {}", info.end);
+    if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
+    fmt::format_to(out, "\nrun          {} steps, {:.6g} s, {} frames\n", last.step, last.time, info.frames);
+    fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
+    for (const SheetInfo& s : info.sheets)
+        fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);
+    fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split\n", info.failures,
+                   info.openings, info.splits);
+    if (info.last) add_last_step(text, info);
+    add_fragment_table(text, info.fragments);
+    return text;
+}
+
+void add_info(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("info", "Say what happened in a run");
+    auto options = std::make_shared<InfoOptions>();
+    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+        ->required()
+        ->option_text("RUN.h5");
+    command->add_flag("--json", options->json, "For scripts: one JSON object");
+    command->footer("Example:\n  sherd info plate_drop.h5");
+    command->callback([&chosen, options] { chosen = [options] { return print_info(*options); }; });
+}
+
+}  // namespace sherd

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/recording.h"
+
+namespace sherd {
+
+/// A connected piece in the last frame.
+struct FragmentInfo {
+    Index id = 0;
+    std::size_t faces = 0;
+    double area = 0;  ///< m^2, at rest
+    double mass = 0;  ///< kg
+};
+
+struct SheetInfo {
+    std::string name;
+    std::size_t faces = 0;
+    double area = 0;  ///< m^2, at rest
+};
+
+/// What happened in a run, as `sherd info` tells it; of a run that goes on, what happened so far.
+struct RunInfo {
+    std::string scene_file, end;
+    std::int64_t seed = 0;
+    double wall_seconds = 0;
+    std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
+    std::size_t failures = 0, openings = 0, splits = 0;
+    std::vector<SheetInfo> sheets;        ///< none before the first frame
+    std::vector<FragmentInfo> fragments;  ///< by id; none before the first frame
+    std::optional<StepReport> last;       ///< the last step, if there was one
+    std::int64_t newton_iterations = 0;   ///< of all steps
+    std::size_t unconverged_steps = 0;
+    Index most_stages = 0;   ///< of breaking in one step
+    double peak_strain = 0;  ///< 1/m, of the whole run
+};
+
+/// Throws Error (input) when `file` is missing, not a recording or damaged.
+RunInfo read_run_info(const std::filesystem::path& file);
+
+/// One JSON object; its keys are described in app/README.md. A number that is not finite becomes null.
+std::string run_info_json(const RunInfo& info);
+
+/// The same for people to read.
+std::string run_info_text(const RunInfo& info);
+
+}  // namespace sherd

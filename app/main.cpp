@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+#include "app/commands.h"
+#include "meshops/error.h"
+
+namespace {
+
+constexpr int done = 0, failed = 1, bad_input = 2;
+
+int report(std::string_view message, int exit_code) {
+    while (!message.empty()) {
+        const std::string_view line = message.substr(0, message.find('\n'));
+        fmt::print(stderr, "sherd: error: {}\n", line);
+        message.remove_prefix(std::min(line.size() + 1, message.size()));
+    }
+    return exit_code;
+}
+
+int run(const sherd::Command& command) {
+    try {
+        const int exit_code = command();
+        if (std::fflush(stdout) != 0) return report("cannot write to standard output", failed);
+        return exit_code;
+    } catch (const sherd::Error& error) {
+        return report(error.what(), error.fault == sherd::Fault::input ? bad_input : failed);
+    } catch (const std::exception& error) {
+        return report(error.what(), failed);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program(
+        "Sherd breaks plates and shells: a scene goes in, fragments and the crack history come out.",
+        "sherd");
+    program.set_version_flag("--version", "sherd " SHERD_VERSION);
+    program.footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5");
+    sherd::Command chosen;
+    sherd::add_run(program, chosen);
+    sherd::add_check(program, chosen);
+    sherd::add_info(program, chosen);
+    sherd::add_export(program, chosen);
+    program.require_subcommand(0, 1);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? done : bad_input;
+    }
+    if (!chosen) {
+        fmt::print(stderr, "{}", program.help());
+        return bad_input;
+    }
+    return run(chosen);
+}

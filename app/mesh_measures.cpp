@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mesh_measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace sherd {
+namespace {
+
+int count_boundary_loops(const Mesh& mesh) {
+    std::vector<bool> seen(mesh.number_of_halfedges(), false);
+    int loops = 0;
+    for (const Halfedge start : mesh.halfedges()) {
+        if (!mesh.is_border(start) || seen[start]) continue;
+        ++loops;
+        for (Halfedge h = start; !seen[h]; h = mesh.next(h)) seen[h] = true;
+    }
+    return loops;
+}
+
+}  // namespace
+
+MeshMeasures measure(const Mesh& mesh) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    MeshMeasures measures;
+    measures.smallest_edge = infinity;
+    measures.lower.setConstant(infinity);
+    measures.upper.setConstant(-infinity);
+    for (const Vertex v : mesh.vertices()) {
+        measures.lower = measures.lower.cwiseMin(position(mesh, v));
+        measures.upper = measures.upper.cwiseMax(position(mesh, v));
+    }
+    for (const Edge e : mesh.edges()) {
+        const double length = (position(mesh, mesh.vertex(e, 1)) - position(mesh, mesh.vertex(e, 0))).norm();
+        measures.smallest_edge = std::min(measures.smallest_edge, length);
+        measures.largest_edge = std::max(measures.largest_edge, length);
+        measures.mean_edge += length / static_cast<double>(mesh.number_of_edges());
+    }
+    for (const Face f : mesh.faces()) {
+        const Halfedge h = mesh.halfedge(f);
+        const Eigen::Vector3d a = position(mesh, mesh.source(h)), b = position(mesh, mesh.target(h));
+        const Eigen::Vector3d c = position(mesh, mesh.target(mesh.next(h)));
+        measures.area += (b - a).cross(c - a).norm() / 2;
+    }
+    measures.boundary_loops = count_boundary_loops(mesh);
+    return measures;
+}
+
+}  // namespace sherd

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+inline Eigen::Vector3d position(const Mesh& mesh, Vertex v) {
+    const Point& p = mesh.point(v);
+    return {p.x(), p.y(), p.z()};
+}
+
+/// Sizes of a mesh with at least one face, in m and m^2.
+struct MeshMeasures {
+    double area = 0;
+    double smallest_edge = 0, mean_edge = 0, largest_edge = 0;
+    Eigen::Vector3d lower, upper;  ///< corners of the bounding box
+    int boundary_loops = 0;
+};
+
+MeshMeasures measure(const Mesh& mesh);
+
+}  // namespace sherd

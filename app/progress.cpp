@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sherd {
+namespace {
+
+constexpr int bar_width = 24;
+constexpr auto refresh = std::chrono::milliseconds(100);
+
+std::string clock(double seconds) {
+    const long whole = std::max(0L, static_cast<long>(seconds + 0.5));
+    return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                        : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+Progress::Progress(double duration)
+    : duration(duration),
+      terminal(isatty(STDERR_FILENO)),
+      start(std::chrono::steady_clock::now()),
+      last_shown(start) {}
+
+double Progress::wall_seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string Progress::status(const StepReport& report, std::size_t cracks) const {
+    const double done = std::min(1.0, report.time / duration);
+    return fmt::format("step {}  {:.4g} of {:.4g} s  ETA {}  cracks {}  fragments {}", report.step,
+                       report.time, duration, clock(wall_seconds() * (1 - done) / done), cracks,
+                       report.fragments);
+}
+
+void Progress::update(const StepReport& report, std::size_t cracks) {
+    const double done = std::min(1.0, report.time / duration);
+    if (terminal) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last_shown < refresh && done < 1) return;
+        last_shown = now;
+        const int filled = static_cast<int>(done * bar_width);
+        fmt::print(stderr, "\r\x1b[K[{:#>{}}{:.>{}}] {}", "", filled, "", bar_width - filled,
+                   status(report, cracks));
+        std::fflush(stderr);
+    } else if (static_cast<int>(done * 10 + 1e-9) > tenths) {
+        tenths = static_cast<int>(done * 10 + 1e-9);
+        fmt::print(stderr, "{:3}%  {}\n", tenths * 10, status(report, cracks));
+    }
+}
+
+void Progress::finish() {
+    if (terminal) fmt::print(stderr, "\n");
+}
+
+}  // namespace sherd

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "meshops/error.h"
+
+namespace sherd {
+
+/// A file that is written under another name (`NAME.part`) in the same folder until it is complete, and
+/// removed if it never is.
+class PendingFile {
+  public:
+    /// Creates it empty. Throws Error of kind `fault` when it cannot be created.
+    PendingFile(std::filesystem::path target, Fault fault);
+    ~PendingFile();
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    const std::filesystem::path& path() const { return temporary; }
+    /// Throws Error (run) when the disk is full.
+    void write(const std::string& text);
+    /// Gives it its name. Throws Error (input) when that is taken and not `replace`.
+    void publish(bool replace);
+
+  private:
+    std::filesystem::path target, temporary;
+};
+
+/// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
+void check_free(const std::filesystem::path& file, bool force);
+
+/// Space on disk behind the end of a file, so that a full disk is noticed before the file is touched: the
+/// destructor gives back what has not been used.
+class DiskRoom {
+  public:
+    /// Throws Error (run) when `bytes` more are not to be had (disk, quota or file size limit).
+    DiskRoom(std::filesystem::path file, std::size_t bytes);
+    ~DiskRoom();
+    DiskRoom(const DiskRoom&) = delete;
+    DiskRoom& operator=(const DiskRoom&) = delete;
+
+  private:
+    std::filesystem::path file;
+};
+
+}  // namespace sherd

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/progress.h"
+#include "app/scene_simulation.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+struct RunOptions {
+    SceneOptions scene;
+    std::filesystem::path output;  ///< empty: the scene's name with .h5, in the working directory
+    bool force = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;  // set by a signal handler, which can reach nothing else
+
+void interrupt(int) {
+    interrupted = 1;
+}
+
+/// What the run adds up over its steps.
+struct Totals {
+    std::size_t cracks = 0, unconverged = 0, capped = 0;
+    std::int64_t newton_iterations = 0;
+    double peak_strain = 0;
+    StepReport last;
+};
+
+/// Steps the simulation to its end and records it.
+class Runner {
+  public:
+    Runner(const Scene& scene, Simulation& simulation, RecordingWriter& writer)
+        : scene(scene), simulation(simulation), writer(writer), progress(scene.duration) {}
+
+    /// Returns how the run ended: "complete" or "interrupted".
+    std::string run();
+    void print_summary(const std::string& end, const std::filesystem::path& output) const;
+    double wall_seconds() const { return progress.wall_seconds(); }
+
+  private:
+    void step();
+    void record();
+
+    const Scene& scene;
+    Simulation& simulation;
+    RecordingWriter& writer;
+    Progress progress;
+    Totals totals;
+    std::vector<StepReport> unrecorded;
+    CrackEvents unrecorded_events;
+};
+
+void Runner::step() {
+    const StepReport report = simulation.step();
+    CrackEvents events = simulation.take_events();
+    totals.cracks += events.failures.size();
+    totals.unconverged += !report.converged;
+    totals.capped += report.stage_cap_reached;
+    totals.newton_iterations += report.newton_iterations;
+    totals.peak_strain = std::max(totals.peak_strain, report.peak_strain);
+    totals.last = report;
+    unrecorded.push_back(report);
+    append(unrecorded_events, events);
+    progress.update(report, totals.cracks);
+}
+
+void Runner::record() {
+    writer.append(simulation.snapshot(), unrecorded, unrecorded_events);
+    unrecorded.clear();
+    unrecorded_events = {};
+}
+
+std::string Runner::run() {
+    const std::int64_t steps = step_count(scene);
+    const auto frame_of = [this](std::int64_t step) {
+        return std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6);
+    };
+    record();
+    for (std::int64_t i = 1; i <= steps && !interrupted; ++i) {
+        step();
+        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted) record();
+    }
+    progress.finish();
+    return totals.last.step == steps ? "complete" : "interrupted";
+}
+
+void Runner::print_summary(const std::string& end, const std::filesystem::path& output) const {
+    const auto row = [](const char* name, const std::string& value) {
+        fmt::print("{:<22}{}\n", name, value);
+    };
+    row("run", end);
+    row("recording", output.string());
+    row("steps", fmt::format("{} of {:g} s", totals.last.step, scene.solver.step));
+    row("simulated time", fmt::format("{:g} s", totals.last.time));
+    row("wall time", fmt::format("{:.1f} s", wall_seconds()));
+    row("Newton iterations",
+        fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
+                    static_cast<double>(totals.newton_iterations) /
+                        static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
+    row("cracked edges", fmt::format("{}", totals.cracks));
+    row("fragments", fmt::format("{}", totals.last.fragments));
+    row("peak bending strain",
+        fmt::format(
+            "{:.4g} 1/m{}", totals.peak_strain,
+            totals.cracks == 0 ? " (no hinge broke; to break it, try a threshold of half of that)" : ""));
+    if (totals.unconverged > 0) row("unconverged steps", fmt::format("{}", totals.unconverged));
+    if (totals.capped > 0) row("steps out of stages", fmt::format("{}", totals.capped));
+}
+
+void warn(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+}
+
+int run(RunOptions options) {
+    const Scene scene = read_scene(options.scene.file, options.scene.overrides);
+    if (options.output.empty()) options.output = scene.file.stem().string() + ".h5";
+    std::vector<std::string> warnings;
+    const std::vector<SheetInput> sheets = make_sheets(scene, warnings);
+    warn(warnings);
+    Simulation simulation(sheets, simulation_options(scene));
+    RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
+
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, interrupt);
+    Runner runner(scene, simulation, writer);
+    try {
+        const std::string end = runner.run();
+        writer.finish(runner.wall_seconds(), end);
+        runner.print_summary(end, options.output);
+        return end == "complete" ? 0 : 1;
+    } catch (const std::exception& error) {
+        writer.finish(runner.wall_seconds(), std::string("failed: ") + error.what());
+        throw;
+    }
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("run", "Simulate a scene and record it");
+    auto options = std::make_shared<RunOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_option(
+        "-o,--output", options->output,
+        "Recording to write (.h5); an .xdmf for ParaView goes beside it. Default: the scene's name");
+    command->add_flag("--force", options->force, "Replace a recording that exists");
+    command->footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5 --set duration=0.02");
+    command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace sherd

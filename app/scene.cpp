@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <system_error>
+
+#include "app/scene_override.h"
+#include "app/scene_sheet.h"
+#include "app/toml_table.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr double most_steps = 1e9;       // decades of computing: a mistyped step, not a wish
+constexpr double concrete_young = 3e10;  // Pa, C20/25 of EN 1992-1-1: what most floors are made of
+
+std::string read_text(const std::filesystem::path& file) {
+    const auto fail = [&](const std::string& reason) {
+        return Error(fmt::format("{}: cannot read the scene: {}; give a TOML file", file.string(), reason));
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw fail("it is a directory");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw fail(std::generic_category().message(errno));
+    try {
+        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    } catch (const std::ios_base::failure&) {
+        throw fail(std::generic_category().message(errno));
+    }
+}
+
+toml::table parse(const std::string& text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position at = error.source().begin;
+        throw Error(fmt::format("{}:{}:{}: TOML syntax: {}", file, at.line, at.column, error.description()));
+    }
+}
+
+PlaneSpec read_obstacle(const std::string& name, TomlTable& table) {
+    PlaneSpec plane;
+    plane.name = name;
+    if (auto geometry = table.table("plane")) {
+        plane.point = geometry->vector("point", "m", Vector3d::Zero());
+        plane.normal = geometry->vector("normal", "", Vector3d::UnitZ());
+        if (plane.normal.isZero(0))
+            geometry->report("normal", "must not be zero: give a direction, such as [0, 0, 1]");
+        plane.normal = plane.normal.stableNormalized();
+        geometry->finish();
+    } else if (!table.has("plane")) {
+        table.report("plane", "is missing: give plane = { point = [0, 0, 0], normal = [0, 0, 1] }");
+    }
+    plane.friction = table.number("friction", "", not_negative, 0);
+    plane.young = table.number("young", "Pa", positive, concrete_young);
+    table.finish();
+    return plane;
+}
+
+SolverSpec read_solver(TomlTable& table) {
+    SolverSpec solver;
+    constexpr int most = std::numeric_limits<int>::max();
+    solver.step = table.number("step", "s", positive, solver.step);
+    solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
+    solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
+    solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));
+    table.finish();
+    return solver;
+}
+
+void read_times(TomlTable& root, Scene& scene) {
+    scene.duration = root.number("duration", "s", positive);
+    if (auto solver = root.table("solver")) {
+        scene.solver = read_solver(*solver);
+        if (scene.solver.step > scene.duration)
+            solver->report("step", fmt::format("is longer than duration ({} s)", scene.duration));
+        if (scene.duration / scene.solver.step > most_steps)
+            solver->report("step", fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one",
+                                               scene.duration / scene.solver.step, most_steps));
+    }
+    scene.frame_interval = std::max(scene.duration / 100, scene.solver.step);
+    if (auto output = root.table("output")) {
+        scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
+        if (output->has("every") && scene.frame_interval < scene.solver.step)
+            output->report("every", fmt::format("is shorter than solver.step ({} s)", scene.solver.step));
+        output->finish();
+    }
+}
+
+void read_sheets(TomlTable& root, Scene& scene) {
+    if (auto sheets = root.table("sheet")) {
+        for (auto& [name, table] : sheets->entries())
+            scene.sheets.push_back(read_sheet(name, table, scene.file.parent_path()));
+    } else if (root.has("sheet")) {
+        return;  // reported as no table
+    }
+    if (scene.sheets.empty())
+        root.report("sheet", "the scene has no sheet: add [sheet.NAME] with mesh and material");
+}
+
+void read_root(TomlTable& root, Scene& scene) {
+    read_times(root, scene);
+    scene.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), scene.seed);
+    read_sheets(root, scene);
+    if (auto obstacles = root.table("obstacle"))
+        for (auto& [name, table] : obstacles->entries()) scene.planes.push_back(read_obstacle(name, table));
+    if (auto force = root.table("force")) {
+        scene.gravity = force->vector("gravity", "m/s^2", scene.gravity);
+        force->finish();
+    }
+    root.finish();
+}
+
+}  // namespace
+
+std::int64_t step_count(const Scene& scene) {
+    return static_cast<std::int64_t>(std::ceil(scene.duration / scene.solver.step - 1e-6));
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    Scene scene;
+    scene.file = file;
+    scene.text = read_text(file);
+    toml::table document = parse(scene.text, file.string());
+    for (const std::string& assignment : overrides) {
+        apply_override(document, assignment);
+        if (!scene.text.ends_with('\n')) scene.text += '\n';
+        scene.text += fmt::format("# --set {}\n", assignment);
+    }
+    Problems problems;
+    TomlTable root(document, "", problems);
+    read_root(root, scene);
+    problems.throw_if_any();
+    return scene;
+}
+
+}  // namespace sherd

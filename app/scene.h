@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sherd {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A generated mesh: `mesh = { generate = "plate", radius = 0.13, edge_length = 0.004 }`.
+struct GeneratedMesh {
+    std::string shape;       ///< rectangle, disc, cylinder, sphere, plate, bowl, revolution
+    double edge_length = 0;  ///< m
+    bool structured = false;
+    double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
+    std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
+};
+
+/// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", repair = true }`.
+struct MeshFile {
+    std::filesystem::path path;  ///< as seen from the working directory
+    bool repair = false;
+    bool join = false;  ///< join duplicate points
+    double scale = 1;   ///< metres per unit of the file
+    double remesh = 0;  ///< m, target edge length; 0: as it is
+};
+
+struct MaterialSpec {
+    double density = 0;    ///< kg/m^3
+    double thickness = 0;  ///< m
+    double young = 0;      ///< Pa
+    double poisson = 0;
+};
+
+/// Where the vertices are that something holds.
+struct Selection {
+    std::optional<std::pair<Vector3d, Vector3d>> box;  ///< lower and upper corner, placed positions
+    bool boundary = false;                             ///< all boundary vertices
+    std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
+};
+
+struct SheetSpec {
+    std::string name;
+    std::variant<GeneratedMesh, MeshFile> mesh;
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    Vector3d velocity = Vector3d::Zero();  ///< m/s
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
+    MaterialSpec material;
+    double strain_threshold = 0;  ///< 1/m; 0: does not break
+    std::vector<Selection> pins;
+    std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
+};
+
+struct PlaneSpec {
+    std::string name;
+    Vector3d point = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitZ();
+    double friction = 0;
+    double young = 0;  ///< Pa, of what the plane is made of
+};
+
+struct SolverSpec {
+    double step = 1e-4;       ///< s
+    int max_iterations = 50;  ///< Newton iterations a step
+    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
+    int max_stages = 100;     ///< of breaking, a step
+};
+
+/// A scene file, read and checked: every value is in SI units and in its allowed range.
+struct Scene {
+    std::filesystem::path file;
+    std::string text;     ///< as read, with the overrides in comments at its end
+    double duration = 0;  ///< s
+    std::int64_t seed = 1;
+    std::vector<SheetSpec> sheets;
+    std::vector<PlaneSpec> planes;
+    Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    SolverSpec solver;
+    double frame_interval = 0;  ///< s, output.every; at least solver.step
+};
+
+/// Steps that cover the duration; a remainder is a whole step, one due to round-off is not.
+std::int64_t step_count(const Scene& scene);
+
+/// Reads and checks a scene. `overrides` are KEY=VALUE with dotted keys, applied before checking.
+/// Throws Error with file:line, the key and what to do on: a missing file, a TOML syntax error (line and
+/// column), an unknown key (with the nearest known one), a missing key, a wrong type, sign or range. The
+/// message has a line for each mistake. Mesh files are opened by make_mesh only.
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace sherd

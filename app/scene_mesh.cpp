@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/mesh_measures.h"
+#include "app/scene_shape.h"
+#include "meshops/error.h"
+#include "meshops/generate.h"
+#include "meshops/read_mesh.h"
+#include "meshops/remesh.h"
+
+namespace sherd {
+namespace {
+
+void transform(Mesh& mesh, const Eigen::Affine3d& map) {
+    for (const Vertex v : mesh.vertices()) {
+        const Vector3d p = map * position(mesh, v);
+        mesh.point(v) = Point(p.x(), p.y(), p.z());
+    }
+}
+
+Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string>&) {
+    GenerateOptions options;
+    options.edge_length = spec.edge_length;
+    options.layout = spec.structured ? Layout::structured : Layout::delaunay;
+    options.seed = static_cast<unsigned>(scene.seed);
+    if (spec.shape == "rectangle") return generate_rectangle(spec.width, spec.height, options);
+    if (spec.shape == "disc") return generate_disc(spec.radius, options);
+    if (spec.shape == "cylinder") return generate_cylinder(spec.radius, spec.height, options);
+    if (spec.shape == "sphere") return generate_sphere(spec.radius, options);
+    return generate_revolution(spec.profile, options);
+}
+
+Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
+    Mesh mesh = read_mesh(spec.path, {.join_duplicate_points = spec.join, .repair = spec.repair}, warnings);
+    if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
+    if (spec.remesh == 0) return mesh;
+    const double faces = expected_faces(measure(mesh).area, spec.remesh);
+    if (faces > most_faces)
+        throw Error(
+            fmt::format("remesh = {} would make about {:.2g} faces, more than {:.0g}: give a larger one",
+                        spec.remesh, faces, most_faces));
+    return remesh(mesh, spec.remesh);
+}
+
+bool selects(const Selection& selection, const Mesh& mesh, Vertex v) {
+    if (selection.boundary) return mesh.is_border(v);
+    const Vector3d p = position(mesh, v);
+    return (p.array() >= selection.box->first.array()).all() &&
+           (p.array() <= selection.box->second.array()).all();
+}
+
+}  // namespace
+
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+    try {
+        std::vector<std::string> found;
+        Mesh mesh = std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
+        for (const std::string& warning : found)
+            warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
+        transform(mesh, Eigen::Affine3d(sheet.place));
+        return mesh;
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", sheet.where, error.what()), error.fault);
+    }
+}
+
+std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed) {
+    std::vector<bool> held(placed.number_of_vertices(), false);
+    for (const Selection& pin : sheet.pins) {
+        bool any = false;
+        for (const Vertex v : placed.vertices())
+            if (selects(pin, placed, v)) any = held[v] = true;
+        if (!any)
+            throw Error(fmt::format("{}: holds no vertex: its box or boundary must reach the placed sheet",
+                                    pin.where));
+    }
+    std::vector<std::int32_t> numbers;
+    for (std::size_t v = 0; v < held.size(); ++v)
+        if (held[v]) numbers.push_back(static_cast<std::int32_t>(v));
+    return numbers;
+}
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/scene.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// The mesh of a sheet where the scene places it: generated (with the scene's seed), or read, scaled and
+/// remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+/// Numbers of the vertices that the sheet's pins hold, in ascending order. Throws Error on a pin that holds
+/// none.
+std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+
+namespace sherd {
+
+/// Puts `assignment`, KEY=VALUE of the command line, into `scene`. KEY is dotted; VALUE is TOML, and a bare
+/// word that is not TOML is a string. What it adds has the source path "--set KEY=VALUE". Throws Error when
+/// the assignment cannot be understood.
+void apply_override(toml::table& scene, const std::string& assignment);
+
+/// Whether a source path is that of an override.
+bool is_override(std::string_view source_path);
+
+}  // namespace sherd

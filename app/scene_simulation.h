@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/recording.h"
+#include "app/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// The sheets of a scene, ready to be simulated. Throws Error naming the scene's line and key; warnings are
+/// sentences.
+std::vector<SheetInput> make_sheets(const Scene& scene, std::vector<std::string>& warnings);
+
+SimulationOptions simulation_options(const Scene& scene);
+
+/// The head of the recording of a simulation that has not made a step yet.
+RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);
+
+}  // namespace sherd

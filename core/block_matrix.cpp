@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/block_matrix.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+BlockMatrix::BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed)
+    : fixed(std::move(fixed)) {
+    for (auto& [column, below] : pairs)
+        if (column > below) std::swap(column, below);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
+
+    block_start.assign(vertices + 1, 0);
+    for (const auto& [column, below] : pairs) {
+        ++block_start[column + 1];
+        block_row.push_back(below);
+    }
+    for (Index j = 0; j < vertices; ++j) block_start[j + 1] += block_start[j];
+
+    column_start.push_back(0);
+    for (Index j = 0; j < vertices; ++j) {
+        for (Index c = 0; c < 3; ++c) {
+            for (Index r = c; r < 3; ++r) row.push_back(3 * j + r);
+            for (Index b = block_start[j]; b < block_start[j + 1]; ++b)
+                for (Index r = 0; r < 3; ++r) row.push_back(3 * block_row[b] + r);
+            column_start.push_back(static_cast<Index>(row.size()));
+        }
+    }
+    value.resize(row.size());
+    set_zero();
+}
+
+void BlockMatrix::set_zero() {
+    std::fill(value.begin(), value.end(), 0.0);
+    for (std::size_t v = 0; v < fixed.size(); ++v)
+        if (fixed[v])
+            for (Index c = 0; c < 3; ++c) value[column_start[3 * v + c]] = 1;
+}
+
+void BlockMatrix::add(Index i, Index j, const Matrix3d& block) {
+    if (fixed[i] || fixed[j]) return;
+    if (i == j) {
+        for (Index c = 0; c < 3; ++c)
+            for (Index r = c; r < 3; ++r) value[column_start[3 * j + c] + r - c] += block(r, c);
+        return;
+    }
+    const bool lower = i > j;
+    const Index column = lower ? j : i, below = lower ? i : j;
+    const auto first = block_row.begin() + block_start[column];
+    const auto found = std::lower_bound(first, block_row.begin() + block_start[column + 1], below);
+    const Index rank = static_cast<Index>(found - first);
+    for (Index c = 0; c < 3; ++c) {
+        double* target = &value[column_start[3 * column + c] + (3 - c) + 3 * rank];
+        for (Index r = 0; r < 3; ++r) target[r] += lower ? block(r, c) : block(c, r);
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column a vertex. Holds the lower triangle in
+/// compressed columns, rows ascending, which is how CHOLMOD reads it. Scalar row of coordinate c of vertex i:
+/// 3 i + c.
+class BlockMatrix {
+  public:
+    /// Zero matrix of `vertices` block rows with the blocks `pairs` (any order, either triangle, repeats
+    /// allowed) and all diagonal blocks. Rows and columns of `fixed` vertices (one flag a vertex) stay those
+    /// of the identity.
+    BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed);
+
+    void set_zero();
+    /// Adds `block` at block row i, block column j. The caller adds each unordered pair once: (j, i) is
+    /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
+    void add(Index i, Index j, const Matrix3d& block);
+
+    Index size() const { return static_cast<Index>(column_start.size()) - 1; }  ///< scalar rows
+    std::span<const Index> columns() const { return column_start; }             ///< [size + 1]
+    std::span<const Index> rows() const { return row; }
+    std::span<const double> values() const { return value; }
+
+  private:
+    std::vector<Index> block_start;  ///< [vertices + 1] first below-diagonal block of each block column
+    std::vector<Index> block_row;    ///< block rows below the diagonal, ascending within a column
+    std::vector<Index> column_start, row;
+    std::vector<double> value;
+    std::vector<char> fixed;
+};
+
+/// Adds the symmetric `local` Hessian [3 N, 3 N] of an element on `vertices` [N] (coordinate fastest).
+template <std::size_t N>
+void add_element(BlockMatrix& matrix, const std::array<Index, N>& vertices,
+                 const Eigen::Matrix<double, 3 * N, 3 * N>& local) {
+    for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b <= a; ++b)
+            matrix.add(vertices[a], vertices[b], local.template block<3, 3>(3 * a, 3 * b));
+}
+
+/// Appends the unordered pairs of an element's vertices.
+template <std::size_t N>
+void add_pairs(std::vector<std::pair<Index, Index>>& pairs, const std::array<Index, N>& vertices) {
+    for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(vertices[a], vertices[b]);
+}
+
+}  // namespace sherd

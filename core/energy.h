@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/block_matrix.h"
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Which second derivative an energy hands to Newton's method.
+enum class Curvature {
+    exact,  ///< the Hessian; may be indefinite
+    convex  ///< a positive semidefinite matrix near it, which makes every step one of descent
+};
+
+/// A potential energy of the vertex positions: the sum over the stencils of one kind of element.
+struct Energy {
+    virtual ~Energy() = default;
+    /// Value in J. x: [3, V] in m.
+    virtual double value(const Positions& x) const = 0;
+    /// Adds dE/dx, in N, to gradient [3, V]; the force is its negative.
+    virtual void add_gradient(const Positions& x, Positions& gradient) const = 0;
+    /// Adds d2E/dx2, in N/m.
+    virtual void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const = 0;
+    /// Appends the pairs of vertices that have a block in the Hessian.
+    virtual void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const = 0;
+};
+
+}  // namespace sherd

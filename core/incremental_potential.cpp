@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/incremental_potential.h"
+
+namespace sherd {
+
+IncrementalPotential::IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies,
+                                           double step, const Vector3d& gravity)
+    : sheet(sheet), energies(std::move(energies)), step(step) {
+    inertial = sheet.position + step * sheet.velocity;
+    inertial.colwise() += step * step * gravity;
+    for (std::size_t v = 0; v < sheet.fixed.size(); ++v)
+        if (sheet.fixed[v]) inertial.col(v) = sheet.position.col(v);
+}
+
+double IncrementalPotential::value(const Positions& x) const {
+    double sum = 0.5 / (step * step) * sheet.mass.dot((x - inertial).colwise().squaredNorm().transpose());
+    for (const Energy* energy : energies) sum += energy->value(x);
+    return sum;
+}
+
+Positions IncrementalPotential::gradient(const Positions& x) const {
+    Positions sum = (x - inertial) * (sheet.mass / (step * step)).asDiagonal();
+    for (const Energy* energy : energies) energy->add_gradient(x, sum);
+    for (std::size_t v = 0; v < sheet.fixed.size(); ++v)
+        if (sheet.fixed[v]) sum.col(v).setZero();
+    return sum;
+}
+
+BlockMatrix IncrementalPotential::hessian_pattern() const {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : energies) energy->add_pattern(pairs);
+    return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed);
+}
+
+void IncrementalPotential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    hessian.set_zero();
+    for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v)
+        hessian.add(v, v, sheet.mass[v] / (step * step) * Matrix3d::Identity());
+    for (const Energy* energy : energies) energy->add_hessian(x, curvature, hessian);
+}
+
+}  // namespace sherd

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/energy.h"
+#include "core/sheet.h"
+
+namespace sherd {
+
+/// The function whose minimum is the end of an implicit Euler step:
+///     E(x) = 1 / (2 h^2) (x - y)^T M (x - y) + sum of energies,   y = x_n + h v_n + h^2 g.
+/// Fixed vertices stay where they are: their rows of gradient and Hessian are those of the identity.
+class IncrementalPotential {
+  public:
+    /// All energies and the sheet must outlive it. step: s; gravity: m/s^2.
+    IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies, double step,
+                         const Vector3d& gravity);
+
+    const Positions& predicted() const { return inertial; }  ///< y, and x_n of fixed vertices, m
+    double value(const Positions& x) const;                  ///< J
+    Positions gradient(const Positions& x) const;            ///< N, [3, V]
+    /// Zero matrix of the Hessian's pattern.
+    BlockMatrix hessian_pattern() const;
+    void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
+
+  private:
+    const Sheet& sheet;
+    std::vector<const Energy*> energies;
+    double step;
+    Positions inertial;
+};
+
+}  // namespace sherd

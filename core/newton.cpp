@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/newton.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sherd {
+namespace {
+
+constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
+constexpr double flattening = 0.9;            // of the slope, where round-off hides the decrease of the value
+constexpr int max_halvings = 40;
+
+void factorize(const IncrementalPotential& potential, NewtonSystem& system, const Positions& x) {
+    for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
+        potential.hessian(x, curvature, system.matrix);
+        if (system.solver.factorize(system.matrix)) return;
+    }
+    throw std::runtime_error(
+        "Newton's method: the convex Hessian is not positive definite (NaN in the positions?)");
+}
+
+/// Moves x along `direction`, halving it until the potential decreases. The value has a round-off error that
+/// is large beside the last decreases: a step after which the slope is flatter is good too.
+bool line_search(const IncrementalPotential& potential, const Positions& direction, double slope,
+                 Positions& x) {
+    const double start = potential.value(x);
+    double scale = 1;
+    for (int halving = 0; halving < max_halvings; ++halving, scale /= 2) {
+        const Positions trial = x + scale * direction;
+        const double value = potential.value(trial);
+        const bool decreases = value <= start + sufficient_decrease * scale * slope;
+        const bool in_round_off = std::abs(value - start) <= 1e-9 * std::abs(start);
+        if (decreases || (in_round_off && std::abs(potential.gradient(trial).cwiseProduct(direction).sum()) <=
+                                              flattening * std::abs(slope))) {
+            x = trial;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+NewtonResult minimise(const IncrementalPotential& potential, NewtonSystem& system,
+                      const NewtonOptions& options, Positions& x) {
+    NewtonResult result;
+    while (result.iterations < options.max_iterations) {
+        const Positions gradient = potential.gradient(x);
+        factorize(potential, system, x);
+        ++result.iterations;
+        const VectorXd solution = system.solver.solve(-gradient.reshaped());
+        const Positions direction = solution.reshaped(3, x.cols());
+        result.correction = direction.cwiseAbs().maxCoeff();
+        const bool moved = line_search(potential, direction, gradient.cwiseProduct(direction).sum(), x);
+        result.converged = result.correction <= options.tolerance;
+        if (result.converged || !moved) break;
+    }
+    return result;
+}
+
+}  // namespace sherd

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/cubic_hinge.h"
+#include "core/hinge.h"
+#include "core/material.h"
+#include "core/membrane.h"
+
+namespace sherd {
+
+/// The vertices of a triangle and its membrane.
+struct TriangleStencil {
+    std::array<Index, 3> vertices;
+    MembraneTriangle membrane;
+};
+
+/// The vertices of a hinge, its rest shape and its bending energy.
+struct HingeStencil {
+    std::array<Index, 4> vertices;
+    RestHinge rest;
+    CubicHinge bending;
+};
+
+/// The mechanics of all sheets of a simulation, as arrays and index stencils. Vertices and triangles are only
+/// ever appended or renumbered by whoever holds the topology; nothing here knows of a mesh.
+struct Sheet {
+    Positions rest;      ///< [3, V] m
+    Positions position;  ///< [3, V] m
+    Positions velocity;  ///< [3, V] m/s
+    VectorXd mass;       ///< [V] kg, lumped
+    VectorXd thickness;  ///< [V] m
+    VectorXd young;      ///< [V] Pa
+    VectorXd
+        footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/plane_contact.h
+    std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
+    std::vector<TriangleStencil> triangles;
+    std::vector<HingeStencil> hinges;
+};
+
+/// Gives the arrays `count` vertices; new ones are zero.
+void resize_vertices(Sheet& sheet, Index count);
+
+/// Copies all data of a vertex to another one.
+void copy_vertex(Sheet& sheet, Index from, Index to);
+
+/// The stencil of the hinge whose edge runs from vertices[0] to vertices[1]; see HingePositions for the
+/// order.
+HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices,
+                           const Material& material);
+
+/// Kinetic energy, J.
+double kinetic_energy(const Sheet& sheet);
+/// kg m/s.
+Vector3d linear_momentum(const Sheet& sheet);
+/// About the origin, kg m^2/s.
+Vector3d angular_momentum(const Sheet& sheet);
+
+}  // namespace sherd

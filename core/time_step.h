@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/contact/plane_contact.h"
+#include "core/newton.h"
+#include "core/sheet_energies.h"
+
+namespace sherd {
+
+struct TimeStepOptions {
+    double step = 1e-4;             ///< s
+    Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    NewtonOptions newton;
+    std::vector<Plane> planes;  ///< obstacles
+};
+
+/// Potential energies of a sheet, J.
+struct PotentialEnergies {
+    double bending = 0, membrane = 0, gravity = 0, contact = 0;
+};
+
+/// Implicit Euler: each step ends at the minimum of the incremental potential. Between begin() and finish()
+/// the step is open: it can be solved, its stencils changed, and solved again.
+class TimeStep {
+  public:
+    /// The sheet must outlive it.
+    TimeStep(Sheet& sheet, const TimeStepOptions& options);
+
+    /// Starts a step from the sheet's positions and velocities; `position` is the inertial prediction.
+    void begin();
+    /// Advances `position` towards the minimum by at most `max_iterations` of Newton's method.
+    NewtonResult solve(int max_iterations);
+    /// To be called when vertices were added or stencils changed. New vertices of the sheet get their
+    /// position from whoever added them, in `position` and in the sheet.
+    void stencils_changed();
+    /// Ends the step: the sheet's positions become `position`, its velocities the difference quotient.
+    void finish();
+
+    PotentialEnergies energies() const;  ///< of `position`
+    Index contacts() const;              ///< vertices that touch an obstacle, at `position`
+
+    Positions position;  ///< [3, V] m, at the end of the open step
+
+  private:
+    std::unique_ptr<IncrementalPotential> potential_of_step() const;
+
+    Sheet& sheet;
+    TimeStepOptions options;
+    BendingEnergy bending;
+    MembraneEnergy membrane;
+    std::vector<PlaneContact> contact;
+    std::unique_ptr<IncrementalPotential> potential;
+    std::unique_ptr<NewtonSystem> system;
+};
+
+}  // namespace sherd

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace sherd {
+
+using Index = std::int32_t;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// One column a vertex: positions (m), velocities (m/s), forces (N).
+using Positions = Eigen::Matrix3Xd;
+
+}  // namespace sherd

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/breakable_sheet.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace sherd {
+namespace {
+
+Vector3d vector_of(const Point& point) {
+    return {point.x(), point.y(), point.z()};
+}
+
+Index number(std::size_t element) {
+    return static_cast<Index>(element);
+}
+
+std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
+    std::array<Index, 3> vertices;
+    Halfedge h = mesh.halfedge(face);
+    for (Index& vertex : vertices) {
+        vertex = number(mesh.target(h));
+        h = mesh.next(h);
+    }
+    return vertices;
+}
+
+Mesh joined(const std::vector<SheetInput>& inputs) {
+    Mesh all = inputs.front().mesh;
+    for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
+    return all;
+}
+
+}  // namespace
+
+BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
+    Index first_vertex = 0;
+    for (const SheetInput& input : inputs) {
+        add_vertices(input, first_vertex);
+        sheet_of_face.insert(sheet_of_face.end(), input.mesh.number_of_faces(),
+                             number(&input - inputs.data()));
+        first_vertex += number(input.mesh.number_of_vertices());
+    }
+    add_triangles(inputs);
+    add_hinges(inputs);
+    add_footprints();
+    first_vertex = 0;
+    for (const SheetInput& input : inputs) {
+        set_rigid_motion(input, first_vertex);
+        first_vertex += number(input.mesh.number_of_vertices());
+    }
+}
+
+void BreakableSheet::add_vertices(const SheetInput& input, Index first_vertex) {
+    resize_vertices(sheet, first_vertex + number(input.mesh.number_of_vertices()));
+    for (const Vertex vertex : input.mesh.vertices()) {
+        const Index v = first_vertex + number(vertex);
+        sheet.rest.col(v) = sheet.position.col(v) = vector_of(input.mesh.point(vertex));
+        sheet.thickness[v] = input.material.thickness;
+        sheet.young[v] = input.material.young;
+        original_vertex.push_back(v);
+    }
+    for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
+}
+
+void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs) {
+    for (const Face face : mesh().faces()) {
+        const Material& material = inputs[sheet_of_face[face]].material;
+        const std::array<Index, 3> vertices = face_vertices(mesh(), face);
+        const MembraneTriangle membrane =
+            membrane_triangle(triangle_positions(sheet.rest, vertices), membrane_elasticity(material));
+        sheet.triangles.push_back({vertices, membrane});
+        face_mass.push_back(membrane.area * material.thickness * material.density);
+        for (const Index vertex : vertices) sheet.mass[vertex] += face_mass.back() / 3;
+    }
+}
+
+void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs) {
+    for (const Edge edge : mesh().edges()) {
+        edge_hinge.push_back(-1);
+        edge_strength.push_back(std::numeric_limits<double>::infinity());
+        if (cracks().state(edge) != EdgeState::interior) continue;
+        const SheetInput& input = inputs[sheet_of_face[mesh().face(mesh().halfedge(edge))]];
+        if (input.strain_threshold > 0) edge_strength.back() = input.strain_threshold;
+        edge_hinge.back() = number(sheet.hinges.size());
+        hinge_edge.push_back(edge);
+        sheet.hinges.push_back(hinge_stencil(sheet, hinge_vertices(edge), input.material));
+    }
+}
+
+void BreakableSheet::add_footprints() {
+    for (const TriangleStencil& triangle : sheet.triangles)
+        for (const Index vertex : triangle.vertices) sheet.footprint[vertex] += triangle.membrane.area / 3;
+    for (const Edge edge : mesh().edges()) {
+        if (!mesh().is_border(edge)) continue;
+        const Index a = number(mesh().vertex(edge, 0)), b = number(mesh().vertex(edge, 1));
+        const double rim = 0.5 * (sheet.rest.col(a) - sheet.rest.col(b)).norm();
+        for (const Index end : {a, b}) sheet.footprint[end] += rim * sheet.thickness[end];
+    }
+}
+
+void BreakableSheet::set_rigid_motion(const SheetInput& input, Index first_vertex) {
+    const Index count = number(input.mesh.number_of_vertices());
+    const VectorXd mass = sheet.mass.segment(first_vertex, count);
+    const Vector3d centre = sheet.position.middleCols(first_vertex, count) * mass / mass.sum();
+    for (Index v = first_vertex; v < first_vertex + count; ++v)
+        if (!sheet.fixed[v])
+            sheet.velocity.col(v) =
+                input.velocity + input.spin.cross(Vector3d(sheet.position.col(v)) - centre);
+}
+
+std::array<Index, 4> BreakableSheet::hinge_vertices(Edge edge) const {
+    const Halfedge h = mesh().halfedge(edge, 0), other = mesh().opposite(h);
+    return {number(mesh().source(h)), number(mesh().target(h)), number(mesh().target(mesh().next(h))),
+            number(mesh().target(mesh().next(other)))};
+}
+
+CrackMesh::Change BreakableSheet::fail(std::span<const Edge> edges) {
+    CrackMesh::Change change = crack_mesh.fail(edges);
+    for (const Edge edge : edges) remove_hinge(edge);
+    edge_hinge.resize(mesh().number_of_edges(), -1);
+    edge_strength.resize(mesh().number_of_edges(), std::numeric_limits<double>::infinity());
+    carry_over(change.opening);
+    renumber(change.opening.faces);
+    share_masses(change.opening);
+    return change;
+}
+
+void BreakableSheet::remove_hinge(Edge edge) {
+    const Index hinge = edge_hinge[edge];
+    edge_hinge[hinge_edge.back()] = hinge;
+    edge_hinge[edge] = -1;
+    hinge_edge[hinge] = hinge_edge.back();
+    hinge_edge.pop_back();
+    sheet.hinges[hinge] = sheet.hinges.back();
+    sheet.hinges.pop_back();
+}
+
+void BreakableSheet::carry_over(const Opening& opening) {
+    resize_vertices(sheet, number(mesh().number_of_vertices()));
+    for (const auto& [vertex, created] : opening.vertices) {
+        copy_vertex(sheet, number(vertex), number(created));
+        original_vertex.push_back(original_vertex[vertex]);
+    }
+}
+
+void BreakableSheet::renumber(std::span<const Face> faces) {
+    for (const Face face : faces) {
+        sheet.triangles[face].vertices = face_vertices(mesh(), face);
+        for (const Halfedge h : mesh().halfedges_around_face(mesh().halfedge(face))) {
+            const Index hinge = edge_hinge[mesh().edge(h)];
+            if (hinge >= 0) sheet.hinges[hinge].vertices = hinge_vertices(mesh().edge(h));
+        }
+    }
+}
+
+void BreakableSheet::share_masses(const Opening& opening) {
+    const auto rest_mass = [this](Vertex vertex) {
+        double sum = 0;
+        for (const Face face : mesh().faces_around_target(mesh().halfedge(vertex)))
+            if (face != Mesh::null_face()) sum += face_mass[face] / 3;
+        return sum;
+    };
+    for (std::size_t i = 0; i < opening.vertices.size();) {
+        const Vertex vertex = opening.vertices[i].vertex;
+        std::vector<Vertex> copies{vertex};
+        for (; i < opening.vertices.size() && opening.vertices[i].vertex == vertex; ++i)
+            copies.push_back(opening.vertices[i].created);
+        const double footprint_per_mass = sheet.footprint[vertex] / sheet.mass[vertex];
+        for (const Vertex copy : copies) {
+            sheet.mass[copy] = rest_mass(copy);
+            sheet.footprint[copy] = footprint_per_mass * sheet.mass[copy];
+        }
+    }
+}
+
+}  // namespace sherd

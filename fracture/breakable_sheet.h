@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/sheet.h"
+#include "fracture/crack_mesh.h"
+
+namespace sherd {
+
+/// One sheet of a simulation as it starts.
+struct SheetInput {
+    Mesh mesh;  ///< at rest, where it starts, m
+    Material material;
+    double strain_threshold = 0;           ///< 1/m; 0: does not break
+    Vector3d velocity = Vector3d::Zero();  ///< m/s
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
+    std::vector<Index> pinned;             ///< vertices that stay where they are
+};
+
+/// All sheets of a simulation: their mesh and their mechanics, kept in step. A crack removes hinges and
+/// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
+class BreakableSheet {
+  public:
+    /// inputs: at least one.
+    explicit BreakableSheet(const std::vector<SheetInput>& inputs);
+
+    const CrackMesh& cracks() const { return crack_mesh; }
+    const Mesh& mesh() const { return crack_mesh.mesh(); }
+    const Sheet& mechanics() const { return sheet; }
+    Sheet& mechanics() { return sheet; }
+    std::span<const Index> original() const { return original_vertex; }  ///< [V] vertex of the unbroken mesh
+    std::span<const Index> face_sheet() const { return sheet_of_face; }  ///< [F] number of the input
+    Edge edge_of_hinge(std::size_t hinge) const { return hinge_edge[hinge]; }
+    /// Number of the edge's hinge in mechanics().hinges, -1 when it has none.
+    Index hinge_of_edge(Edge edge) const { return edge_hinge[edge]; }
+    /// Bending strain over which the hinge of `edge` fails, 1/m; infinite when it cannot.
+    double strength(Edge edge) const { return edge_strength[edge]; }
+
+    /// Lets the hinges of `edges` fail, opens the mesh and carries all data over. Vertices are appended.
+    CrackMesh::Change fail(std::span<const Edge> edges);
+
+  private:
+    void add_vertices(const SheetInput& input, Index first_vertex);
+    void add_triangles(const std::vector<SheetInput>& inputs);
+    void add_hinges(const std::vector<SheetInput>& inputs);
+    void add_footprints();
+    void set_rigid_motion(const SheetInput& input, Index first_vertex);
+    std::array<Index, 4> hinge_vertices(Edge edge) const;
+    void remove_hinge(Edge edge);
+    void carry_over(const Opening& opening);
+    void renumber(std::span<const Face> faces);
+    void share_masses(const Opening& opening);
+
+    CrackMesh crack_mesh;
+    Sheet sheet;
+    std::vector<Index> original_vertex, sheet_of_face, edge_hinge;
+    std::vector<Edge> hinge_edge;
+    std::vector<double> edge_strength, face_mass;  ///< face_mass: [F] kg
+};
+
+}  // namespace sherd

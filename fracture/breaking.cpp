@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/breaking.h"
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+constexpr int rings = 2;
+
+/// The end points of an edge and all vertices within two edges of them.
+std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
+    std::vector<Vertex> vertices{mesh.vertex(edge, 0), mesh.vertex(edge, 1)};
+    std::size_t begin = 0;
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::size_t end = vertices.size();
+        for (; begin < end; ++begin)
+            for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertices[begin])))
+                if (std::find(vertices.begin(), vertices.end(), mesh.source(h)) == vertices.end())
+                    vertices.push_back(mesh.source(h));
+    }
+    return vertices;
+}
+
+}  // namespace
+
+std::vector<Edge> failing_edges(const BreakableSheet& sheet, const VectorXd& strains,
+                                double crack_tip_factor) {
+    const Mesh& mesh = sheet.mesh();
+    const auto overload = [&](Edge edge) {
+        const Index hinge = sheet.hinge_of_edge(edge);
+        if (hinge < 0 || strains[hinge] <= 0) return 0.0;
+        const bool continues =
+            sheet.cracks().is_tip(mesh.vertex(edge, 0)) || sheet.cracks().is_tip(mesh.vertex(edge, 1));
+        return strains[hinge] / (sheet.strength(edge) * (continues ? crack_tip_factor : 1));
+    };
+    const auto beats = [&](Edge edge, double ratio, Edge other) {
+        const double rival = overload(other);
+        return rival > ratio || (rival == ratio && other < edge);
+    };
+    std::vector<Edge> failing;
+    for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i) {
+        const Edge edge = sheet.edge_of_hinge(i);
+        const double ratio = overload(edge);
+        if (!(ratio > 1)) continue;
+        bool most = true;
+        for (const Vertex vertex : neighbourhood(mesh, edge))
+            for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex)))
+                most = most && (mesh.edge(h) == edge || !beats(edge, ratio, mesh.edge(h)));
+        if (most) failing.push_back(edge);
+    }
+    std::sort(failing.begin(), failing.end());
+    return failing;
+}
+
+}  // namespace sherd

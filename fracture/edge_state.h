@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace sherd {
+
+/// State of an edge (paper, appendix B); it only ever advances.
+enum class EdgeState : std::uint8_t {
+    interior = 0,            ///< carries a hinge
+    fractured_interior = 1,  ///< failed, but still closed: its two faces share both end points
+    boundary = 2             ///< open, or on the boundary from the start
+};
+
+}  // namespace sherd

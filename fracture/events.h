@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// An edge whose hinge failed. Edge and vertex numbers are those of the mesh at that moment; they stay valid
+/// for good.
+struct EdgeFailure {
+    double time = 0;  ///< s, end of the step in which it failed
+    std::int64_t step = 0;
+    Index stage = 0;  ///< stage of the step's staged breaking, from 0
+    Index edge = 0;
+    std::array<Index, 2> vertices{};  ///< end points
+    Index boundary_vertices = 0;      ///< 0, 1, 2: the paper's B0, B1, B2 when it failed
+    double strain = 0;                ///< measure that exceeded the strength (1/m)
+};
+
+/// A failed edge that opened: `edge` stays with one face, `created` is the new edge of the other face.
+struct EdgeOpening {
+    double time = 0;
+    std::int64_t step = 0;
+    Index edge = 0;
+    Index created = 0;
+};
+
+/// A vertex that was split: `created` is a copy of `vertex`.
+struct VertexSplit {
+    double time = 0;
+    std::int64_t step = 0;
+    Index vertex = 0;
+    Index created = 0;
+};
+
+/// What cracked, in order.
+struct CrackEvents {
+    std::vector<EdgeFailure> failures;
+    std::vector<EdgeOpening> openings;
+    std::vector<VertexSplit> splits;
+};
+
+/// Appends later events.
+void append(CrackEvents& events, const CrackEvents& later);
+
+}  // namespace sherd

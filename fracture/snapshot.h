@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/vector.h"
+#include "fracture/edge_state.h"
+
+namespace sherd {
+
+/// The whole sheet at one moment, as plain arrays: what a recording stores of a frame. Vertices, edges and
+/// faces are only ever appended from one snapshot of a run to the next (faces not even that).
+struct Snapshot {
+    std::int64_t step = 0;
+    double time = 0;  ///< s
+
+    Positions position;           ///< [3, V] m
+    Positions velocity;           ///< [3, V] m/s
+    VectorXd mass;                ///< [V] kg
+    std::vector<Index> original;  ///< [V] vertex of the unbroken mesh that this one came from
+
+    std::vector<std::array<Index, 3>> faces;  ///< [F]
+    std::vector<Index> face_fragment;         ///< [F]
+    std::vector<Index> face_sheet;            ///< [F] number of the sheet in the scene
+
+    std::vector<std::array<Index, 2>> edges;  ///< [E]
+    std::vector<EdgeState> edge_state;        ///< [E]
+    std::vector<double> edge_strain;          ///< [E] 1/m, signed; zero where there is no hinge
+};
+
+class BreakableSheet;
+
+/// The sheet as it stands; step and time are left to the caller. face_fragment: [F].
+Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_fragment);
+
+}  // namespace sherd

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// What one time step did and where the system stands at its end.
+struct StepReport {
+    std::int64_t step = 0;  ///< number of the step, from 1
+    double time = 0;        ///< s, at its end
+    double step_size = 0;   ///< s
+
+    double kinetic = 0;                            ///< J
+    double bending = 0;                            ///< J
+    double membrane = 0;                           ///< J
+    double gravity = 0;                            ///< J, potential, zero at the origin
+    double contact = 0;                            ///< J
+    Vector3d linear_momentum = Vector3d::Zero();   ///< kg m/s
+    Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the origin
+
+    Index newton_iterations = 0;  ///< over all stages
+    bool converged = true;
+    Index stages = 0;  ///< stages of breaking
+    bool stage_cap_reached = false;
+    Index contacts = 0;  ///< vertices in contact
+    Index fragments = 0;
+    double peak_strain = 0;  ///< 1/m, largest measure of an unbroken hinge before anything broke in this step
+};
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace sherd {
+
+/// What a failure means for the caller: bad input (exit code 2) or a run that failed (exit code 1).
+enum class Fault { input, run };
+
+/// The one exception type of Sherd. The message says what is wrong, where (file:line, key or element) and
+/// what to do about it; main turns it into a line on stderr.
+class Error : public std::runtime_error {
+  public:
+    explicit Error(const std::string& message, Fault fault = Fault::input)
+        : std::runtime_error(message), fault(fault) {}
+
+    Fault fault;
+};
+
+}  // namespace sherd

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "meshops/error.h"
+#include "meshops/random.h"
+#include "meshops/revolution.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+constexpr double pi = std::numbers::pi;
+constexpr int iterations = 20;  // enough for good angles, too few for the vertices to fall into long rows
+constexpr double row_height = 0.93;     // edge lengths: square cells of the area a vertex has
+constexpr double half_row = 0.45;       // edge lengths: what a line of fixed vertices takes up on either side
+constexpr double corner_degrees = 20;   // a profile that turns by more has vertices on the circle there
+constexpr double narrowest_band = 0.7;  // edge lengths, between two such circles
+
+std::string text(double number) {
+    std::ostringstream stream;
+    stream << number;
+    return stream.str();
+}
+
+void require(double value, bool holds, const char* what, const char* condition) {
+    if (!holds || !std::isfinite(value)) {
+        throw Error(std::string("cannot generate the mesh: ") + what + " must be " + condition + ", not " +
+                    text(value));
+    }
+}
+
+void require_positive(double value, const char* what) {
+    require(value, value > 0, what, "positive");
+}
+
+void require_edge_length(const GenerateOptions& options, double largest) {
+    require_positive(options.edge_length, "edge_length");
+    if (options.edge_length > largest) {
+        throw Error("cannot generate the mesh: edge_length " + text(options.edge_length) +
+                    " is too large for the shape, which takes at most " + text(largest));
+    }
+}
+
+void require_delaunay(const GenerateOptions& options, const char* shape) {
+    if (options.layout == Layout::delaunay) return;
+    throw Error(std::string("cannot generate the mesh: there is no structured layout of a ") + shape +
+                ", only of a rectangle and a cylinder");
+}
+
+std::size_t pieces(double length, double edge_length) {
+    return static_cast<std::size_t>(std::max(1L, std::lround(length / edge_length)));
+}
+
+/// Vertices to add to `boundary` vertices so that triangles of the target size cover `area`, by Euler's
+/// formula. `characteristic`: of the piece of surface, 0 for a ring, 1 for a disc, 2 for a sphere.
+std::size_t free_vertices(double area, double edge_length, std::size_t boundary, int characteristic) {
+    // Irregular triangles of a given mean edge length are a little smaller than equilateral ones.
+    constexpr double crowding = 1.025;
+    const double faces = crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
+    const double inner = (faces - static_cast<double>(boundary)) / 2 + characteristic;
+    return static_cast<std::size_t>(std::max(0L, std::lround(inner)));
+}
+
+class Rectangle final : public Surface {
+  public:
+    Vector3d position(const Vector2d& parameter) const override { return {parameter.x(), parameter.y(), 0}; }
+    Vector2d chart(const Vector2d& parameter) const override { return parameter; }
+    Vector2d project(const Vector3d& point, const Vector2d&) const override { return point.head<2>(); }
+};
+
+/// Evenly spaced points round the rectangle, counterclockwise from the origin.
+std::vector<Vector2d> outline(const Vector2d& size, double edge_length) {
+    const std::size_t nx = pieces(size.x(), edge_length), ny = pieces(size.y(), edge_length);
+    const auto part = [](std::size_t i, std::size_t n) { return double(i) / double(n); };
+    std::vector<Vector2d> result;
+    for (std::size_t i = 0; i < nx; ++i) result.emplace_back(size.x() * part(i, nx), 0);
+    for (std::size_t i = 0; i < ny; ++i) result.emplace_back(size.x(), size.y() * part(i, ny));
+    for (std::size_t i = nx; i > 0; --i) result.emplace_back(size.x() * part(i, nx), size.y());
+    for (std::size_t i = ny; i > 0; --i) result.emplace_back(0, size.y() * part(i, ny));
+    return result;
+}
+
+SurfacePoints spread(const Vector2d& size, const GenerateOptions& options) {
+    SurfacePoints points;
+    points.parameter = outline(size, options.edge_length);
+    points.fixed = points.parameter.size();
+    const auto count = free_vertices(size.prod(), options.edge_length, points.fixed, 1);
+    const Vector2d margin = (half_row * options.edge_length * Vector2d::Ones()).cwiseMin(size / 4);
+    const Vector2d inner = size - 2 * margin;
+    const std::size_t rows = std::min(count, pieces(inner.y(), row_height * options.edge_length));
+    Random random(options.seed);
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::size_t columns = count * (row + 1) / rows - count * row / rows;
+        for (std::size_t column = 0; column < columns; ++column) {
+            const double x = (double(column) + random.uniform()) / double(columns);
+            const double y = (double(row) + random.uniform()) / double(rows);
+            points.parameter.push_back(margin + Vector2d(x, y).cwiseProduct(inner));
+        }
+    }
+    return points;
+}
+
+/// Grid of nx by ny cells cut along parallel diagonals; a closed one joins its last column to its first.
+template <typename Position>
+Mesh grid(std::size_t nx, std::size_t ny, bool is_closed, Position position) {
+    Mesh mesh;
+    const std::size_t columns = is_closed ? nx : nx + 1;
+    for (std::size_t j = 0; j <= ny; ++j) {
+        for (std::size_t i = 0; i < columns; ++i) {
+            const Vector3d p = position(double(i) / double(nx), double(j) / double(ny));
+            mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+        }
+    }
+    const auto vertex = [&](std::size_t i, std::size_t j) {
+        return Vertex(Mesh::size_type(j * columns + i % columns));
+    };
+    for (std::size_t j = 0; j < ny; ++j) {
+        for (std::size_t i = 0; i < nx; ++i) {
+            mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+            mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+        }
+    }
+    return mesh;
+}
+
+void check_profile(std::span<const Vector2d> profile) {
+    const auto fail = [](const std::string& what) {
+        throw Error("cannot generate the surface of revolution: " + what);
+    };
+    if (profile.size() < 2) fail("its profile needs at least two points");
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const std::string point = "profile point " + std::to_string(i);
+        if (!profile[i].allFinite()) fail(point + " has a coordinate that is NaN or infinite");
+        if (profile[i].x() < 0) fail(point + " has a negative radius, " + text(profile[i].x()));
+        if (profile[i].x() == 0 && i > 0 && i + 1 < profile.size()) {
+            fail(point + " lies on the axis; only the first and the last may");
+        }
+        if (i > 0 && profile[i] == profile[i - 1]) fail(point + " repeats the one before");
+    }
+    if (profile.size() == 2 && profile[0].x() == 0 && profile[1].x() == 0)
+        fail("its profile lies on the axis");
+}
+
+/// The largest edge length that fits: five edges round every neck and rim, one along the profile.
+double largest_edge_length(std::span<const Vector2d> profile, double length) {
+    double largest = length;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const bool is_above_before = i == 0 || profile[i - 1].x() >= profile[i].x();
+        const bool is_above_after = i + 1 == profile.size() || profile[i + 1].x() >= profile[i].x();
+        const bool is_rim = i == 0 || i + 1 == profile.size();
+        if (profile[i].x() > 0 && ((is_above_before && is_above_after) || is_rim)) {
+            largest = std::min(largest, 2 * pi * profile[i].x() / 5);
+        }
+    }
+    return largest;
+}
+
+/// Arc lengths of the circles that get vertices of their own: both ends, and the corners not too near to
+/// another.
+std::vector<double> fixed_circles(const Revolution& surface, double edge_length) {
+    std::vector<double> circles{0};
+    for (const double corner : surface.corners(corner_degrees)) {
+        const bool is_wide = 2 * pi * surface.radius(corner) >= 5 * edge_length;
+        const double nearest = std::min(corner - circles.back(), surface.length() - corner);
+        if (is_wide && nearest >= narrowest_band * edge_length) circles.push_back(corner);
+    }
+    circles.push_back(surface.length());
+    return circles;
+}
+
+/// Spreads points over a surface of revolution: circles of fixed vertices, and rows between them.
+class RevolutionSpread {
+  public:
+    RevolutionSpread(const Revolution& surface, const GenerateOptions& options)
+        : surface(surface), edge_length(options.edge_length), random(options.seed) {}
+
+    SurfacePoints spread() {
+        const auto circles = fixed_circles(surface, edge_length);
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+            const bool is_rim = i == 0 || i + 1 == circles.size();
+            counts.push_back(add_circle(circles[i], is_rim));
+            if (i == 0 && counts[0] > 1) points.hole = counts[0];
+        }
+        points.fixed = points.parameter.size();
+        for (std::size_t i = 0; i + 1 < circles.size(); ++i) fill_band(i, circles[i], circles[i + 1]);
+        return std::move(points);
+    }
+
+  private:
+    /// Number of its vertices; 1 for a point of the axis.
+    std::size_t add_circle(double along, bool is_rim) {
+        const double radius = surface.radius(along);
+        if (radius == 0 && along > 0) {
+            points.is_closed = true;
+            points.closing_point = surface.position({along, 0});
+            return 1;
+        }
+        const std::size_t first = points.parameter.size();
+        const std::size_t count = radius == 0 ? 1 : pieces(2 * pi * radius, edge_length);
+        const double phase = random.uniform();
+        for (std::size_t i = 0; i < count; ++i) {
+            points.parameter.emplace_back(along, 2 * pi * (double(i) + phase) / double(count));
+            if (!is_rim) points.creases.push_back({first + i, first + (i + 1) % count});
+        }
+        return count;
+    }
+
+    void fill_band(std::size_t band, double from, double to) {
+        const std::size_t below = counts[band], above = counts[band + 1];
+        const int poles = int(below == 1) + int(above == 1);
+        const std::size_t boundary = (below > 1 ? below : 0) + (above > 1 ? above : 0);
+        const double area = surface.area(from, to);
+        const std::size_t wanted = free_vertices(area, edge_length, boundary, poles);
+        const std::size_t count = wanted - std::min(wanted, std::size_t(poles));
+        const double margin = std::min(half_row * edge_length, (to - from) / 4);
+        fill(from + margin, to - margin, count);
+    }
+
+    void fill(double from, double to, std::size_t count) {
+        const std::size_t rows = std::min(count, pieces(to - from, row_height * edge_length));
+        const double height = (to - from) / double(rows), total = surface.area(from, to);
+        std::size_t done = 0;
+        for (std::size_t row = 0; row < rows; ++row) {
+            const double share = surface.area(from, from + double(row + 1) * height) / total;
+            const auto until = row + 1 == rows ? count : std::size_t(std::lround(share * double(count)));
+            const std::size_t columns = until - done;
+            for (; done < until; ++done) {
+                const double angle = 2 * pi * (double(done) + random.uniform()) / double(columns);
+                const double along = from + (double(row) + random.uniform()) * height;
+                points.parameter.emplace_back(along, angle);
+            }
+        }
+    }
+
+    const Revolution& surface;
+    double edge_length;
+    Random random;
+    SurfacePoints points;
+    std::vector<std::size_t> counts;  ///< vertices of each circle
+};
+
+Mesh revolve(std::span<const Vector2d> profile, const GenerateOptions& options) {
+    // A vertex never moves by more than its edges in one go.
+    const Revolution surface(profile, 2 * options.edge_length);
+    require_edge_length(options, largest_edge_length(profile, surface.length()));
+    constexpr double largest_range = 300;
+    if (surface.chart_range() > largest_range) {
+        throw Error("cannot generate the surface of revolution: it is too slender, more than " +
+                    text(largest_range) + " radii long");
+    }
+    return relax(surface, RevolutionSpread(surface, options).spread(), iterations);
+}
+
+}  // namespace
+
+Mesh generate_rectangle(double width, double height, const GenerateOptions& options) {
+    require_positive(width, "width");
+    require_positive(height, "height");
+    require_edge_length(options, std::min(width, height));
+    if (options.layout == Layout::delaunay) {
+        return relax(Rectangle(), spread({width, height}, options), iterations);
+    }
+    return grid(pieces(width, options.edge_length), pieces(height, options.edge_length), false,
+                [&](double x, double y) { return Vector3d(width * x, height * y, 0); });
+}
+
+Mesh generate_disc(double radius, const GenerateOptions& options) {
+    require_positive(radius, "radius");
+    require_delaunay(options, "disc");
+    require_edge_length(options, radius);
+    return revolve(std::array{Vector2d(0, 0), Vector2d(radius, 0)}, options);
+}
+
+Mesh generate_cylinder(double radius, double height, const GenerateOptions& options) {
+    require_positive(radius, "radius");
+    require_positive(height, "height");
+    require_edge_length(options, std::min(radius, height));
+    if (options.layout == Layout::delaunay) {
+        return revolve(std::array{Vector2d(radius, height), Vector2d(radius, 0)}, options);
+    }
+    return grid(pieces(2 * pi * radius, options.edge_length), pieces(height, options.edge_length), true,
+                [&](double x, double z) {
+                    return Vector3d(radius * std::cos(2 * pi * x), radius * std::sin(2 * pi * x), height * z);
+                });
+}
+
+Mesh generate_sphere(double radius, const GenerateOptions& options) {
+    require_positive(radius, "radius");
+    require_delaunay(options, "sphere");
+    require_edge_length(options, radius);
+    // A polygon so fine that putting the vertices onto the sphere at the end does not show.
+    const auto count = std::size_t(std::ceil(pi / std::sqrt(1e-3 * options.edge_length / radius)));
+    std::vector<Vector2d> profile{{0, radius}};
+    for (std::size_t i = 1; i < count; ++i) {
+        const double angle = pi * double(i) / double(count);
+        profile.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
+    }
+    profile.emplace_back(0, -radius);
+    Mesh mesh = revolve(profile, options);
+    for (const Vertex v : mesh.vertices()) {
+        const auto arm = mesh.point(v) - CGAL::ORIGIN;
+        mesh.point(v) = CGAL::ORIGIN + arm * (radius / std::sqrt(arm.squared_length()));
+    }
+    return mesh;
+}
+
+Mesh generate_revolution(std::span<const Vector2d> profile, const GenerateOptions& options) {
+    check_profile(profile);
+    require_delaunay(options, "surface of revolution");
+    require_positive(options.edge_length, "edge_length");
+    return revolve(profile, options);
+}
+
+}  // namespace sherd

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+
+#include "meshops/polygon_soup.h"
+#include "meshops/text_line.h"
+
+namespace sherd {
+namespace {
+
+/// Reads one OBJ text line by line.
+class ObjParser {
+  public:
+    ObjParser(const std::filesystem::path& file, std::string_view text) : text(text) { soup.file = file; }
+
+    PolygonSoup parse() {
+        while (!text.empty()) parse_line(next_line());
+        if (!has_texture) soup.texture.clear();
+        return std::move(soup);
+    }
+
+  private:
+    std::string_view next_line() {
+        line_number += lines_taken;
+        lines_taken = 1;
+        std::size_t end = text.find('\n');
+        // A backslash continues a line: blank out both it and the line's end by gluing the pieces together.
+        joined_line.clear();
+        while (end != std::string_view::npos && is_continued(text.substr(0, end))) {
+            joined_line += text.substr(0, text.find_last_of('\\', end));
+            joined_line += ' ';
+            text.remove_prefix(end + 1);
+            end = text.find('\n');
+            ++lines_taken;
+        }
+        const std::string_view last = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (joined_line.empty()) return last;
+        return joined_line += last;
+    }
+
+    static bool is_continued(std::string_view line) {
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line.ends_with('\\');
+    }
+
+    void parse_line(std::string_view line) {
+        TextLine words(soup.file, line_number, line.substr(0, line.find('#')));
+        const std::string_view keyword = words.next_word();
+        if (keyword == "v") {
+            const double x = words.next_number(), y = words.next_number(), z = words.next_number();
+            soup.points.emplace_back(x, y, z);
+            soup.point_line.push_back(line_number);
+        } else if (keyword == "vt") {
+            const double u = words.next_number();
+            texture_points.emplace_back(u, words.is_at_end() ? 0.0 : words.next_number());
+        } else if (keyword == "f") {
+            parse_face(words);
+        }
+    }
+
+    void parse_face(TextLine& words) {
+        std::vector<std::size_t> polygon;
+        std::vector<Eigen::Vector2d> texture;
+        for (auto corner = words.next_word(); !corner.empty(); corner = words.next_word()) {
+            std::string_view numbers = corner;
+            polygon.push_back(index(words, numbers, corner, soup.points.size()));
+            if (!numbers.starts_with('/')) continue;
+            numbers.remove_prefix(1);
+            if (numbers.empty() || numbers.starts_with('/')) continue;
+            const std::size_t i = index(words, numbers, corner, texture_points.size());
+            if (i >= texture_points.size()) words.fail("names a texture point that is not there", corner);
+            texture.push_back(texture_points[i]);
+        }
+        // Half a face with texture coordinates is of no use to anybody.
+        if (texture.size() != polygon.size()) texture.clear();
+        has_texture = has_texture || !texture.empty();
+        soup.polygons.push_back(std::move(polygon));
+        soup.texture.push_back(std::move(texture));
+        soup.polygon_line.push_back(line_number);
+    }
+
+    /// The 0-based index at the front of `numbers`, which is moved on. OBJ counts from 1, and from -1
+    /// backwards from what has been read so far (`count`). A positive one may name what is still to come.
+    static std::size_t index(const TextLine& words, std::string_view& numbers, std::string_view corner,
+                             std::size_t count) {
+        std::int64_t value = 0;
+        const auto [end, failure] = std::from_chars(numbers.data(), numbers.data() + numbers.size(), value);
+        if (failure != std::errc()) words.fail("is not a vertex number", corner);
+        numbers.remove_prefix(static_cast<std::size_t>(end - numbers.data()));
+        if (!numbers.empty() && numbers.front() != '/') words.fail("is not a vertex number", corner);
+        const auto available = static_cast<std::int64_t>(count);
+        if (value == 0 || value < -available) {
+            words.fail("index out of range: OBJ counts from 1, or from -1 backwards, and " +
+                           std::to_string(count) + " were read so far",
+                       corner);
+        }
+        return static_cast<std::size_t>(value > 0 ? value - 1 : available + value);
+    }
+
+    PolygonSoup soup;
+    std::vector<Eigen::Vector2d> texture_points;
+    bool has_texture = false;
+    std::string_view text;        ///< what is still to be read
+    std::string joined_line;      ///< holds a line that goes on over several
+    std::size_t line_number = 1;  ///< of the present line, 1-based
+    std::size_t lines_taken = 0;  ///< by the present line
+};
+
+}  // namespace
+
+PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text) {
+    return ObjParser(file, text).parse();
+}
+
+}  // namespace sherd

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/read_mesh.h"
+
+#include <algorithm>
+
+#include "meshops/error.h"
+#include "meshops/triangle_soup.h"
+
+namespace sherd {
+namespace {
+
+/// "1 face was", "3 faces were": the start of a warning.
+std::string counted(std::size_t count, const std::string& noun) {
+    const std::string plural = noun.ends_with("x") ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s";
+    return std::to_string(count) + " " + (count == 1 ? noun + " was" : plural + " were");
+}
+
+/// One reading of one file: the steps from polygons to a mesh, and what they have to say.
+struct Reading {
+    const PolygonSoup& polygons;
+    TriangleSoup soup;
+    const ReadMeshOptions& options;
+    std::vector<std::string>& warnings;
+
+    void warn(const std::string& sentence) const {
+        warnings.push_back(polygons.file.string() + ": " + sentence);
+    }
+    std::string place(std::size_t triangle) const {
+        return place_of_polygon(polygons, soup.polygon[triangle]);
+    }
+    std::string vertex(std::uint32_t point) const { return std::to_string(soup.file_vertex[point]); }
+    std::string corners(std::size_t triangle) const {
+        const auto& [a, b, c] = soup.triangles[triangle];
+        return vertex(a) + ", " + vertex(b) + " and " + vertex(c);
+    }
+
+    void remove_zero_area();
+    void remove_repeated();
+    void make_manifold();
+    void make_consistent();
+    Mesh build(std::size_t joined) const;
+};
+
+void Reading::remove_zero_area() {
+    const auto found = zero_area_triangles(soup);
+    if (found.empty()) return;
+    if (!options.repair) {
+        throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) + " has zero area" +
+                    (found.size() > 1 ? " (and " + std::to_string(found.size() - 1) + " more)" : "") +
+                    "; `repair = true` on the mesh drops such triangles");
+    }
+    warn(counted(found.size(), "triangle") + " dropped for zero area (the first: " + place(found[0]) + ")");
+    erase_triangles(soup, found);
+    if (soup.triangles.empty()) {
+        throw Error(polygons.file.string() + ": the mesh has no faces left: all triangles have zero area");
+    }
+}
+
+void Reading::remove_repeated() {
+    const auto found = repeated_triangles(soup);
+    if (found.empty()) return;
+    if (!options.repair) {
+        throw Error(
+            place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
+            " is there already, which makes its edges non-manifold; `repair = true` on the mesh drops "
+            "repeated triangles");
+    }
+    warn(counted(found.size(), "triangle") + " dropped as repeated (the first: " + place(found[0]) + ")");
+    erase_triangles(soup, found);
+}
+
+void Reading::make_manifold() {
+    const auto edges = non_manifold_edges(soup);
+    if (!edges.empty() && !options.repair) {
+        std::string faces;
+        for (const std::size_t triangle : edges[0].triangles) {
+            faces += (faces.empty() ? "" : ", ") + std::to_string(soup.polygon[triangle]);
+        }
+        throw Error(place(edges[0].triangles[2]) +
+                    ": non-manifold edge: " + std::to_string(edges[0].triangles.size()) + " faces (" + faces +
+                    ") meet at the edge of vertices " + vertex(edges[0].points[0]) + " and " +
+                    vertex(edges[0].points[1]) +
+                    ", a sheet has at most two; `repair = true` on the mesh separates them");
+    }
+    if (!edges.empty()) {
+        warn(counted(edges.size(), "non-manifold edge") + " separated (the first: vertices " +
+             vertex(edges[0].points[0]) + " and " + vertex(edges[0].points[1]) + ")");
+    }
+    const auto doubled = separate(soup);
+    if (doubled.empty()) return;
+    warn(counted(doubled.size(), "vertex") +
+         " doubled because faces met there without being joined by an edge of two faces (the first: vertex " +
+         vertex(doubled[0]) + ")");
+}
+
+void Reading::make_consistent() {
+    const auto orientation = orient(soup);
+    if (orientation.one_sided) {
+        throw Error(
+            place(*orientation.one_sided) +
+            ": the surface has only one side (like a Moebius band), so its faces cannot all point the "
+            "same way; cut it open along a line before it is read");
+    }
+    if (orientation.turned.empty()) return;
+    warn(counted(orientation.turned.size(), "face") +
+         " turned over to point the same way as the neighbours (the first: " + place(orientation.turned[0]) +
+         ")");
+}
+
+Mesh Reading::build(std::size_t joined) const {
+    std::vector<bool> is_used(soup.points.size(), false);
+    for (const auto& triangle : soup.triangles) {
+        for (const auto point : triangle) is_used[point] = true;
+    }
+    Mesh mesh;
+    auto file_vertex = mesh.add_property_map<Vertex, std::uint32_t>(property::file_vertex).first;
+    std::vector<Vertex> vertex_of(soup.points.size());
+    for (std::size_t i = 0; i < soup.points.size(); ++i) {
+        if (!is_used[i]) continue;
+        vertex_of[i] = mesh.add_vertex(soup.points[i]);
+        file_vertex[vertex_of[i]] = soup.file_vertex[i];
+    }
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        const auto& [a, b, c] = soup.triangles[t];
+        if (mesh.add_face(vertex_of[a], vertex_of[b], vertex_of[c]) == Mesh::null_face()) {
+            throw Error(place(t) + ": the triangle of vertices " + corners(t) + " does not fit to the others",
+                        Fault::run);
+        }
+    }
+    if (!soup.texture.empty()) {
+        auto texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
+        for (const Face face : mesh.faces()) texture[face] = soup.texture[face.idx()];
+    }
+    const std::size_t unused = soup.points.size() - mesh.number_of_vertices() - joined;
+    if (unused > 0) warn(counted(unused, "vertex") + " dropped that no face uses");
+    return mesh;
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
+               std::vector<std::string>& warnings) {
+    PolygonSoup polygons = read_polygon_soup(file);
+    check_polygon_soup(polygons);
+    const std::size_t joined = options.join_duplicate_points ? join_duplicate_points(polygons) : 0;
+    Reading reading{polygons, triangulate(polygons), options, warnings};
+    if (joined > 0) reading.warn(counted(joined, "vertex") + " joined with another at the same place");
+    const auto is_bare = [](const auto& texture) { return texture.empty(); };
+    if (const auto bare = std::ranges::count_if(polygons.texture, is_bare); bare > 0) {
+        reading.warn(counted(static_cast<std::size_t>(bare), "face") + " given texture coordinates (0, 0)");
+    }
+    reading.remove_zero_area();
+    reading.remove_repeated();
+    reading.make_manifold();
+    reading.make_consistent();
+    return reading.build(joined);
+}
+
+}  // namespace sherd

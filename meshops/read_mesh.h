@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+struct ReadMeshOptions {
+    bool join_duplicate_points = false;  ///< make one vertex of points at exactly the same place
+    bool repair = false;  ///< drop zero-area and repeated triangles, separate faces at non-manifold edges
+};
+
+/// Reads a triangle mesh from an .obj, .ply, .off or .stl file (text or binary where the format has both; the
+/// points of .stl are always joined, since the format repeats them for every triangle).
+/// Polygons are triangulated; faces keep the order of the file (a polygon's triangles stand together) and the
+/// order of their corners, save where inconsistent orientation is repaired (the first corner stays the
+/// first). OBJ texture coordinates become property::texture; every mesh gets property::file_vertex. Fans of
+/// faces that meet in a single point get a point each. What was changed is told in `warnings`, a sentence
+/// each that begins with the file: unreferenced vertices dropped, points joined or doubled, faces turned
+/// over, and what `repair` did. Throws Error naming the file (and line, vertex or face, numbered from 0) on:
+/// a file that is missing, unreadable, damaged or of unknown extension, no faces, NaN or infinite
+/// coordinates, an index out of range, a polygon that crosses itself, a surface with only one side, and,
+/// unless `repair`, a zero-area or repeated triangle or a non-manifold edge.
+Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
+               std::vector<std::string>& warnings);
+
+}  // namespace sherd

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "meshops/error.h"
+#include "meshops/surface.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector3d;
+using Corners = std::array<std::size_t, 3>;
+using Point2 = Kernel::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+[[noreturn]] void fail() {
+    throw Error("the mesh cannot be generated: edge_length is too large for the shape");
+}
+
+/// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number behind the
+/// last.
+std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& points) {
+    const std::size_t count = points.parameter.size();
+    std::vector<std::pair<Point2, std::size_t>> chart;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector2d place = surface.chart(points.parameter[i]);
+        chart.emplace_back(Point2(place.x(), place.y()), i);
+    }
+    Triangulation triangulation;
+    triangulation.insert(chart.begin(), chart.end());
+    if (triangulation.number_of_vertices() != count || triangulation.dimension() != 2) fail();
+    std::vector<Triangulation::Vertex_handle> handle(count);
+    for (const auto v : triangulation.finite_vertex_handles()) handle[v->info()] = v;
+    for (const auto& [a, b] : points.creases) triangulation.insert_constraint(handle[a], handle[b]);
+    triangulation.infinite_vertex()->info() = count;
+    std::vector<Corners> result;
+    for (const auto face : triangulation.all_face_handles()) {
+        if (!points.is_closed && triangulation.is_infinite(face)) continue;
+        Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+        if (std::ranges::max(corners) >= points.hole) result.push_back(corners);
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+std::vector<Vector3d> positions(const Surface& surface, const SurfacePoints& points) {
+    std::vector<Vector3d> result;
+    for (const auto& parameter : points.parameter) result.push_back(surface.position(parameter));
+    if (points.is_closed) result.push_back(points.closing_point);
+    return result;
+}
+
+/// Smallest of all angles (radians).
+double smallest_angle(const std::vector<Vector3d>& place, const std::vector<Corners>& triangles) {
+    double smallest = std::numbers::pi;
+    for (const Corners& corners : triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const Vector3d& here = place[corners[i]];
+            const Vector3d u = place[corners[(i + 1) % 3]] - here, v = place[corners[(i + 2) % 3]] - here;
+            smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)));
+        }
+    }
+    return smallest;
+}
+
+/// Where the Voronoi cells of the three corners meet: the circumcentre, or what is nearest to it inside an
+/// obtuse triangle, the middle of the longest side (which keeps a point's cell among its neighbours).
+Vector3d cell_corner(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    const Vector3d u = b - a, v = c - a, n = u.cross(v);
+    if (u.dot(v) <= 0) return (b + c) / 2;
+    if (u.dot(u - v) <= 0) return (a + c) / 2;
+    if (v.dot(v - u) <= 0) return (a + b) / 2;
+    return a + (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2 * n.squaredNorm());
+}
+
+/// Moves each free point to the centroid of its Voronoi cell, summed up triangle by triangle (Lloyd).
+void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& place,
+                       const std::vector<Corners>& triangles, SurfacePoints& points) {
+    std::vector<Vector3d> moment(place.size(), Vector3d::Zero());
+    std::vector<double> weight(place.size(), 0);
+    for (const Corners& corners : triangles) {
+        const auto &a = place[corners[0]], &b = place[corners[1]], &c = place[corners[2]];
+        const Vector3d meeting = cell_corner(a, b, c);
+        // Each half of a side spans a piece of a cell with the cells' common corner.
+        for (int side = 0; side < 3; ++side) {
+            const std::size_t i = corners[side], j = corners[(side + 1) % 3];
+            const Vector3d middle = (place[i] + place[j]) / 2;
+            const double area = (middle - place[i]).cross(meeting - place[i]).norm() / 2;
+            weight[i] += area;
+            weight[j] += area;
+            moment[i] += area / 3 * (place[i] + middle + meeting);
+            moment[j] += area / 3 * (place[j] + middle + meeting);
+        }
+    }
+    for (std::size_t i = points.fixed; i < points.parameter.size(); ++i) {
+        points.parameter[i] = surface.project(moment[i] / weight[i], points.parameter[i]);
+    }
+}
+
+Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& triangles) {
+    Mesh mesh;
+    for (const Vector3d& p : place) mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+    for (const Corners& corners : triangles) {
+        std::array<Vertex, 3> face;
+        std::ranges::transform(corners, face.begin(),
+                               [](std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); });
+        if (mesh.add_face(face) == Mesh::null_face()) fail();
+    }
+    return mesh;
+}
+
+}  // namespace
+
+Mesh relax(const Surface& surface, SurfacePoints points, int iterations) {
+    // Now and then a thin triangle is left somewhere: then it goes on, for as long again at most.
+    constexpr double good_angle = 25 * std::numbers::pi / 180;
+    for (int i = 0;; ++i) {
+        const auto place = positions(surface, points);
+        const auto triangles = triangulate(surface, points);
+        const bool is_enough =
+            i >= 2 * iterations || (i >= iterations && smallest_angle(place, triangles) >= good_angle);
+        if (is_enough) return build(place, triangles);
+        move_to_centroids(surface, place, triangles, points);
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshops/surface.h"
+
+namespace sherd {
+
+/// The surface a polyline of (r, z) points sweeps about the z axis. Parameters: arc length along the profile
+/// (m) and angle about the axis (radians). The chart has polar coordinates (exp u, angle) with du = ds / r,
+/// which is conformal; an end of the profile on the axis is its origin (the first) or its infinity (the
+/// last).
+class Revolution final : public Surface {
+  public:
+    /// `reach` (m): how far along the profile `project` looks.
+    Revolution(std::span<const Eigen::Vector2d> profile, double reach);
+
+    Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const override;
+
+    double length() const { return distance.back(); }
+    double radius(double along) const { return at(along).x(); }
+    bool starts_on_axis() const { return profile.front().x() == 0; }
+    bool ends_on_axis() const { return profile.back().x() == 0; }
+    /// Area between two arc lengths (m^2).
+    double area(double from, double to) const;
+    /// Arc lengths of the profile's inner points where it turns by more than `degrees`.
+    std::vector<double> corners(double degrees) const;
+    /// Range of u over the points that are not on the axis.
+    double chart_range() const;
+
+  private:
+    std::size_t segment(double along) const;
+    Eigen::Vector2d at(double along) const;
+
+    std::vector<Eigen::Vector2d> profile;
+    std::vector<double> distance;    ///< arc length of each profile point
+    std::vector<double> log_radius;  ///< u of each profile point; points on the axis: not used
+    double reach;
+};
+
+}  // namespace sherd

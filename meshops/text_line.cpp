@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/text_line.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "meshops/error.h"
+
+namespace sherd {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+std::string_view TextLine::next_word() {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+    rest.remove_prefix(word.size());
+    return word;
+}
+
+double TextLine::next_number() {
+    const std::string_view word = next_word();
+    if (word.empty()) fail("a coordinate is missing", {});
+    std::string_view digits = word;
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (end != digits.data() + digits.size() || failure == std::errc::invalid_argument) {
+        fail("is not a number", word);
+    }
+    if (failure != std::errc::result_out_of_range) return value;
+    const bool is_tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
+    return is_tiny ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+bool TextLine::is_at_end() const {
+    return rest.find_first_not_of(blanks) == rest.npos;
+}
+
+void TextLine::fail(const std::string& what, std::string_view word) const {
+    const std::string quoted = word.empty() ? "" : "`" + std::string(word) + "` ";
+    throw Error(file.string() + ":" + std::to_string(number) + ": " + quoted + what);
+}
+
+}  // namespace sherd

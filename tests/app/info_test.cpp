@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/info.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "meshops/error.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const std::filesystem::path& file) {
+    return Json::parse(run_info_json(read_run_info(file)));
+}
+
+TEST(Info, CountsWhatTheRecordingHolds) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    record(run, folder.path / "run.h5");
+    const Json info = json_of(folder.path / "run.h5");
+    EXPECT_EQ(info["steps"], 20);
+    EXPECT_EQ(info["time"], run.steps[2].back().time);
+    EXPECT_EQ(info["frames"], 3);
+    EXPECT_EQ(info["vertices"], 75);
+    EXPECT_EQ(info["faces"], 96);
+    EXPECT_EQ(info["crack_events"], 8);
+    EXPECT_EQ(info["edges_opened"], 8);
+    EXPECT_EQ(info["vertices_split"], 10);
+    EXPECT_EQ(info["wall_seconds"], 12.5);
+    EXPECT_EQ(info["end"], "complete");
+    EXPECT_EQ(info["seed"], -7);
+    EXPECT_EQ(info["scene_file"], "strip & \"strip\".toml");
+    EXPECT_EQ(info["sheets"][0]["name"], "left \"half\"");
+    EXPECT_EQ(info["sheets"][1]["faces"], 48);
+}
+
+TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    record(run, folder.path / "run.h5");
+    const Json info = json_of(folder.path / "run.h5");
+    const StepReport& last = run.steps[2].back();
+    EXPECT_EQ(info["energy"]["kinetic"], last.kinetic);
+    EXPECT_EQ(info["energy"]["bending"], last.bending);
+    EXPECT_EQ(info["energy"]["membrane"], last.membrane);
+    EXPECT_EQ(info["energy"]["gravity"], last.gravity);
+    EXPECT_EQ(info["energy"]["contact"], last.contact);
+    EXPECT_EQ(info["momentum"]["linear"][2], last.linear_momentum.z());
+    EXPECT_EQ(info["momentum"]["angular"][0], last.angular_momentum.x());
+    double peak = 0;
+    int iterations = 0;
+    for (const auto& steps : run.steps)
+        for (const StepReport& step : steps) {
+            peak = std::max(peak, step.peak_strain);
+            iterations += step.newton_iterations;
+        }
+    EXPECT_EQ(info["peak_strain"], peak);
+    EXPECT_EQ(info["newton_iterations"], iterations);
+    EXPECT_EQ(info["unconverged_steps"], 2);
+    EXPECT_EQ(info["most_stages"], 3);
+}
+
+// A fragment table that lost or doubled something would show in the sums.
+TEST(Info, FragmentsShareOutTheWholeSheet) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    record(run, folder.path / "run.h5");
+    const Json fragments = json_of(folder.path / "run.h5")["fragments"];
+    ASSERT_EQ(fragments.size(), 3u);
+    double area = 0, mass = 0, rest_area = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(fragments[i]["id"], i);
+        EXPECT_EQ(fragments[i]["faces"], i < 2 ? 24 : 48);
+        area += fragments[i]["area"].get<double>();
+        mass += fragments[i]["mass"].get<double>();
+    }
+    for (const double a : run.header.rest_area) rest_area += a;
+    EXPECT_NEAR(area, rest_area, 1e-14);
+    EXPECT_NEAR(mass, run.frames[2].mass.sum(), 1e-14);
+    // No vertex is shared between fragments, so each has exactly the mass of its vertices.
+    double first = 0;
+    for (std::size_t v = 0; v < run.frames[2].original.size(); ++v) {
+        const auto& faces = run.frames[2].faces;
+        for (std::size_t f = 0; f < 24; ++f)
+            if (std::ranges::count(faces[f], static_cast<Index>(v))) {
+                first += run.frames[2].mass[static_cast<Eigen::Index>(v)];
+                break;
+            }
+    }
+    EXPECT_NEAR(fragments[0]["mass"].get<double>(), first, 1e-15);
+}
+
+TEST(Info, TellsOfARunThatHasJustBegun) {
+    const TemporaryDirectory folder;
+    RecordingWriter(folder.path / "run.h5", synthetic_run().header, false);
+    const Json info = json_of(folder.path / "run.h5");
+    EXPECT_EQ(info["frames"], 0);
+    EXPECT_EQ(info["steps"], 0);
+    EXPECT_EQ(info["vertices"], 65);
+    EXPECT_EQ(info["faces"], 96);
+    EXPECT_EQ(info["end"], "running");
+    EXPECT_TRUE(info["fragments"].empty());
+    EXPECT_NE(run_info_text(read_run_info(folder.path / "run.h5")).find("running"), std::string::npos);
+}
+
+// A run that blew up, or a scene named in another encoding, must still give JSON that parses.
+TEST(Info, GivesValidJsonOfStrangeValues) {
+    RunInfo info;
+    info.last = StepReport{};
+    info.last->kinetic = std::numeric_limits<double>::quiet_NaN();
+    info.last->contact = std::numeric_limits<double>::infinity();
+    info.scene_file = "line\nbreak\t\xff.toml";
+    const Json json = Json::parse(run_info_json(info));
+    EXPECT_TRUE(json["energy"]["kinetic"].is_null());
+    EXPECT_TRUE(json["energy"]["contact"].is_null());
+    EXPECT_EQ(json["scene_file"], "line\nbreak\t\xef\xbf\xbd.toml");
+}
+
+TEST(Info, ListsTheLargestFragmentsForPeople) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "run.h5");
+    RunInfo info = read_run_info(folder.path / "run.h5");
+    const std::string text = run_info_text(info);
+    for (const char* word : {"complete", "20 steps", "3 frames", "75 vertices", "8 edges failed", "kinetic"})
+        EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
+    for (Index i = 3; i < 50; ++i) info.fragments.push_back({i, 1, 1e-6 * i, 1e-6});
+    EXPECT_NE(run_info_text(info).find("and 30 smaller ones"), std::string::npos);
+}
+
+TEST(Info, RefusesWhatIsNoRecording) {
+    const TemporaryDirectory folder;
+    EXPECT_THROW(read_run_info(folder.path / "missing.h5"), Error);
+    EXPECT_THROW(read_run_info(folder.write("text.h5", "text")), Error);
+    SyntheticRun run = synthetic_run();
+    run.header.sheet_names.pop_back();
+    record(run, folder.path / "nameless.h5");
+    EXPECT_THROW(read_run_info(folder.path / "nameless.h5"), Error);
+    run = synthetic_run();
+    run.header.rest_faces.pop_back();
+    run.header.rest_area.pop_back();
+    record(run, folder.path / "short.h5");
+    EXPECT_THROW(read_run_info(folder.path / "short.h5"), Error);
+}
+
+}  // namespace
+}  // namespace sherd::test

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <set>
+#include <tuple>
+
+#include "app/hdf5.h"
+#include "meshops/error.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class T>
+bool same_bits(const T* a, const T* b, std::size_t count) {
+    return count == 0 || std::memcmp(a, b, count * sizeof(T)) == 0;
+}
+template <class Matrix>
+requires requires(Matrix m) {
+    m.cols();
+}
+bool same(const Matrix& a, const Matrix& b) {
+    return a.size() == b.size() && same_bits(a.data(), b.data(), static_cast<std::size_t>(a.size()));
+}
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && same_bits(a.data(), b.data(), a.size());
+}
+bool same(double a, double b) {
+    return same_bits(&a, &b, 1);
+}
+
+void expect_same(const Snapshot& a, const Snapshot& b) {
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_TRUE(same(a.time, b.time));
+    EXPECT_TRUE(same(a.position, b.position));
+    EXPECT_TRUE(same(a.velocity, b.velocity));
+    EXPECT_TRUE(same(a.mass, b.mass));
+    EXPECT_TRUE(same(a.original, b.original));
+    EXPECT_TRUE(same(a.faces, b.faces));
+    EXPECT_TRUE(same(a.face_fragment, b.face_fragment));
+    EXPECT_TRUE(same(a.face_sheet, b.face_sheet));
+    EXPECT_TRUE(same(a.edges, b.edges));
+    EXPECT_TRUE(same(a.edge_state, b.edge_state));
+    EXPECT_TRUE(same(a.edge_strain, b.edge_strain));
+}
+
+void expect_same(const StepReport& a, const StepReport& b) {
+    EXPECT_EQ(a.step, b.step);
+    for (const auto member :
+         {&StepReport::time, &StepReport::step_size, &StepReport::kinetic, &StepReport::bending,
+          &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain})
+        EXPECT_TRUE(same(a.*member, b.*member));
+    EXPECT_TRUE(same(a.linear_momentum, b.linear_momentum));
+    EXPECT_TRUE(same(a.angular_momentum, b.angular_momentum));
+    EXPECT_EQ(a.newton_iterations, b.newton_iterations);
+    EXPECT_EQ(a.converged, b.converged);
+    EXPECT_EQ(a.stages, b.stages);
+    EXPECT_EQ(a.stage_cap_reached, b.stage_cap_reached);
+    EXPECT_EQ(a.contacts, b.contacts);
+    EXPECT_EQ(a.fragments, b.fragments);
+}
+
+void expect_same(const CrackEvents& a, const CrackEvents& b) {
+    ASSERT_EQ(a.failures.size(), b.failures.size());
+    for (std::size_t i = 0; i < a.failures.size(); ++i) {
+        const EdgeFailure &x = a.failures[i], &y = b.failures[i];
+        EXPECT_TRUE(same(x.time, y.time) && same(x.strain, y.strain));
+        EXPECT_EQ(std::tie(x.step, x.stage, x.edge, x.vertices, x.boundary_vertices),
+                  std::tie(y.step, y.stage, y.edge, y.vertices, y.boundary_vertices));
+    }
+    ASSERT_EQ(a.openings.size(), b.openings.size());
+    for (std::size_t i = 0; i < a.openings.size(); ++i) {
+        const EdgeOpening &x = a.openings[i], &y = b.openings[i];
+        EXPECT_EQ(std::tie(x.time, x.step, x.edge, x.created), std::tie(y.time, y.step, y.edge, y.created));
+    }
+    ASSERT_EQ(a.splits.size(), b.splits.size());
+    for (std::size_t i = 0; i < a.splits.size(); ++i) {
+        const VertexSplit &x = a.splits[i], &y = b.splits[i];
+        EXPECT_EQ(std::tie(x.time, x.step, x.vertex, x.created),
+                  std::tie(y.time, y.step, y.vertex, y.created));
+    }
+}
+
+/// What the first `frames` appends of `run` must have left in `file`.
+void expect_recorded(const fs::path& file, const SyntheticRun& run, std::size_t frames) {
+    const Recording recording(file);
+    ASSERT_EQ(recording.frame_count(), frames);
+    std::vector<StepReport> steps;
+    CrackEvents events;
+    for (std::size_t k = 0; k < frames; ++k) {
+        expect_same(recording.frame(k), run.frames[k]);
+        steps.insert(steps.end(), run.steps[k].begin(), run.steps[k].end());
+        const CrackEvents& e = run.events[k];
+        events.failures.insert(events.failures.end(), e.failures.begin(), e.failures.end());
+        events.openings.insert(events.openings.end(), e.openings.begin(), e.openings.end());
+        events.splits.insert(events.splits.end(), e.splits.begin(), e.splits.end());
+    }
+    const std::vector<StepReport> recorded = recording.steps();
+    ASSERT_EQ(recorded.size(), steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) expect_same(recorded[i], steps[i]);
+    expect_same(recording.events(), events);
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+    return names;
+}
+
+template <class Action>
+void expect_error(Action action, Fault fault, const std::vector<std::string>& words) {
+    try {
+        action();
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault, fault) << error.what();
+        for (const std::string& word : words)
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+}
+
+TEST(Recording, KeepsEveryBit) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    record(run, folder.path / "run.h5");
+    expect_recorded(folder.path / "run.h5", run, 3);
+    const Recording recording(folder.path / "run.h5");
+    const RecordingHeader header = recording.header();
+    EXPECT_EQ(header.scene_file, run.header.scene_file);
+    EXPECT_EQ(header.scene_text, run.header.scene_text);
+    EXPECT_EQ(header.seed, run.header.seed);
+    EXPECT_EQ(header.sheet_names, run.header.sheet_names);
+    EXPECT_TRUE(same(header.rest_position, run.header.rest_position));
+    EXPECT_TRUE(same(header.rest_faces, run.header.rest_faces));
+    EXPECT_TRUE(same(header.rest_area, run.header.rest_area));
+    EXPECT_EQ(recording.wall_seconds(), 12.5);
+    EXPECT_EQ(recording.end(), "complete");
+    EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"run.h5", "run.xdmf"}));
+}
+
+TEST(Recording, IsTheSameFileForTheSameRun) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "a.h5");
+    record(synthetic_run(), folder.path / "b.h5");
+    const auto contents = folder.contents();
+    EXPECT_EQ(contents.at(folder.path / "a.h5"), contents.at(folder.path / "b.h5"));
+}
+
+TEST(Recording, IsReadableBetweenAppends) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(folder.path / "run.h5", run.header, false);
+    EXPECT_EQ(Recording(folder.path / "run.h5").end(), "running");
+    for (std::size_t k = 0; k < 3; ++k) {
+        expect_recorded(folder.path / "run.h5", run, k);
+        writer.append(run.frames[k], run.steps[k], run.events[k]);
+    }
+    expect_recorded(folder.path / "run.h5", run, 3);
+}
+
+TEST(Recording, DoesNotOverwriteUnlessForced) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    record(run, folder.path / "run.h5");
+    const auto before = folder.contents();
+    expect_error([&] { RecordingWriter(folder.path / "run.h5", run.header, false); }, Fault::input,
+                 {"run.h5", "--force"});
+    EXPECT_EQ(folder.contents(), before);
+    RecordingWriter(folder.path / "run.h5", run.header, true);
+    expect_recorded(folder.path / "run.h5", run, 0);
+    EXPECT_EQ(names_in(folder.path), std::set<std::string>{"run.h5"}) << "the index of the old run is left";
+    folder.write("other.xdmf", "somebody's");
+    expect_error([&] { RecordingWriter(folder.path / "other.h5", run.header, false); }, Fault::input,
+                 {"other.xdmf", "--force"});
+}
+
+TEST(Recording, LeavesNothingWhereItCannotBeCreated) {
+    const TemporaryDirectory folder;
+    folder.write("plain", "");
+    fs::create_directory(folder.path / "folder.h5");
+    const auto before = folder.contents();
+    for (const std::string name : {"missing/run.h5", "plain/run.h5", "folder.h5", "run.xdmf"})
+        expect_error([&] { RecordingWriter(folder.path / name, synthetic_run().header, true); }, Fault::input,
+                     {name});
+    EXPECT_EQ(folder.contents(), before);
+}
+
+/// A file size limit for this process, lifted at the end of the test.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(std::uintmax_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before);
+        old_action = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{bytes, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, old_action);
+    }
+
+  private:
+    rlimit before{};
+    void (*old_action)(int);
+};
+
+TEST(Recording, SurvivesTheEndOfTheDiskAndGoesOnWhenThereIsRoomAgain) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(file, run.header, false);
+    writer.append(run.frames[0], run.steps[0], run.events[0]);
+    writer.append(run.frames[1], run.steps[1], run.events[1]);
+    const auto before = folder.contents();
+    {
+        const FileSizeLimit limit(fs::file_size(file) + 50'000);
+        expect_error([&] { writer.append(run.frames[2], run.steps[2], run.events[2]); }, Fault::run,
+                     {"run.h5", "frame 2", "no room", "stay readable"});
+    }
+    EXPECT_EQ(folder.contents(), before);
+    expect_recorded(file, run, 2);
+    writer.append(run.frames[2], run.steps[2], run.events[2]);
+    expect_recorded(file, run, 3);
+}
+
+// A reservation that asks for too little would let HDF5 run into the end of the disk half-way.
+TEST(Recording, AnAppendIsWholeOrNotAtAllWhereverTheDiskEnds) {
+    const SyntheticRun run = synthetic_run();
+    std::size_t whole = 0;
+    for (std::uintmax_t room = 0; room <= 400'000; room += 20'000) {
+        const TemporaryDirectory folder;
+        const fs::path file = folder.path / "run.h5";
+        RecordingWriter writer(file, run.header, false);
+        const auto before = folder.contents();
+        try {
+            const FileSizeLimit limit(fs::file_size(file) + room);
+            writer.append(run.frames[0], run.steps[1], run.events[2]);
+            ++whole;
+        } catch (const Error&) {
+            EXPECT_EQ(folder.contents(), before) << room;
+        }
+        EXPECT_EQ(Recording(file).frame_count(), Recording(file).steps().empty() ? 0u : 1u) << room;
+    }
+    EXPECT_GT(whole, 0u);
+    EXPECT_LT(whole, 21u);
+}
+
+TEST(Recording, CannotBeCreatedOnAFullDisk) {
+    const TemporaryDirectory folder;
+    const FileSizeLimit limit(10'000);
+    expect_error([&] { RecordingWriter(folder.path / "run.h5", synthetic_run().header, false); }, Fault::run,
+                 {"run.h5", "no room"});
+    EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST(Recording, GivesBackTheSpaceItReserved) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "run.h5");
+    struct stat status {};
+    ASSERT_EQ(stat((folder.path / "run.h5").c_str(), &status), 0);
+    EXPECT_LE(status.st_blocks * 512, status.st_size + (64 << 10));
+}
+
+TEST(Recording, TakesBackAnAppendThatFailsHalfWay) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(file, run.header, false);
+    writer.append(run.frames[0], run.steps[0], run.events[0]);
+    writer.append(run.frames[1], run.steps[1], run.events[1]);
+    {
+        // Comes after the steps and the events in an append, and cannot be written any more.
+        const hdf5::Handle opened = hdf5::open_to_write(file);
+        hdf5::write_text(opened, "frames/000002/vertex", "in the way");
+    }
+    expect_error([&] { writer.append(run.frames[2], run.steps[2], run.events[2]); }, Fault::run, {"frame 2"});
+    expect_recorded(file, run, 2);
+    writer.append(run.frames[2], run.steps[2], run.events[2]);
+    expect_recorded(file, run, 3);
+}
+
+TEST(Recording, RefusesASnapshotThatContradictsItself) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(folder.path / "run.h5", run.header, false);
+    Snapshot broken = run.frames[0];
+    broken.velocity.conservativeResize(3, 4);
+    expect_error([&] { writer.append(broken, {}, {}); }, Fault::run, {"differ in length"});
+    broken = run.frames[0];
+    broken.faces[5][1] = 65;
+    expect_error([&] { writer.append(broken, {}, {}); }, Fault::run, {"vertex that does not exist"});
+    expect_recorded(folder.path / "run.h5", run, 0);
+}
+
+/// Another program's lock on a file, as HDF5 sets it.
+class Lock {
+  public:
+    Lock(const fs::path& file, int kind) : descriptor(open(file.c_str(), O_RDONLY)) {
+        if (flock(descriptor, kind) != 0) throw std::runtime_error("cannot lock");
+    }
+    ~Lock() { close(descriptor); }
+
+  private:
+    int descriptor;
+};
+
+TEST(Recording, GoesOnBesideAReaderThatKeepsTheFileOpen) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(file, run.header, false);
+    const Lock reader(file, LOCK_SH);
+    writer.append(run.frames[0], run.steps[0], run.events[0]);
+    expect_recorded(file, run, 1);
+}
+
+TEST(Recording, DoesNotWriteBesideAnotherWriter) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(file, run.header, false);
+    const auto before = folder.contents();
+    {
+        const Lock other(file, LOCK_EX);
+        expect_error([&] { writer.append(run.frames[0], run.steps[0], run.events[0]); }, Fault::run,
+                     {"run.h5", "another program"});
+    }
+    EXPECT_EQ(folder.contents(), before);
+}
+
+TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
+    const TemporaryDirectory folder;
+    const auto opening = [&](const std::string& name) {
+        return [=, &folder] { Recording(folder.path / name); };
+    };
+    expect_error(opening("missing.h5"), Fault::input, {"missing.h5", "there is no file"});
+    expect_error(opening("."), Fault::input, {"is not a file"});
+    folder.write("text.h5", "not HDF5 at all");
+    folder.write("empty.h5", "");
+    expect_error(opening("text.h5"), Fault::input, {"text.h5", "not an HDF5 file"});
+    expect_error(opening("empty.h5"), Fault::input, {"empty.h5", "not an HDF5 file"});
+    hdf5::create_file(folder.path / "foreign.h5");
+    expect_error(opening("foreign.h5"), Fault::input, {"foreign.h5", "not a recording"});
+    record(synthetic_run(), folder.path / "newer.h5");
+    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{2});
+    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 2"});
+    const std::string whole = folder.contents().at(folder.path / "newer.h5");
+    folder.write("cut.h5", whole.substr(0, whole.size() / 2));
+    expect_error(opening("cut.h5"), Fault::input, {"cut.h5", "damaged"});
+}
+
+TEST(Recording, NamesWhatIsDamaged) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    record(synthetic_run(), file);
+    {
+        const hdf5::Handle opened = hdf5::open_to_write(file);
+        hdf5::remove(opened, "frames/000001/vertex/mass");
+        hdf5::remove(opened, "steps/kinetic");
+    }
+    const Recording recording(file);
+    EXPECT_EQ(recording.frame(0).faces.size(), 96u);
+    expect_error([&] { recording.frame(1); }, Fault::input, {"run.h5", "damaged", "vertex/mass"});
+    expect_error([&] { recording.steps(); }, Fault::input, {"run.h5", "damaged", "steps/kinetic"});
+}
+
+}  // namespace
+}  // namespace sherd::test

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the shipped scenes whole, through the real program, and holds every frame against what must be true of
+// any run. Also tells what a user would see: how many shards, how much dust.
+#include <CGAL/boost/graph/helpers.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+
+#include "app/recording.h"
+#include "app/scene.h"
+#include "tests/support/corner_rule.h"
+#include "tests/support/mesh_shapes.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd {
+namespace {
+
+using test::CornerRule;
+
+const std::filesystem::path scenes = SHERD_SCENES;
+
+/// The frame's mesh, built anew from its faces; a face that does not fit a 2-manifold cannot be added.
+void expect_manifold(const Snapshot& frame) {
+    Mesh mesh;
+    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
+        mesh.add_vertex(Point(frame.position(0, v), frame.position(1, v), frame.position(2, v)));
+    for (const auto& face : frame.faces) {
+        const Face added = mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2]));
+        ASSERT_NE(added, Mesh::null_face());
+    }
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    EXPECT_EQ(mesh.number_of_edges(), frame.edges.size());
+    for (const Vertex vertex : mesh.vertices()) {
+        std::size_t fan = 0;
+        for (const Face face : mesh.faces_around_target(mesh.halfedge(vertex)))
+            fan += face != Mesh::null_face();
+        std::size_t incident = 0;
+        for (const auto& face : frame.faces)
+            incident += std::count(face.begin(), face.end(), static_cast<Index>(vertex));
+        if (fan != incident) ADD_FAILURE() << "vertex " << vertex.idx() << " has more than one fan";
+        if (mesh.number_of_vertices() > 4000) break;  // quadratic; the corner rule checks the rest
+    }
+}
+
+void expect_same_matter(const Snapshot& frame, const Snapshot& first, const RecordingHeader& header) {
+    ASSERT_EQ(frame.faces.size(), first.faces.size());
+    EXPECT_NEAR(frame.mass.sum(), first.mass.sum(), 1e-13 * first.mass.sum());
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        std::array<Vector3d, 3> rest;
+        for (int i = 0; i < 3; ++i) rest[i] = header.rest_position.col(frame.original[frame.faces[f][i]]);
+        const double area = 0.5 * (rest[1] - rest[0]).cross(rest[2] - rest[0]).norm();
+        ASSERT_NEAR(area, header.rest_area[f], 1e-12 * area);
+    }
+}
+
+/// Edge states and vertices as the corner rule gives them for the edges that failed until then.
+void expect_corner_rule(const Snapshot& frame, const Snapshot& first) {
+    std::set<CornerRule::VertexPair> failed;
+    for (std::size_t e = 0; e < first.edges.size(); ++e)
+        if (frame.edge_state[e] != EdgeState::interior && first.edge_state[e] == EdgeState::interior)
+            failed.insert(CornerRule::ordered(first.edges[e][0], first.edges[e][1]));
+    CornerRule rule(first.faces, failed);
+    std::map<int, int> vertex_of_root;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (int i = 0; i < 3; ++i)
+            ASSERT_EQ(
+                vertex_of_root.emplace(rule.vertex(static_cast<int>(f), i), frame.faces[f][i]).first->second,
+                frame.faces[f][i]);
+    EXPECT_EQ(rule.vertex_count(), frame.position.cols());
+    for (std::size_t e = 0; e < first.edges.size(); ++e) {
+        const auto edge = CornerRule::ordered(first.edges[e][0], first.edges[e][1]);
+        if (!failed.count(edge)) continue;
+        const EdgeState expected =
+            rule.is_open(edge.first, edge.second) ? EdgeState::boundary : EdgeState::fractured_interior;
+        ASSERT_EQ(frame.edge_state[e], expected) << "edge " << e;
+    }
+}
+
+/// Gravity is all that acts between two steps at which nothing touches.
+void expect_momentum(const std::vector<StepReport>& steps, double mass, const Vector3d& gravity) {
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        if (steps[i].contacts > 0 || steps[i - 1].contacts > 0) continue;
+        const Vector3d expected = steps[i - 1].linear_momentum + mass * steps[i].step_size * gravity;
+        ASSERT_LT((steps[i].linear_momentum - expected).norm(), 1e-9 * expected.norm())
+            << "step " << steps[i].step;
+    }
+}
+
+class WholeScene : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
+    const test::TemporaryDirectory directory;
+    const std::filesystem::path scene_file = scenes / (std::string(GetParam()) + ".toml");
+    const auto result = test::run_sherd({"run", scene_file.string(), "-o", "run.h5"}, directory.path);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Recording recording(directory.path / "run.h5");
+    const RecordingHeader header = recording.header();
+    const Snapshot first = recording.frame(0);
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        SCOPED_TRACE("frame " + std::to_string(i));
+        const Snapshot frame = recording.frame(i);
+        expect_manifold(frame);
+        expect_same_matter(frame, first, header);
+        expect_corner_rule(frame, first);
+    }
+    const Scene scene = read_scene(scene_file);
+    const std::vector<StepReport> steps = recording.steps();
+    if (scene.sheets.front().pins.empty()) expect_momentum(steps, first.mass.sum(), scene.gravity);
+    for (const StepReport& step : steps) EXPECT_TRUE(step.converged) << "step " << step.step;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, WholeScene, ::testing::Values("plate_drop", "bowl_drop", "sheet_hang"),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace sherd

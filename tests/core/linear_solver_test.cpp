@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "tests/support/random_shapes.h"
+
+namespace sherd {
+namespace {
+
+using test::Random;
+
+constexpr Index vertices = 40;
+
+struct System {
+    BlockMatrix sparse;
+    Eigen::MatrixXd dense;
+};
+
+/// A random definite matrix of blocks, and the same one dense.
+System random_system(Random& random, std::vector<char> fixed, double diagonal) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index i = 0; i < 120; ++i)
+        pairs.emplace_back(static_cast<Index>(random.uniform(0, vertices)),
+                           static_cast<Index>(random.uniform(0, vertices)));
+    System system{BlockMatrix(vertices, pairs, fixed), Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices)};
+    const auto add = [&](Index i, Index j, const Matrix3d& block) {
+        system.sparse.add(i, j, block);
+        if (fixed[i] || fixed[j]) return;
+        system.dense.block<3, 3>(3 * i, 3 * j) += block;
+        if (i != j) system.dense.block<3, 3>(3 * j, 3 * i) += block.transpose();
+    };
+    for (const auto& [i, j] : pairs)
+        if (i != j) add(i, j, random.matrix<Matrix3d>(1));
+    for (Index i = 0; i < vertices; ++i) {
+        if (fixed[i]) system.dense.block<3, 3>(3 * i, 3 * i).setIdentity();
+        add(i, i, diagonal * Matrix3d::Identity());
+    }
+    return system;
+}
+
+// A block in the wrong place, or the wrong triangle, would give another solution.
+TEST(LinearSolver, SolvesLikeADenseSolver) {
+    Random random(1);
+    std::vector<char> fixed(vertices, 0);
+    fixed[3] = fixed[17] = 1;
+    System system = random_system(random, fixed, 60);
+    LinearSolver solver;
+    solver.analyze(system.sparse);
+    ASSERT_TRUE(solver.factorize(system.sparse));
+    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertices, 1>>(1);
+    EXPECT_LT((solver.solve(right) - VectorXd(system.dense.ldlt().solve(right))).norm(),
+              1e-12 * right.norm());
+}
+
+TEST(LinearSolver, TellsAnIndefiniteMatrixAndGoesOn) {
+    Random random(2);
+    System definite = random_system(random, std::vector<char>(vertices, 0), 60);
+    System indefinite = definite;
+    indefinite.sparse.add(5, 5, -200 * Matrix3d::Identity());
+    LinearSolver solver;
+    solver.analyze(definite.sparse);
+    EXPECT_FALSE(solver.factorize(indefinite.sparse));
+    EXPECT_TRUE(solver.factorize(definite.sparse));
+}
+
+}  // namespace
+}  // namespace sherd

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/membrane.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/material.h"
+#include "tests/support/finite_differences.h"
+#include "tests/support/random_shapes.h"
+
+namespace sherd {
+namespace {
+
+using test::Random;
+
+const Material material{1000, 0.01, 3e5, 0.3};
+
+MembraneTriangle random_triangle(Random& random) {
+    return membrane_triangle(random.matrix<TrianglePositions>(1), membrane_elasticity(material));
+}
+
+TEST(Membrane, GradientIsTheDerivativeOfTheValue) {
+    Random random(1);
+    for (int i = 0; i < 200; ++i) {
+        const MembraneTriangle triangle = random_triangle(random);
+        const TrianglePositions x = random.matrix<TrianglePositions>(1);
+        const auto energy = [&](const TrianglePositions& at) { return value(triangle, at); };
+        const TrianglePositions exact = gradient(triangle, x);
+        EXPECT_LT((exact - test::difference_gradient(energy, x, 1e-5)).norm(), 1e-7 * exact.norm());
+    }
+}
+
+TEST(Membrane, HessianIsTheDerivativeOfTheGradient) {
+    Random random(2);
+    for (int i = 0; i < 200; ++i) {
+        const MembraneTriangle triangle = random_triangle(random);
+        const TrianglePositions x = random.matrix<TrianglePositions>(1);
+        const auto slope = [&](const TrianglePositions& at) { return gradient(triangle, at); };
+        const auto exact = hessian(triangle, x, false);
+        EXPECT_LT((exact - test::difference_hessian(slope, x, 1e-5)).norm(), 1e-7 * exact.norm());
+    }
+}
+
+TEST(Membrane, ConvexHessianIsPositiveSemidefiniteAndExactInTension) {
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        const TrianglePositions rest = random.matrix<TrianglePositions>(1);
+        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+        const auto convex = hessian(triangle, random.matrix<TrianglePositions>(1), true);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(convex);
+        EXPECT_GT(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[8]);
+        const TrianglePositions stretched = 1.2 * rest;
+        EXPECT_LT((hessian(triangle, stretched, true) - hessian(triangle, stretched, false)).norm(),
+                  1e-12 * convex.norm());
+    }
+}
+
+TEST(Membrane, HasNoEnergyAtRestNorUnderRigidMotion) {
+    Random random(4);
+    for (int i = 0; i < 100; ++i) {
+        const TrianglePositions rest = random.matrix<TrianglePositions>(1);
+        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+        const TrianglePositions moved = (random.rotation() * rest).colwise() + random.matrix<Vector3d>(5);
+        EXPECT_LT(green_strain(triangle, moved).norm(), 1e-12 / triangle.area);
+    }
+}
+
+TEST(Membrane, HasNoNetForceOrTorqueOnAnyDeformation) {
+    Random random(5);
+    for (int i = 0; i < 100; ++i) {
+        const MembraneTriangle triangle = random_triangle(random);
+        const TrianglePositions x = random.matrix<TrianglePositions>(2), force = gradient(triangle, x);
+        Vector3d torque = Vector3d::Zero();
+        for (int v = 0; v < 3; ++v) torque += Vector3d(x.col(v)).cross(Vector3d(force.col(v)));
+        EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
+        EXPECT_LT(torque.norm(), 1e-12 * force.norm() * x.norm());
+    }
+}
+
+// Uniaxial stretch of a strip free to contract: Young's modulus and Poisson's ratio come back.
+TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
+    TrianglePositions rest;
+    rest << 0, 1, 0, 0, 0, 1, 0, 0, 0;
+    const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+    const double strain = 1e-6;
+    TrianglePositions x = rest;
+    x.row(0) *= 1 + strain;
+    x.row(1) *= 1 - material.poisson * strain;
+    const double expected = 0.5 * material.young * material.thickness * strain * strain * triangle.area;
+    EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
+}
+
+}  // namespace
+}  // namespace sherd

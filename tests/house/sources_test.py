@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules of the house that a compiler does not know: who includes whom, licence lines, file lengths."""
+import pathlib
+import re
+import tempfile
+import unittest
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+# Floors a folder may include from, besides itself. tests/NAME may use what NAME may, and tests/support.
+BELOW = {"meshops": [], "core": [], "fracture": ["core", "meshops"], "app": ["fracture", "core", "meshops"]}
+# Libraries that are kept on one floor.
+KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core",
+           "hdf5.h": "app", "toml++": "app", "CLI": "app", "spdlog": "app"}
+LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
+MOST_LINES = 400
+
+
+def sources(top):
+    """Every C++ file, script and CMake file of the house, as paths below top."""
+    for folder in [*BELOW, "tests", ".ci", "CMakeLists.txt"]:
+        files = [top / folder] if (top / folder).is_file() else sorted((top / folder).rglob("*"))
+        for file in files:
+            if file.is_file() and (file.suffix in (".h", ".cpp", ".py", ".cmake") or file.name == "CMakeLists.txt"
+                                   or file.read_bytes().startswith(b"#!")):
+                yield file.relative_to(top)
+
+
+def may_include(file, included):
+    """Whether a source may say #include "included"; both are paths below the top folder."""
+    tested = file.parts[0] == "tests"
+    if tested and (file.parts[1] not in BELOW or included.parts[:2] == ("tests", "support")):
+        return included.parts[0] in BELOW or included.parts[0] == "tests"
+    floor = file.parts[1 if tested else 0]
+    return included.parts[0] in [floor, *BELOW[floor]] or included.parent == file.parent
+
+
+def violations_of_includes(top, file, lines):
+    for number, line in enumerate(lines, 1):
+        include = re.match(r'\s*#\s*include\s*(["<])([^">]+)[">]', line)
+        if not include:
+            continue
+        quote, name = include.groups()
+        where = f"{file}:{number}: "
+        if quote == "<":
+            floor = KEPT_ON.get(name.split("/")[0])
+            if floor and file.parts[0] not in (floor, "tests"):
+                yield where + f"<{name}> belongs in {floor}/ only"
+        elif not (top / name).is_file():
+            yield where + f'"{name}" is not a file of the project, written from the top folder'
+        elif not may_include(file, pathlib.PurePath(name)):
+            yield where + f'{file.parent}/ must not include "{name}"'
+
+
+def violations(top):
+    """One line for each rule broken below the folder `top`."""
+    found = []
+    for file in sources(top):
+        lines = (top / file).read_text().splitlines()
+        if not any(LICENCE in line for line in lines[:2]):
+            found.append(f"{file}:1: lacks the line {LICENCE}")
+        if len(lines) > MOST_LINES:
+            found.append(f"{file}: has {len(lines)} lines; past {MOST_LINES} it should be two files")
+        if file.suffix in (".h", ".cpp") and file.parent.parts[:2] != ("tests", "house"):
+            found.extend(violations_of_includes(top, file, lines))
+    return found
+
+
+class House(unittest.TestCase):
+    maxDiff = None
+
+    def test_this_house_keeps_its_rules(self):
+        self.assertGreater(len(list(sources(TOP))), 50)
+        self.assertEqual(violations(TOP), [])
+
+    def found_in(self, **files):
+        """What is found in a house of these files; __ in a name stands for /."""
+        with tempfile.TemporaryDirectory() as folder:
+            top = pathlib.Path(folder)
+            for name, text in {"core__a": "", "meshops__a": "", "fracture__a": "", "app__a": "", **files}.items():
+                file = top / (name.replace("__", "/") + ".h")
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(f"// {LICENCE}\n{text}\n")
+            return violations(top)
+
+    def test_every_way_upstairs_or_across_is_found(self):
+        allowed = {"core": "core", "meshops": "meshops", "fracture": "core meshops fracture",
+                   "app": "core meshops fracture app"}
+        for prefix in ("", "tests__"):
+            for floor in allowed:
+                for other in allowed:
+                    found = self.found_in(**{f"{prefix}{floor}__b": f'#include "{other}/a.h"'})
+                    self.assertEqual(len(found), 0 if other in allowed[floor].split() else 1, found)
+
+    def test_libraries_are_kept_on_their_floor(self):
+        self.assertEqual(self.found_in(meshops__b="#include <CGAL/Surface_mesh.h>"), [])
+        self.assertEqual(len(self.found_in(core__b="#include <CGAL/Surface_mesh.h>")), 1)
+        self.assertEqual(len(self.found_in(fracture__b="# include <openvdb/openvdb.h>")), 1)
+
+    def test_includes_are_written_from_the_top_folder(self):
+        self.assertEqual(len(self.found_in(core__b='#include "a.h"')), 1)
+
+    def test_long_and_unlicensed_files_are_found(self):
+        self.assertEqual(len(self.found_in(core__b="\n" * MOST_LINES)), 1)
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "core").mkdir()
+            (pathlib.Path(folder) / "core/a.cpp").write_text("int a;\n")
+            self.assertEqual(len(violations(pathlib.Path(folder))), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

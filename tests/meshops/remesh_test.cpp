@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/remesh.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "meshops/components.h"
+#include "meshops/error.h"
+#include "meshops/generate.h"
+#include "tests/support/mesh_quality.h"
+
+namespace sherd {
+namespace {
+
+Mesh cube() {
+    Mesh mesh;
+    std::vector<Vertex> v;
+    for (int i = 0; i < 8; ++i) v.push_back(mesh.add_vertex(Point(i & 1, i >> 1 & 1, i >> 2 & 1)));
+    const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& q : quads) {
+        mesh.add_face(v[q[0]], v[q[1]], v[q[2]]);
+        mesh.add_face(v[q[0]], v[q[2]], v[q[3]]);
+    }
+    return mesh;
+}
+
+GenerateOptions structured(double edge_length) {
+    return {edge_length, Layout::structured, 1};
+}
+
+// Finer and coarser than what comes in, with straight borders that end in corners.
+TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
+    for (const double edge_length : {0.03, 0.15}) {
+        const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), edge_length);
+        const auto quality = test::mesh_quality(mesh);
+        std::cout << edge_length << ": " << mesh.number_of_faces() << " faces, angles "
+                  << quality.smallest_angle << ", " << quality.mean_smallest_angle << ", edge "
+                  << quality.mean_edge << "\n";
+        EXPECT_TRUE(mesh.is_valid(false));
+        EXPECT_NEAR(quality.area, 1, 1e-9);
+        EXPECT_NEAR(quality.mean_edge / edge_length, 1, 0.15);
+        EXPECT_GT(quality.mean_smallest_angle, 42);
+        EXPECT_FALSE(mesh.has_garbage());
+    }
+}
+
+// A remeshed box whose edges are cut off is no box any more.
+TEST(Remesh, KeepsSharpEdges) {
+    const Mesh mesh = remesh(cube(), 0.1);
+    EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
+    EXPECT_GT(mesh.number_of_faces(), 800U);
+    for (const Vertex v : mesh.vertices()) {
+        const Point& p = mesh.point(v);
+        const double out = std::max({std::abs(p.x() - 0.5), std::abs(p.y() - 0.5), std::abs(p.z() - 0.5)});
+        EXPECT_NEAR(out, 0.5, 1e-9);
+    }
+}
+
+TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
+    Mesh mesh = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
+    mesh += generate_disc(0.3, {0.05, Layout::delaunay, 1});
+    const Mesh result = remesh(mesh, 0.1);
+    EXPECT_EQ(connected_components(result).count, 2);
+    for (const Vertex v : result.vertices()) {
+        const Point& p = result.point(v);
+        const double from_sphere = std::abs(std::hypot(p.x(), p.y(), p.z()) - 0.5);
+        // The triangles it started from lie up to 1.1e-3 below the sphere.
+        EXPECT_LT(std::min(from_sphere, std::abs(p.z())), 1.5e-3);
+    }
+}
+
+TEST(Remesh, GivesTheSameMeshAgain) {
+    const Mesh in = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
+    const Mesh first = remesh(in, 0.07), again = remesh(in, 0.07);
+    ASSERT_EQ(first.number_of_faces(), again.number_of_faces());
+    for (const Vertex v : first.vertices()) ASSERT_EQ(first.point(v), again.point(v));
+    for (const Halfedge h : first.halfedges()) ASSERT_EQ(first.target(h), again.target(h));
+}
+
+TEST(Remesh, RefusesAnEdgeLengthThatIsNotPositive) {
+    EXPECT_THROW(remesh(cube(), 0), Error);
+    EXPECT_THROW(remesh(cube(), -1), Error);
+    EXPECT_THROW(remesh(cube(), std::nan("")), Error);
+}
+
+TEST(Components, AreNumberedByTheirFirstFace) {
+    Mesh mesh = cube();
+    mesh += cube();
+    const auto components = connected_components(mesh);
+    EXPECT_EQ(components.count, 2);
+    for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(components.of_face[i], i < 12 ? 0 : 1);
+    EXPECT_EQ(connected_components(Mesh()).count, 0);
+}
+
+// Faces that meet in a point only are two sheets: nothing bends across a point.
+TEST(Components, DoNotReachAcrossAPoint) {
+    Mesh mesh;
+    std::vector<Vertex> v;
+    for (int i = 0; i < 5; ++i) v.push_back(mesh.add_vertex(Point(i, i * i, 0)));
+    mesh.add_face(v[0], v[1], v[2]);
+    mesh.add_face(v[2], v[3], v[4]);
+    EXPECT_EQ(connected_components(mesh).count, 2);
+}
+
+}  // namespace
+}  // namespace sherd

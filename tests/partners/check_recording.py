@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""check_recording.py RUN.h5 [SUMMARY.json]
+
+Reads a recording with h5py and numpy alone and checks what app/README.md promises of it, whoever made it. Writes
+what ParaView should find in each frame to SUMMARY.json (check_paraview.py reads it)."""
+
+import json
+import sys
+
+import h5py
+import numpy as np
+
+
+def extremes(values):
+    return [float(np.min(values)), float(np.max(values))]
+
+
+def check_units(name, item):
+    if isinstance(item, h5py.Dataset) and name not in ("scene", "rest/sheet_names"):
+        assert isinstance(item.attrs["unit"], str) and item.attrs["unit"], f"{name} has no unit"
+
+
+def check_head(file):
+    assert file.attrs["format"] == "sherd recording"
+    assert file.attrs["format_version"] == 1
+    assert file.attrs["sherd_version"]
+    assert file.attrs["wall_seconds"] >= 0
+    assert file.attrs["end"] and file.attrs["scene_file"]
+    int(file.attrs["seed"])
+    assert isinstance(file["scene"][()], bytes) and file["scene"].asstr()[()]
+    faces = file["rest/faces"].shape[0]
+    assert file["rest/area"].shape == (faces,) and np.all(file["rest/area"][:] > 0)
+    file.visititems(check_units)
+
+
+def check_tables(file):
+    for group in ("steps", "events/failure", "events/opening", "events/split"):
+        rows = {column.shape[0] for column in file[group].values()}
+        assert len(rows) == 1, f"the columns of {group} differ in length: {rows}"
+    assert np.all(np.diff(file["steps/step"][:]) == 1)
+    assert np.all(np.diff(file["steps/time"][:]) > 0)
+    for group in ("failure", "opening", "split"):
+        assert np.all(np.diff(file[f"events/{group}/time"][:]) >= 0)
+
+
+def edge_face_counts(faces):
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    return dict(zip(map(tuple, *np.unique(sides, axis=0)[None]), np.unique(sides, axis=0, return_counts=True)[1]))
+
+
+def check_frame(file, frame):
+    vertices = frame["vertex/position"].shape[0]
+    faces, edges = frame["face/vertices"][:], frame["edge/vertices"][:]
+    assert frame["vertex/position"].shape == frame["vertex/velocity"].shape == (vertices, 3)
+    for name in ("speed", "mass", "original"):
+        assert frame["vertex"][name].shape == (vertices,)
+    assert frame["face/fragment"].shape == frame["face/sheet"].shape == (len(faces),)
+    assert frame["edge/state"].shape == frame["edge/strain"].shape == (len(edges),)
+    speed = np.linalg.norm(frame["vertex/velocity"][:], axis=1)
+    assert np.allclose(speed, frame["vertex/speed"][:], rtol=1e-14, atol=0)
+    assert np.array_equal(np.unique(faces), np.arange(vertices)), "a vertex without a face"
+    # A face keeps its corners, up to which copy of a vertex it holds.
+    assert np.array_equal(frame["vertex/original"][:][faces], file["rest/faces"][:])
+    fragments = np.unique(frame["face/fragment"][:])
+    assert np.array_equal(fragments, np.arange(len(fragments))), "fragments are not numbered from 0"
+    counts = edge_face_counts(faces)
+    assert len(counts) == len(edges) and set(map(tuple, np.sort(edges, axis=1))) == set(counts)
+    open_edges = np.array([counts[tuple(sorted(edge))] == 1 for edge in edges.tolist()])
+    assert np.array_equal(frame["edge/state"][:] == 2, open_edges), "state 2 is not the boundary"
+    assert np.all(frame["edge/strain"][:][open_edges] == 0)
+
+
+def summary(frame):
+    return {
+        "time": float(frame.attrs["time"]),
+        "points": frame["vertex/position"].shape[0],
+        "surface": {
+            "cells": frame["face/vertices"].shape[0],
+            "cell": {name: extremes(frame["face"][name]) for name in ("fragment", "sheet")},
+            "point": {"speed": extremes(frame["vertex/speed"]), "velocity": extremes(frame["vertex/velocity"][:, 2])},
+        },
+        "edges": {
+            "cells": frame["edge/vertices"].shape[0],
+            "cell": {name: extremes(frame["edge"][name]) for name in ("state", "strain")},
+            "point": {},
+        },
+    }
+
+
+def main():
+    with h5py.File(sys.argv[1], "r") as file:
+        check_head(file)
+        check_tables(file)
+        frames = [file["frames"][name] for name in sorted(file["frames"])]
+        for frame in frames:
+            check_frame(file, frame)
+        result = [summary(frame) for frame in frames]
+    if len(sys.argv) > 2:
+        with open(sys.argv[2], "w", encoding="utf-8") as out:
+            json.dump(result, out)
+    print(f"{len(result)} frames are as they should be")
+
+
+main()

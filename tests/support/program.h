@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sherd::test {
+
+/// What a program left behind; ended by a signal it has exit code 128 + signal, as in a shell.
+struct ProgramResult {
+    int exit_code = 0;
+    std::string out, err;
+};
+
+struct ProgramLimits {
+    /// Largest size of a file it may write: past it write() fails, as it does on a full disk.
+    std::optional<std::uint64_t> file_bytes;
+};
+
+namespace detail {
+
+using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+inline OpenFile nameless_file() {
+    OpenFile file(std::tmpfile(), &std::fclose);
+    if (!file) throw std::runtime_error("cannot make a temporary file");
+    return file;
+}
+
+inline std::string text_of(std::FILE* file) {
+    std::string text;
+    std::rewind(file);
+    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+    return text;
+}
+
+/// Never returns: becomes the program, or ends with 127.
+inline void become(std::vector<char*>& arguments, const std::filesystem::path& directory, std::FILE* out,
+                   std::FILE* err, const ProgramLimits& limits) {
+    if (limits.file_bytes) {
+        const rlimit limit{*limits.file_bytes, *limits.file_bytes};
+        std::signal(SIGXFSZ, SIG_IGN);  // so that write() fails with an error instead
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    dup2(fileno(out), STDOUT_FILENO);
+    dup2(fileno(err), STDERR_FILENO);
+    if (chdir(directory.c_str()) == 0) execv(arguments[0], arguments.data());
+    _exit(127);
+}
+
+}  // namespace detail
+
+/// Runs the real program in `directory` and waits for its end.
+inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
+                               const ProgramLimits& limits = {}) {
+    arguments.insert(arguments.begin(), SHERD_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    const detail::OpenFile out = detail::nameless_file(), err = detail::nameless_file();
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("cannot fork");
+    if (child == 0) detail::become(pointers, directory, out.get(), err.get(), limits);
+    int status = 0;
+    if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
+    const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return {exit_code, detail::text_of(out.get()), detail::text_of(err.get())};
+}
+
+}  // namespace sherd::test

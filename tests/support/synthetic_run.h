@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "app/recording.h"
+
+namespace sherd::test {
+
+/// A run that no simulation made: a strip of two sheets that is torn off column by column, so that its
+/// topology changes from frame to frame. Frame k has k + 1 fragments of `columns_per_fragment` or more
+/// columns.
+struct SyntheticRun {
+    RecordingHeader header;
+    std::vector<Snapshot> frames;
+    std::vector<std::vector<StepReport>> steps;  ///< before each frame
+    std::vector<CrackEvents> events;             ///< before each frame
+};
+
+namespace synthetic {
+
+inline constexpr Index columns = 12, rows = 4, columns_per_fragment = 3;
+
+/// Values with all bits in use, and some that text would lose.
+inline double number(Index i, Index k) {
+    if (i % 17 == 3) return -0.0;
+    if (i % 19 == 5) return std::numeric_limits<double>::denorm_min() * (k + 1);
+    return std::sin(1.0 + i) * std::pow(10.0, (i + k) % 9 - 4);
+}
+
+inline std::vector<std::array<Index, 3>> whole_faces() {
+    std::vector<std::array<Index, 3>> faces;
+    for (Index x = 0; x < columns; ++x)
+        for (Index y = 0; y < rows; ++y) {
+            const Index corner = x * (rows + 1) + y, next = corner + rows + 1;
+            faces.push_back({corner, next, next + 1});
+            faces.push_back({corner, next + 1, corner + 1});
+        }
+    return faces;
+}
+
+inline Positions whole_positions() {
+    Positions position(3, (columns + 1) * (rows + 1));
+    for (Index i = 0; i < position.cols(); ++i)
+        position.col(i) = Vector3d(0.01 * (i / (rows + 1)), 0.01 * (i % (rows + 1)), 0.001 * std::sin(i));
+    return position;
+}
+
+/// Takes the columns left of the k-th tear off the rest: the right-hand faces keep their vertices.
+inline void tear(Snapshot& snapshot, Index k, CrackEvents& events) {
+    const Index column = k * columns_per_fragment;
+    const auto old_count = static_cast<Index>(snapshot.original.size());
+    for (Index y = 0; y <= rows; ++y) {
+        snapshot.original.push_back(column * (rows + 1) + y);
+        events.splits.push_back({0.25 * k, k, column * (rows + 1) + y, old_count + y});
+    }
+    const Index first_face = (column - columns_per_fragment) * rows * 2, last_face = column * rows * 2;
+    for (Index f = first_face; f < last_face; ++f) {
+        for (Index& vertex : snapshot.faces[f])
+            if (vertex / (rows + 1) == column && vertex < (columns + 1) * (rows + 1))
+                vertex = old_count + vertex % (rows + 1);
+    }
+    for (Index f = last_face; f < static_cast<Index>(snapshot.faces.size()); ++f)
+        snapshot.face_fragment[f] = k;
+    for (Index y = 0; y < rows; ++y) {
+        const Index edge = static_cast<Index>(7 * y), created = 1000 + y;
+        events.failures.push_back({0.25 * k, k, y, edge, {y, y + 1}, y % 3, number(y + 1, k)});
+        events.openings.push_back({0.25 * k, k, edge, created});
+    }
+}
+
+inline void add_edges(Snapshot& snapshot) {
+    std::map<std::array<Index, 2>, int> faces_of;
+    for (const auto& f : snapshot.faces)
+        for (int c = 0; c < 3; ++c)
+            ++faces_of[{std::min(f[c], f[(c + 1) % 3]), std::max(f[c], f[(c + 1) % 3])}];
+    snapshot.edges.clear();
+    snapshot.edge_state.clear();
+    snapshot.edge_strain.clear();
+    for (const auto& [edge, count] : faces_of) {
+        const auto i = static_cast<Index>(snapshot.edges.size());
+        snapshot.edges.push_back(edge);
+        snapshot.edge_state.push_back(count == 1    ? EdgeState::boundary
+                                      : i % 13 == 0 ? EdgeState::fractured_interior
+                                                    : EdgeState::interior);
+        snapshot.edge_strain.push_back(count == 1 ? 0 : number(i, 1));
+    }
+}
+
+inline void fill_numbers(Snapshot& snapshot, Index k) {
+    const auto vertices = static_cast<Index>(snapshot.original.size());
+    const Positions rest = whole_positions();
+    snapshot.step = 10 * k;
+    snapshot.time = 0.1 * k;
+    snapshot.position.resize(3, vertices);
+    snapshot.velocity.resize(3, vertices);
+    snapshot.mass.resize(vertices);
+    for (Index v = 0; v < vertices; ++v) {
+        snapshot.position.col(v) = rest.col(snapshot.original[v]) + Vector3d(0, 0, -0.02 * k);
+        snapshot.velocity.col(v) = Vector3d(number(v, k), number(v + 1, k), number(v + 2, k));
+        snapshot.mass[v] = 1e-3 / (3 + v);
+    }
+}
+
+inline StepReport step(Index i) {
+    StepReport report;
+    report.step = i;
+    report.time = 0.01 * i;
+    report.step_size = 0.01;
+    report.kinetic = number(i, 1);
+    report.bending = number(i, 2);
+    report.membrane = number(i, 3);
+    report.gravity = -number(i, 4);
+    report.contact = number(i, 5);
+    report.linear_momentum = Vector3d(number(i, 6), number(i + 1, 6), number(i + 2, 6));
+    report.angular_momentum = Vector3d(number(i, 7), number(i + 1, 7), number(i + 2, 7));
+    report.newton_iterations = i % 5;
+    report.converged = i % 7 != 0;
+    report.stages = i % 4;
+    report.stage_cap_reached = i % 11 == 0;
+    report.contacts = 3 * i;
+    report.fragments = 1 + i / 10;
+    report.peak_strain = 2.0 + std::sin(i);
+    return report;
+}
+
+}  // namespace synthetic
+
+inline SyntheticRun synthetic_run() {
+    using namespace synthetic;
+    SyntheticRun run;
+    run.header = {.scene_file = "strip & \"strip\".toml",
+                  .scene_text = "duration = 0.3\n# \xc3\xa4\n",
+                  .seed = -7,
+                  .sheet_names = {"left \"half\"", "right"},
+                  .rest_position = whole_positions(),
+                  .rest_faces = whole_faces(),
+                  .rest_area = {}};
+    Snapshot snapshot;
+    snapshot.faces = whole_faces();
+    for (Index v = 0; v < (columns + 1) * (rows + 1); ++v) snapshot.original.push_back(v);
+    for (Index f = 0; f < static_cast<Index>(snapshot.faces.size()); ++f) {
+        run.header.rest_area.push_back(5e-5 + 1e-7 * f);
+        snapshot.face_sheet.push_back(f * 2 < static_cast<Index>(snapshot.faces.size()) ? 0 : 1);
+    }
+    snapshot.face_fragment.assign(snapshot.faces.size(), 0);
+    for (Index k = 0; k < 3; ++k) {
+        CrackEvents events;
+        if (k > 0) tear(snapshot, k, events);
+        add_edges(snapshot);
+        fill_numbers(snapshot, k);
+        std::vector<StepReport> steps;
+        for (Index i = 10 * (k - 1) + 1; k > 0 && i <= 10 * k; ++i) steps.push_back(step(i));
+        run.frames.push_back(snapshot);
+        run.steps.push_back(steps);
+        run.events.push_back(events);
+    }
+    return run;
+}
+
+/// Records `run` into `file`, complete.
+inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
+    RecordingWriter writer(file, run.header, false);
+    for (std::size_t k = 0; k < run.frames.size(); ++k)
+        writer.append(run.frames[k], run.steps[k], run.events[k]);
+    writer.finish(12.5, "complete");
+}
+
+}  // namespace sherd::test
