@@ -8,8 +8,7 @@
 
 #include "app/commands.h"
 #include "app/mesh_measures.h"
-#include "app/scene.h"
-#include "app/scene_mesh.h"
+#include "app/scene_simulation.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 
@@ -18,9 +17,9 @@ namespace {
 
 /// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
 /// = 5.36 at a Poisson ratio of 0.3 (Leissa, Vibration of Plates, 1969). A curved shell vibrates faster.
-double slowest_period(const MaterialSpec& m, double area) {
-    const double rigidity = m.young * std::pow(m.thickness, 3) / (12 * (1 - m.poisson * m.poisson));
-    const double frequency = 5.36 * std::numbers::pi / area * std::sqrt(rigidity / (m.density * m.thickness));
+double slowest_period(const Material& m, double area) {
+    const double frequency =
+        5.36 * std::numbers::pi / area * std::sqrt(bending_rigidity(m) / (m.density * m.thickness));
     return 2 * std::numbers::pi / frequency;
 }
 
@@ -54,14 +53,14 @@ void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, con
 
 void print_sheet(const SheetSpec& sheet, const Scene& scene) {
     std::vector<std::string> warnings;
-    const Mesh mesh = make_mesh(sheet, scene, warnings);
-    const std::size_t pinned = pinned_vertices(sheet, mesh).size();
+    const SheetInput input = make_sheet(sheet, scene, warnings);
+    const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
     add_hints(sheet, scene, mesh, m, warnings);
     fmt::print("sheet {}\n", sheet.name);
     fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}\n",
                mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
-               m.boundary_loops, pinned);
+               m.boundary_loops, input.pinned.size());
     fmt::print("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
                m.area * sheet.material.thickness * sheet.material.density);
     fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),

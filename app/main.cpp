@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string_view>
@@ -37,6 +38,7 @@ int run(const sherd::Command& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
     CLI::App program(
         "Sherd breaks plates and shells: a scene goes in, fragments and the crack history come out.",
         "sherd");

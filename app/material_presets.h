@@ -11,7 +11,7 @@ namespace sherd {
 /// A material by name, with the thickness of a common sheet of it.
 struct MaterialPreset {
     std::string_view name;
-    MaterialSpec material;
+    Material material;
 };
 
 /// Real materials; scenes/README.md gives the source of each.

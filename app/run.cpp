@@ -122,7 +122,8 @@ int run(RunOptions options) {
     const Scene scene = read_scene(options.scene.file, options.scene.overrides);
     if (options.output.empty()) options.output = scene.file.stem().string() + ".h5";
     std::vector<std::string> warnings;
-    const std::vector<SheetInput> sheets = make_sheets(scene, warnings);
+    std::vector<SheetInput> sheets;
+    for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
     warn(warnings);
     Simulation simulation(sheets, simulation_options(scene));
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);

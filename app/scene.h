@@ -10,10 +10,9 @@
 #include <variant>
 #include <vector>
 
-namespace sherd {
+#include "core/material.h"
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
+namespace sherd {
 
 /// A generated mesh: `mesh = { generate = "plate", radius = 0.13, edge_length = 0.004 }`.
 struct GeneratedMesh {
@@ -33,13 +32,6 @@ struct MeshFile {
     double remesh = 0;  ///< m, target edge length; 0: as it is
 };
 
-struct MaterialSpec {
-    double density = 0;    ///< kg/m^3
-    double thickness = 0;  ///< m
-    double young = 0;      ///< Pa
-    double poisson = 0;
-};
-
 /// Where the vertices are that something holds.
 struct Selection {
     std::optional<std::pair<Vector3d, Vector3d>> box;  ///< lower and upper corner, placed positions
@@ -53,7 +45,7 @@ struct SheetSpec {
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
-    MaterialSpec material;
+    Material material;
     double strain_threshold = 0;  ///< 1/m; 0: does not break
     std::vector<Selection> pins;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors

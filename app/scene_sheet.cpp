@@ -60,8 +60,8 @@ Eigen::Isometry3d read_place(TomlTable& table) {
     return place;
 }
 
-MaterialSpec read_material(TomlTable& table) {
-    std::optional<MaterialSpec> preset;
+Material read_material(TomlTable& table) {
+    std::optional<Material> preset;
     if (table.has("preset")) {
         std::vector<std::string_view> names;
         for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
@@ -71,13 +71,13 @@ MaterialSpec read_material(TomlTable& table) {
         for (const MaterialPreset& known : material_presets())
             if (known.name == name) preset = known.material;
     }
-    const auto from_preset = [&](double MaterialSpec::*member) {
+    const auto from_preset = [&](double Material::*member) {
         return preset ? std::optional<double>((*preset).*member) : std::nullopt;
     };
-    MaterialSpec material;
-    material.density = table.number("density", "kg/m^3", positive, from_preset(&MaterialSpec::density));
-    material.thickness = table.number("thickness", "m", positive, from_preset(&MaterialSpec::thickness));
-    material.young = table.number("young", "Pa", positive, from_preset(&MaterialSpec::young));
+    Material material;
+    material.density = table.number("density", "kg/m^3", positive, from_preset(&Material::density));
+    material.thickness = table.number("thickness", "m", positive, from_preset(&Material::thickness));
+    material.young = table.number("young", "Pa", positive, from_preset(&Material::young));
     material.poisson = table.number("poisson", "", poisson_range, preset ? preset->poisson : 0.3);
     table.finish();
     return material;

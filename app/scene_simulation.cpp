@@ -1,24 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_simulation.h"
 
+#include <fmt/format.h>
+
 #include "app/scene_mesh.h"
+#include "core/stability.h"
+#include "meshops/error.h"
 
 namespace sherd {
+namespace {
 
-std::vector<SheetInput> make_sheets(const Scene& scene, std::vector<std::string>& warnings) {
-    std::vector<SheetInput> inputs;
-    for (const SheetSpec& sheet : scene.sheets) {
-        SheetInput input;
-        input.mesh = make_mesh(sheet, scene, warnings);
-        input.pinned = pinned_vertices(sheet, input.mesh);
-        const MaterialSpec& material = sheet.material;
-        input.material = {material.density, material.thickness, material.young, material.poisson};
-        input.strain_threshold = sheet.strain_threshold;
-        input.velocity = sheet.velocity;
-        input.spin = sheet.spin;
-        inputs.push_back(std::move(input));
-    }
-    return inputs;
+void require_stability(const SheetInput& input, const SheetSpec& sheet) {
+    if (stable_at_rest(BreakableSheet({input}).mechanics())) return;
+    throw Error(
+        fmt::format("{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
+                    "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
+                    "the edges longer (edge_length, or remesh on a mesh file) or the thickness smaller",
+                    sheet.where, input.material.thickness));
+}
+
+}  // namespace
+
+SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+    SheetInput input;
+    input.mesh = make_mesh(sheet, scene, warnings);
+    input.pinned = pinned_vertices(sheet, input.mesh);
+    input.material = sheet.material;
+    input.strain_threshold = sheet.strain_threshold;
+    input.velocity = sheet.velocity;
+    input.spin = sheet.spin;
+    require_stability(input, sheet);
+    return input;
 }
 
 SimulationOptions simulation_options(const Scene& scene) {

@@ -10,9 +10,9 @@
 
 namespace sherd {
 
-/// The sheets of a scene, ready to be simulated. Throws Error naming the scene's line and key; warnings are
-/// sentences.
-std::vector<SheetInput> make_sheets(const Scene& scene, std::vector<std::string>& warnings);
+/// A sheet of a scene, ready to be simulated. Throws Error naming the scene's line and key, also when the
+/// sheet is too thick for its mesh to hold its shape; warnings are sentences.
+SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 SimulationOptions simulation_options(const Scene& scene);
 

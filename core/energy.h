@@ -20,6 +20,8 @@ struct Energy {
     virtual ~Energy() = default;
     /// Value in J. x: [3, V] in m.
     virtual double value(const Positions& x) const = 0;
+    /// Bound on the round-off error of value(), J, where terms cancel in it.
+    virtual double round_off() const { return 0; }
     /// Adds dE/dx, in N, to gradient [3, V]; the force is its negative.
     virtual void add_gradient(const Positions& x, Positions& gradient) const = 0;
     /// Adds d2E/dx2, in N/m.

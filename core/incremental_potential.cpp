@@ -18,6 +18,12 @@ double IncrementalPotential::value(const Positions& x) const {
     return sum;
 }
 
+double IncrementalPotential::round_off() const {
+    double sum = 0;
+    for (const Energy* energy : energies) sum += energy->round_off();
+    return sum;
+}
+
 Positions IncrementalPotential::gradient(const Positions& x) const {
     Positions sum = (x - inertial) * (sheet.mass / (step * step)).asDiagonal();
     for (const Energy* energy : energies) energy->add_gradient(x, sum);

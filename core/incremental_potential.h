@@ -17,7 +17,8 @@ class IncrementalPotential {
 
     const Positions& predicted() const { return inertial; }  ///< y, and x_n of fixed vertices, m
     double value(const Positions& x) const;                  ///< J
-    Positions gradient(const Positions& x) const;            ///< N, [3, V]
+    double round_off() const;                      ///< bound on the value's error by cancellation, J
+    Positions gradient(const Positions& x) const;  ///< N, [3, V]
     /// Zero matrix of the Hessian's pattern.
     BlockMatrix hessian_pattern() const;
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;

@@ -24,13 +24,13 @@ void factorize(const IncrementalPotential& potential, NewtonSystem& system, cons
 /// is large beside the last decreases: a step after which the slope is flatter is good too.
 bool line_search(const IncrementalPotential& potential, const Positions& direction, double slope,
                  Positions& x) {
-    const double start = potential.value(x);
+    const double start = potential.value(x), round_off = potential.round_off() + 1e-12 * std::abs(start);
     double scale = 1;
     for (int halving = 0; halving < max_halvings; ++halving, scale /= 2) {
         const Positions trial = x + scale * direction;
         const double value = potential.value(trial);
         const bool decreases = value <= start + sufficient_decrease * scale * slope;
-        const bool in_round_off = std::abs(value - start) <= 1e-9 * std::abs(start);
+        const bool in_round_off = std::abs(value - start) <= round_off;
         if (decreases || (in_round_off && std::abs(potential.gradient(trial).cwiseProduct(direction).sum()) <=
                                               flattening * std::abs(slope))) {
             x = trial;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sheet_energies.h"
 
+#include <cmath>
+#include <limits>
+
 namespace sherd {
 
 double BendingEnergy::value(const Positions& x) const {
@@ -8,6 +11,12 @@ double BendingEnergy::value(const Positions& x) const {
     for (const HingeStencil& hinge : hinges)
         sum += sherd::value(hinge.bending, hinge_positions(x, hinge.vertices));
     return sum;
+}
+
+double BendingEnergy::round_off() const {
+    double terms = 0;
+    for (const HingeStencil& hinge : hinges) terms += std::abs(hinge.bending.constant);
+    return 4 * std::numeric_limits<double>::epsilon() * terms;
 }
 
 void BendingEnergy::add_gradient(const Positions& x, Positions& gradient) const {

@@ -11,6 +11,7 @@ class BendingEnergy : public Energy {
   public:
     explicit BendingEnergy(const std::vector<HingeStencil>& hinges) : hinges(hinges) {}
     double value(const Positions& x) const override;
+    double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;

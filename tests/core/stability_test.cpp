@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/stability.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/random_shapes.h"
+
+namespace sherd {
+namespace {
+
+/// A folded hinge of unit edges as a sheet.
+Sheet fold(double thickness) {
+    const Material material{1000, thickness, 1e9, 0.3};
+    Sheet sheet;
+    resize_vertices(sheet, 4);
+    sheet.rest = sheet.position = test::folded_hinge(1.0, 0.2, 0.9, 0.7, 0.8);
+    sheet.mass.setConstant(1000 * thickness);
+    for (const std::array<Index, 3>& triangle : {std::array{0, 1, 2}, std::array{0, 3, 1}})
+        sheet.triangles.push_back({triangle, membrane_triangle(triangle_positions(sheet.rest, triangle),
+                                                               membrane_elasticity(material))});
+    sheet.hinges.push_back(hinge_stencil(sheet, {0, 1, 2, 3}, material));
+    return sheet;
+}
+
+// A scene that would blow up by itself must be told before it runs.
+TEST(Stability, HoldsForThinSheetsOnly) {
+    EXPECT_TRUE(stable_at_rest(fold(0.01)));
+    EXPECT_TRUE(stable_at_rest(fold(0.3)));
+    EXPECT_FALSE(stable_at_rest(fold(30)));
+}
+
+}  // namespace
+}  // namespace sherd
