@@ -106,7 +106,7 @@ void Runner::print_summary(const std::string& end, const std::filesystem::path& 
                         static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     row("cracked edges", fmt::format("{}", totals.cracks));
     row("fragments", fmt::format("{}", totals.last.fragments));
-    row("peak bending strain",
+    row("peak strain",
         fmt::format(
             "{:.4g} 1/m{}", totals.peak_strain,
             totals.cracks == 0 ? " (no hinge broke; to break it, try a threshold of half of that)" : ""));

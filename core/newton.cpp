@@ -25,6 +25,10 @@ void factorize(const IncrementalPotential& potential, NewtonSystem& system, cons
 bool line_search(const IncrementalPotential& potential, const Positions& direction, double slope,
                  Positions& x) {
     const double start = potential.value(x), round_off = potential.round_off() + 1e-12 * std::abs(start);
+    if (-slope <= round_off) {  // nothing could be told of a shorter step
+        x += direction;
+        return true;
+    }
     double scale = 1;
     for (int halving = 0; halving < max_halvings; ++halving, scale /= 2) {
         const Positions trial = x + scale * direction;

@@ -16,7 +16,7 @@ double BendingEnergy::value(const Positions& x) const {
 double BendingEnergy::round_off() const {
     double terms = 0;
     for (const HingeStencil& hinge : hinges) terms += std::abs(hinge.bending.constant);
-    return 4 * std::numeric_limits<double>::epsilon() * terms;
+    return 16 * std::numeric_limits<double>::epsilon() * terms;
 }
 
 void BendingEnergy::add_gradient(const Positions& x, Positions& gradient) const {
