@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/edge_list.h"
+#include "app/recording_file.h"
+#include "fracture/crack_mesh.h"
+#include "meshops/components.h"
+#include "meshops/error.h"
+#include "meshops/read_mesh.h"
+#include "meshops/write_mesh.h"
+
+namespace sherd {
+namespace {
+
+struct CutOptions {
+    std::filesystem::path mesh, edges, output;
+    ReadMeshOptions read;
+    bool force = false, json = false;
+};
+
+nlohmann::ordered_json summary(const Mesh& before, std::span<const Edge> edges, const CrackMesh& cracks,
+                               const CrackMesh::Change& change) {
+    const Mesh& mesh = cracks.mesh();
+    const std::size_t opened = change.opening.edges.size();
+    return {{"vertices_before", before.number_of_vertices()},
+            {"vertices_after", mesh.number_of_vertices()},
+            {"faces", mesh.number_of_faces()},
+            {"edges_requested", edges.size()},
+            {"edges_opened", opened},
+            {"edges_closed", edges.size() - opened},
+            {"vertices_split", change.opening.vertices.size()},
+            {"fragments", connected_components(mesh).count},
+            {"euler_characteristic",
+             static_cast<std::int64_t>(mesh.number_of_vertices() + mesh.number_of_faces()) -
+                 static_cast<std::int64_t>(mesh.number_of_edges())}};
+}
+
+int cut(const CutOptions& options) {
+    const std::string ending = options.output.extension().string();
+    if (ending != ".obj" && ending != ".ply")
+        throw Error(
+            fmt::format("'{}' is neither .obj nor .ply; name a file that ends so", options.output.string()));
+    check_free(options.output, options.force);
+    std::vector<std::string> warnings;
+    const Mesh mesh = read_mesh(options.mesh, options.read, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    const std::vector<Edge> edges = read_edge_list(options.edges, mesh);
+    CrackMesh cracks(mesh);
+    const CrackMesh::Change change = cracks.fail(edges);
+    write_mesh(triangle_sheet(cracks.mesh()), options.output);
+
+    const auto result = summary(mesh, edges, cracks, change);
+    if (options.json)
+        fmt::print("{}\n", result.dump(2));
+    else
+        for (const auto& [key, value] : result.items()) fmt::print("{:<22}{}\n", key, value.dump());
+    return 0;
+}
+
+}  // namespace
+
+void add_cut(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("cut", "Open edges of a mesh: topology only, no physics");
+    auto options = std::make_shared<CutOptions>();
+    command->add_option("mesh", options->mesh, "Mesh file (.obj, .ply, .off, .stl)")
+        ->required()
+        ->option_text("MESH");
+    command
+        ->add_option("--edges", options->edges,
+                     "Text file, an edge a line: two 0-based vertex numbers of MESH")
+        ->required()
+        ->option_text("FILE");
+    command->add_option("-o,--output", options->output, "Mesh to write (.obj or .ply)")
+        ->required()
+        ->option_text("OUT");
+    command->add_flag("--repair", options->read.repair,
+                      "Drop zero-area triangles, separate non-manifold edges");
+    command->add_flag("--join", options->read.join_duplicate_points, "Join points at the same place first");
+    command->add_flag("--force", options->force, "Replace OUT if it exists");
+    command->add_flag("--json", options->json, "Print the counts as JSON");
+    command->footer("Example:\n  sherd cut bowl.obj --edges cracks.txt -o opened.obj");
+    command->callback([&chosen, options] { chosen = [options] { return cut(*options); }; });
+}
+
+}  // namespace sherd
