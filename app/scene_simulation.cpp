@@ -28,9 +28,9 @@ void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::ve
     constexpr double least = 100;
     if (ratio >= least) return;
     warnings.push_back(fmt::format(
-        "{}: stretching stiffness Y t is {:.3g} times the bending stiffness D / L^2 at edges of L = "
-        "{:.3g} m and a thickness of t = {:.3g} m; thin-shell bending wants {:.0f}: make the edges "
-        "{:.2g} m or longer",
+        "{}: stretching stiffness Y t is {:.3g} times the hinges' bending stiffness lambda / L^2 (edges of "
+        "L = {:.3g} m, thickness t = {:.3g} m); thin-shell bending wants {:.0f}: make the edges {:.2g} m or "
+        "longer",
         sheet.where, ratio, edge, input.material.thickness, least, edge * std::sqrt(least / ratio)));
 }
 

@@ -43,9 +43,9 @@ Matrix3d membrane_elasticity(const Material& material, double angle) {
 double stretch_over_bend(const Material& material, double length) {
     const Orthotropy constants = elastic_constants(material);
     const double young = std::min(constants.young0, constants.young1);
-    const double rigidity = std::max(edge_stiffness(constants, material.thickness, 0),
-                                     edge_stiffness(constants, material.thickness, std::numbers::pi / 2));
-    return young * material.thickness * length * length / rigidity;
+    const double stiffness =
+        std::max(hinge_stiffness(material, 0), hinge_stiffness(material, std::numbers::pi / 2));
+    return young * material.thickness * length * length / stiffness;
 }
 
 }  // namespace sherd

@@ -46,8 +46,9 @@ double hinge_stiffness(const Material& material, double angle = 0);
 /// whose first axis it is `angle` (rad, counterclockwise) to the material's.
 Matrix3d membrane_elasticity(const Material& material, double angle = 0);
 
-/// Stretching stiffness over bending stiffness of a sheet at a length (m): Y t / (D / length^2), with the
-/// smaller Y and the larger D of the two axes. The paper's hinge is valid from about 100 on (section 8).
+/// Stretching stiffness over the hinges' bending stiffness at a length (m): Y t / (lambda / length^2), with
+/// the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on (paper,
+/// section 8).
 double stretch_over_bend(const Material& material, double length);
 
 }  // namespace sherd

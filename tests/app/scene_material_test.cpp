@@ -127,7 +127,7 @@ TEST(SceneMaterial, SheetsTooStiffInBendingAreWarnedOf) {
     EXPECT_EQ(thin.exit_code, 0) << thin.err;
     EXPECT_EQ(thin.err.find("warning"), std::string::npos) << thin.err;
     const ProgramResult thick =
-        run_sherd({"check", "scene.toml", "--set", "sheet.plate.material.thickness=0.012"}, directory.path);
+        run_sherd({"check", "scene.toml", "--set", "sheet.plate.material.thickness=0.025"}, directory.path);
     EXPECT_EQ(thick.exit_code, 0) << thick.err;
     EXPECT_NE(thick.out.find("stretching stiffness Y t is"), std::string::npos) << thick.out;
 }
