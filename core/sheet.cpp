@@ -25,6 +25,7 @@ void resize_vertices(Sheet& sheet, Index count) {
     for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
         resize(*values, count);
     sheet.fixed.resize(count, 0);
+    sheet.guide.resize(count, 0);
 }
 
 void copy_vertex(Sheet& sheet, Index from, Index to) {
@@ -33,12 +34,14 @@ void copy_vertex(Sheet& sheet, Index from, Index to) {
     for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
         (*values)[to] = (*values)[from];
     sheet.fixed[to] = sheet.fixed[from];
+    sheet.guide[to] = sheet.guide[from];
 }
 
 HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices,
                            const Material& material) {
     const HingePositions rest = hinge_positions(sheet.rest, vertices);
-    return {vertices, rest_hinge(rest), cubic_hinge(rest, hinge_stiffness(material))};
+    const double stiffness = hinge_stiffness(material);
+    return {vertices, rest_hinge(rest), stiffness, cubic_hinge(rest, stiffness)};
 }
 
 double kinetic_energy(const Sheet& sheet) {
