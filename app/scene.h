@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/damping.h"
 #include "core/material.h"
 
 namespace sherd {
@@ -39,6 +40,24 @@ struct Selection {
     std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
 };
 
+/// A plane that the sheet goes on behind like its mirror image.
+struct SymmetrySpec {
+    Vector3d point = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitX();
+    std::string where;  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[force.load]]`.
+struct LoadSpec {
+    std::string kind;                   ///< point, line, area, pressure
+    Vector3d force = Vector3d::Zero();  ///< N, N/m, N/m^2, of the first three
+    double pressure = 0;                ///< Pa
+    double ramp = 0;                    ///< s
+    std::string sheet;                  ///< its name; empty: all sheets
+    Selection on;                       ///< without box and boundary: everything
+    std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
 struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile> mesh;
@@ -47,7 +66,8 @@ struct SheetSpec {
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     Material material;
     double strain_threshold = 0;  ///< 1/m; 0: does not break
-    std::vector<Selection> pins;
+    std::vector<Selection> pins, clamps;
+    std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 };
 
@@ -64,6 +84,7 @@ struct SolverSpec {
     int max_iterations = 50;  ///< Newton iterations a step
     double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
     int max_stages = 100;     ///< of breaking, a step
+    Damping damping;
 };
 
 /// A scene file, read and checked: every value is in SI units and in its allowed range.
@@ -75,6 +96,7 @@ struct Scene {
     std::vector<SheetSpec> sheets;
     std::vector<PlaneSpec> planes;
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    std::vector<LoadSpec> loads;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
 };
