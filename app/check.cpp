@@ -46,7 +46,7 @@ void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, con
                 fmt::format("{} vertices start behind obstacle.{}: move the sheet", count, plane.name));
 }
 
-void print_sheet(const SheetSpec& sheet, const Scene& scene) {
+SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
     std::vector<std::string> warnings;
     const SheetInput input = make_sheet(sheet, scene, warnings);
     const Mesh& mesh = input.mesh;
@@ -68,6 +68,7 @@ void print_sheet(const SheetSpec& sheet, const Scene& scene) {
     else
         fmt::print("  does not break\n");
     for (const std::string& warning : warnings) fmt::print("  warning: {}\n", warning);
+    return input;
 }
 
 int check(const SceneOptions& options) {
@@ -75,14 +76,16 @@ int check(const SceneOptions& options) {
     fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
                scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
     std::vector<std::string> mistakes;
+    std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {
         try {
-            print_sheet(sheet, scene);
+            inputs.push_back(print_sheet(sheet, scene));
         } catch (const Error& error) {
             mistakes.emplace_back(error.what());
         }
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+    simulation_options(scene, inputs);  // throws where a load or a support reaches nothing
     return 0;
 }
 

@@ -125,7 +125,7 @@ int run(RunOptions options) {
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
     warn(warnings);
-    Simulation simulation(sheets, simulation_options(scene));
+    Simulation simulation(sheets, simulation_options(scene, sheets));
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
 
     std::signal(SIGINT, interrupt);

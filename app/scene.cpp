@@ -11,6 +11,7 @@
 #include <limits>
 #include <system_error>
 
+#include "app/scene_force.h"
 #include "app/scene_override.h"
 #include "app/scene_sheet.h"
 #include "app/toml_table.h"
@@ -72,6 +73,11 @@ SolverSpec read_solver(TomlTable& table) {
     solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
     solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
     solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));
+    if (auto damping = table.table("damping")) {
+        solver.damping.stiffness = damping->number("stiffness", "s", not_negative, 0);
+        solver.damping.mass = damping->number("mass", "1/s", not_negative, 0);
+        damping->finish();
+    }
     table.finish();
     return solver;
 }
@@ -112,10 +118,7 @@ void read_root(TomlTable& root, Scene& scene) {
     read_sheets(root, scene);
     if (auto obstacles = root.table("obstacle"))
         for (auto& [name, table] : obstacles->entries()) scene.planes.push_back(read_obstacle(name, table));
-    if (auto force = root.table("force")) {
-        scene.gravity = force->vector("gravity", "m/s^2", scene.gravity);
-        force->finish();
-    }
+    if (auto force = root.table("force")) read_forces(*force, scene);
     root.finish();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/material_axis.h"
+#include "core/damping.h"
 #include "core/material.h"
 
 namespace sherd {
@@ -40,6 +41,24 @@ struct Selection {
     std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
 };
 
+/// A plane that the sheet goes on behind like its mirror image.
+struct SymmetrySpec {
+    Vector3d point = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitX();
+    std::string where;  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[force.load]]`.
+struct LoadSpec {
+    std::string kind;                   ///< point, line, area, pressure
+    Vector3d force = Vector3d::Zero();  ///< N, N/m, N/m^2, of the first three
+    double pressure = 0;                ///< Pa
+    double ramp = 0;                    ///< s
+    std::string sheet;                  ///< its name; empty: all sheets
+    Selection on;                       ///< without box and boundary: everything
+    std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
 struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile> mesh;
@@ -49,7 +68,8 @@ struct SheetSpec {
     Material material;
     MaterialAxis axis;            ///< of a material that has directions
     double strain_threshold = 0;  ///< 1/m; 0: does not break
-    std::vector<Selection> pins;
+    std::vector<Selection> pins, clamps;
+    std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 };
 
@@ -66,6 +86,7 @@ struct SolverSpec {
     int max_iterations = 50;  ///< Newton iterations a step
     double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
     int max_stages = 100;     ///< of breaking, a step
+    Damping damping;
 };
 
 /// A scene file, read and checked: every value is in SI units and in its allowed range.
@@ -77,6 +98,7 @@ struct Scene {
     std::vector<SheetSpec> sheets;
     std::vector<PlaneSpec> planes;
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    std::vector<LoadSpec> loads;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
 };

@@ -46,13 +46,6 @@ Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings
     return remesh(mesh, spec.remesh);
 }
 
-bool selects(const Selection& selection, const Mesh& mesh, Vertex v) {
-    if (selection.boundary) return mesh.is_border(v);
-    const Vector3d p = position(mesh, v);
-    return (p.array() >= selection.box->first.array()).all() &&
-           (p.array() <= selection.box->second.array()).all();
-}
-
 }  // namespace
 
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
@@ -68,9 +61,19 @@ Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::stri
     }
 }
 
+bool selects(const Selection& selection, const Mesh& mesh, Vertex v) {
+    if (selection.boundary) return mesh.is_border(v);
+    if (!selection.box) return true;
+    const Vector3d p = position(mesh, v);
+    return (p.array() >= selection.box->first.array()).all() &&
+           (p.array() <= selection.box->second.array()).all();
+}
+
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed) {
     std::vector<bool> held(placed.number_of_vertices(), false);
-    for (const Selection& pin : sheet.pins) {
+    std::vector<Selection> holds = sheet.pins;
+    holds.insert(holds.end(), sheet.clamps.begin(), sheet.clamps.end());
+    for (const Selection& pin : holds) {
         bool any = false;
         for (const Vertex v : placed.vertices())
             if (selects(pin, placed, v)) any = held[v] = true;

@@ -14,8 +14,11 @@ namespace sherd {
 /// remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
-/// Numbers of the vertices that the sheet's pins hold, in ascending order. Throws Error on a pin that holds
-/// none.
+/// Whether a selection holds a vertex; one without box and boundary holds all.
+bool selects(const Selection& selection, const Mesh& placed, Vertex v);
+
+/// Numbers of the vertices that the sheet's pins and clamps hold, in ascending order. Throws Error on one
+/// that holds none.
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 
 #include "app/scene_material.h"
 #include "app/scene_shape.h"
+#include "app/scene_support.h"
 
 namespace sherd {
 namespace {
@@ -58,26 +59,6 @@ Eigen::Isometry3d read_place(TomlTable& table) {
     return place;
 }
 
-Selection read_selection(TomlTable& table) {
-    Selection selection;
-    selection.where = table.where("");
-    selection.boundary = table.flag("boundary", false);
-    if (table.has("box")) {
-        const std::vector<Eigen::VectorXd> corners = table.rows("box", "m", 2, 3);
-        if (corners.size() == 2)
-            selection.box.emplace(corners[0], corners[1]);
-        else if (!corners.empty())
-            table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
-        if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
-            table.report("box", "has a lower corner above its upper one: order them in x, y and z");
-        if (selection.boundary) table.report("boundary", "conflicts with box: write a pin for each");
-    } else if (!selection.boundary) {
-        table.report("", "holds nothing: give box = [[...], [...]] or boundary = true");
-    }
-    table.finish();
-    return selection;
-}
-
 }  // namespace
 
 SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::filesystem::path& directory) {
@@ -99,7 +80,7 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
         sheet.strain_threshold = fracture->number("strain", "1/m", positive);
         fracture->finish();
     }
-    for (TomlTable& pin : table.tables("pin")) sheet.pins.push_back(read_selection(pin));
+    read_supports(table, sheet);
     table.finish();
     return sheet;
 }

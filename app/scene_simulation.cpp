@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "app/mesh_measures.h"
+#include "app/scene_force.h"
 #include "app/scene_mesh.h"
+#include "app/scene_support.h"
 #include "core/stability.h"
 #include "meshops/error.h"
 
@@ -55,15 +57,19 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     return input;
 }
 
-SimulationOptions simulation_options(const Scene& scene) {
+SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs) {
     SimulationOptions options;
     options.step = scene.solver.step;
     options.gravity = scene.gravity;
     options.max_iterations = scene.solver.max_iterations;
     options.tolerance = scene.solver.tolerance;
     options.max_stages = scene.solver.max_stages;
+    options.damping = scene.solver.damping;
     for (const PlaneSpec& plane : scene.planes)
         options.planes.push_back({plane.point, plane.normal.normalized(), plane.young, plane.friction});
+    const BreakableSheet all(inputs);
+    add_supports(scene, inputs, all.mechanics(), options);
+    add_loads(scene, inputs, all.mechanics(), options);
     return options;
 }
 

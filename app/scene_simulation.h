@@ -14,7 +14,9 @@ namespace sherd {
 /// sheet is too thick for its mesh to hold its shape; warnings are sentences.
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
-SimulationOptions simulation_options(const Scene& scene);
+/// inputs: of all sheets, in the scene's order. Throws Error naming the scene's line and key of a load or
+/// support that reaches nothing.
+SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 /// The head of the recording of a simulation that has not made a step yet.
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);

@@ -5,8 +5,9 @@
 
 namespace sherd {
 
-BlockMatrix::BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed)
-    : fixed(std::move(fixed)) {
+BlockMatrix::BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed,
+                         std::vector<char> guide, std::vector<Matrix3d> guides)
+    : fixed(std::move(fixed)), guide(std::move(guide)), guides(std::move(guides)) {
     for (auto& [column, below] : pairs)
         if (column > below) std::swap(column, below);
     std::sort(pairs.begin(), pairs.end());
@@ -35,18 +36,25 @@ BlockMatrix::BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pa
 
 void BlockMatrix::set_zero() {
     std::fill(value.begin(), value.end(), 0.0);
-    for (std::size_t v = 0; v < fixed.size(); ++v)
+    for (Index v = 0; v < static_cast<Index>(fixed.size()); ++v) {
         if (fixed[v])
-            for (Index c = 0; c < 3; ++c) value[column_start[3 * v + c]] = 1;
+            add_diagonal(v, Matrix3d::Identity());
+        else if (guided(v))
+            add_diagonal(v, Matrix3d::Identity() - guides[guide[v] - 1]);
+    }
 }
 
-void BlockMatrix::add(Index i, Index j, const Matrix3d& block) {
+void BlockMatrix::add_diagonal(Index vertex, const Matrix3d& block) {
+    for (Index c = 0; c < 3; ++c)
+        for (Index r = c; r < 3; ++r) value[column_start[3 * vertex + c] + r - c] += block(r, c);
+}
+
+void BlockMatrix::add(Index i, Index j, const Matrix3d& unconstrained) {
     if (fixed[i] || fixed[j]) return;
-    if (i == j) {
-        for (Index c = 0; c < 3; ++c)
-            for (Index r = c; r < 3; ++r) value[column_start[3 * j + c] + r - c] += block(r, c);
-        return;
-    }
+    Matrix3d block = unconstrained;
+    if (guided(i)) block = guides[guide[i] - 1] * block;
+    if (guided(j)) block = block * guides[guide[j] - 1];
+    if (i == j) return add_diagonal(j, block);
     const bool lower = i > j;
     const Index column = lower ? j : i, below = lower ? i : j;
     const auto first = block_row.begin() + block_start[column];

@@ -17,7 +17,10 @@ class BlockMatrix {
     /// Zero matrix of `vertices` block rows with the blocks `pairs` (any order, either triangle, repeats
     /// allowed) and all diagonal blocks. Rows and columns of `fixed` vertices (one flag a vertex) stay those
     /// of the identity.
-    BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed);
+    /// A vertex with guide[v] = k > 0 has the freedom of guides[k - 1], a projection P: its rows and columns
+    /// are projected, and stay those of the identity in the directions that P takes away.
+    BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed,
+                std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
 
     void set_zero();
     /// Adds `block` at block row i, block column j. The caller adds each unordered pair once: (j, i) is
@@ -30,11 +33,15 @@ class BlockMatrix {
     std::span<const double> values() const { return value; }
 
   private:
+    bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }
+    void add_diagonal(Index vertex, const Matrix3d& block);
+
     std::vector<Index> block_start;  ///< [vertices + 1] first below-diagonal block of each block column
     std::vector<Index> block_row;    ///< block rows below the diagonal, ascending within a column
     std::vector<Index> column_start, row;
     std::vector<double> value;
-    std::vector<char> fixed;
+    std::vector<char> fixed, guide;
+    std::vector<Matrix3d> guides;
 };
 
 /// Adds the symmetric `local` Hessian [3 N, 3 N] of an element on `vertices` [N] (coordinate fastest).

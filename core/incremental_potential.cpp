@@ -6,10 +6,19 @@ namespace sherd {
 IncrementalPotential::IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies,
                                            double step, const Vector3d& gravity)
     : sheet(sheet), energies(std::move(energies)), step(step) {
-    inertial = sheet.position + step * sheet.velocity;
-    inertial.colwise() += step * step * gravity;
-    for (std::size_t v = 0; v < sheet.fixed.size(); ++v)
-        if (sheet.fixed[v]) inertial.col(v) = sheet.position.col(v);
+    Positions displacement = step * sheet.velocity;
+    displacement.colwise() += step * step * gravity;
+    constrain(displacement);
+    inertial = sheet.position + displacement;
+}
+
+void IncrementalPotential::constrain(Positions& displacement) const {
+    for (std::size_t v = 0; v < sheet.fixed.size(); ++v) {
+        if (sheet.fixed[v])
+            displacement.col(v).setZero();
+        else if (sheet.guide[v] != 0)
+            displacement.col(v) = sheet.guides[sheet.guide[v] - 1] * displacement.col(v).eval();
+    }
 }
 
 double IncrementalPotential::value(const Positions& x) const {
@@ -27,15 +36,15 @@ double IncrementalPotential::round_off() const {
 Positions IncrementalPotential::gradient(const Positions& x) const {
     Positions sum = (x - inertial) * (sheet.mass / (step * step)).asDiagonal();
     for (const Energy* energy : energies) energy->add_gradient(x, sum);
-    for (std::size_t v = 0; v < sheet.fixed.size(); ++v)
-        if (sheet.fixed[v]) sum.col(v).setZero();
+    constrain(sum);
     return sum;
 }
 
 BlockMatrix IncrementalPotential::hessian_pattern() const {
     std::vector<std::pair<Index, Index>> pairs;
     for (const Energy* energy : energies) energy->add_pattern(pairs);
-    return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed);
+    return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed, sheet.guide,
+                       sheet.guides);
 }
 
 void IncrementalPotential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {

@@ -8,7 +8,8 @@ namespace sherd {
 
 /// The function whose minimum is the end of an implicit Euler step:
 ///     E(x) = 1 / (2 h^2) (x - y)^T M (x - y) + sum of energies,   y = x_n + h v_n + h^2 g.
-/// Fixed vertices stay where they are: their rows of gradient and Hessian are those of the identity.
+/// Fixed vertices stay where they are: their rows of gradient and Hessian are those of the identity. Guided
+/// vertices do so in the directions that are not free.
 class IncrementalPotential {
   public:
     /// All energies and the sheet must outlive it. step: s; gravity: m/s^2.
@@ -24,6 +25,9 @@ class IncrementalPotential {
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
 
   private:
+    /// Takes away what pins and guides do not let through.
+    void constrain(Positions& displacement) const;
+
     const Sheet& sheet;
     std::vector<const Energy*> energies;
     double step;

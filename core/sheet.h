@@ -38,6 +38,8 @@ struct Sheet {
     VectorXd
         footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/plane_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
+    std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
+    std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
     std::vector<TriangleStencil> triangles;
     std::vector<HingeStencil> hinges;
 };

@@ -8,18 +8,28 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       sheet(sheet),
       options(options),
       bending(sheet.hinges, options.bending),
-      membrane(sheet.triangles) {
+      membrane(sheet.triangles),
+      mirrors(sheet, this->options.mirrors) {
     for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
 }
 
-std::unique_ptr<IncrementalPotential> TimeStep::potential_of_step() const {
-    std::vector<const Energy*> energies{&bending, &membrane};
+void TimeStep::prepare() {
+    const double step = options.step;
+    of_step.clear();
+    if (!options.loads.empty())
+        of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, time + step));
+    if (options.damping.stiffness > 0)
+        of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
+    if (options.damping.mass > 0)
+        of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
+    std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const PlaneContact& plane : contact) energies.push_back(&plane);
-    return std::make_unique<IncrementalPotential>(sheet, std::move(energies), options.step, options.gravity);
+    for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
+    potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity);
 }
 
 void TimeStep::begin() {
-    potential = potential_of_step();
+    prepare();
     if (!system) system = std::make_unique<NewtonSystem>(*potential);
     position = potential->predicted();
 }
@@ -31,18 +41,19 @@ NewtonResult TimeStep::solve(int max_iterations) {
 }
 
 void TimeStep::stencils_changed() {
-    potential = potential_of_step();
+    prepare();
     system = std::make_unique<NewtonSystem>(*potential);
 }
 
 void TimeStep::finish() {
     sheet.velocity = (position - sheet.position) / options.step;
     sheet.position = position;
+    time += options.step;
 }
 
 PotentialEnergies TimeStep::energies() const {
     PotentialEnergies sum;
-    sum.bending = bending.value(position);
+    sum.bending = bending.value(position) + mirrors.value(position);
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const PlaneContact& plane : contact) sum.contact += plane.stored_energy(position);

@@ -4,6 +4,9 @@
 #include <memory>
 
 #include "core/contact/plane_contact.h"
+#include "core/damping.h"
+#include "core/loads.h"
+#include "core/mirror_hinge.h"
 #include "core/newton.h"
 #include "core/sheet_energies.h"
 
@@ -15,6 +18,9 @@ struct TimeStepOptions {
     BendingOptions bending;         ///< energy and Jacobian of the hinges
     NewtonOptions newton;
     std::vector<Plane> planes;  ///< obstacles
+    std::vector<Load> loads;
+    std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
+    Damping damping;
 };
 
 /// Potential energies of a sheet, J.
@@ -45,13 +51,16 @@ class TimeStep {
     Positions position;  ///< [3, V] m, at the end of the open step
 
   private:
-    std::unique_ptr<IncrementalPotential> potential_of_step() const;
+    void prepare();
 
     Sheet& sheet;
     TimeStepOptions options;
+    double time = 0;  ///< s, at the beginning of the step
     BendingEnergy bending;
     MembraneEnergy membrane;
+    MirrorEnergy mirrors;
     std::vector<PlaneContact> contact;
+    std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;
 };

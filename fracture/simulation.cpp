@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/simulation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "fracture/breaking.h"
@@ -27,8 +28,20 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.gravity = options.gravity;
     result.planes = options.planes;
     result.bending = options.bending;
+    result.loads = options.loads;
+    result.mirrors = options.mirrors;
+    result.damping = options.damping;
     result.newton.tolerance = options.tolerance * mean_edge_length(sheet);
     return result;
+}
+
+void set_guides(Sheet& sheet, const std::vector<SlidingVertex>& sliding) {
+    for (const auto& [vertex, freedom] : sliding) {
+        auto guide = std::find(sheet.guides.begin(), sheet.guides.end(), freedom);
+        if (guide == sheet.guides.end()) guide = sheet.guides.insert(guide, freedom);
+        sheet.guide[vertex] = static_cast<char>(guide - sheet.guides.begin() + 1);
+        sheet.velocity.col(vertex) = freedom * sheet.velocity.col(vertex).eval();
+    }
 }
 
 double largest(const VectorXd& strains) {
@@ -41,7 +54,9 @@ Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOp
     : options(options),
       breakable(inputs),
       time_step(breakable.mechanics(), time_step_options(options, breakable.mechanics())),
-      fragments(connected_components(breakable.mesh())) {}
+      fragments(connected_components(breakable.mesh())) {
+    set_guides(breakable.mechanics(), options.sliding);
+}
 
 StepReport Simulation::step() {
     StepReport report;

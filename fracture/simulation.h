@@ -10,11 +10,21 @@
 
 namespace sherd {
 
+/// A vertex, numbered over all inputs, that moves only in the directions that `freedom` projects to.
+struct SlidingVertex {
+    Index vertex = 0;
+    Matrix3d freedom;
+};
+
 struct SimulationOptions {
     double step = 1e-4;             ///< s
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<Plane> planes;      ///< obstacles
     BendingOptions bending;         ///< energy and Jacobian of the hinges
+    std::vector<Load> loads;        ///< on the triangles of all sheets, numbered in the order of the inputs
+    std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
+    std::vector<SlidingVertex> sliding;
+    Damping damping;
     int max_iterations = 50;        ///< of Newton's method, between two stages
     double tolerance = 1e-6;        ///< largest last Newton correction, in mean edge lengths
     int max_stages = 100;           ///< of breaking in one step

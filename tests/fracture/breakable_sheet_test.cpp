@@ -92,7 +92,7 @@ TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
 /// The stiffness that a hinge was made with, from its part that is linear in it.
 double stiffness_of(const BreakableSheet& sheet, const HingeStencil& stencil) {
     const CubicHinge unit = cubic_hinge(hinge_positions(sheet.mechanics().rest, stencil.vertices), 1);
-    return stencil.bending.quadratic.trace() / unit.quadratic.trace();
+    return stencil.cubic.quadratic.trace() / unit.quadratic.trace();
 }
 
 // A sheet whose axis is lost or taken for that of a neighbour bends like another material.

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_support.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/mesh_measures.h"
+#include "app/scene_mesh.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr double on_plane = 1e-6;  // of the mesh's diagonal: single-precision files are no better
+
+SymmetrySpec read_symmetry(TomlTable& table) {
+    SymmetrySpec plane;
+    plane.where = table.where("");
+    plane.point = table.vector("point", "m", Vector3d::Zero());
+    plane.normal = table.vector("normal", "");
+    if (plane.normal.isZero(0))
+        table.report("normal", "must not be zero: give a direction, such as [1, 0, 0]");
+    plane.normal = plane.normal.stableNormalized();
+    table.finish();
+    return plane;
+}
+
+std::vector<char> vertices_on(const SymmetrySpec& plane, const SheetInput& input, Index first, Index count) {
+    const MeshMeasures extent = measure(input.mesh);
+    const double tolerance = on_plane * (extent.upper - extent.lower).norm();
+    std::vector<char> selected(count, 0);
+    for (const Vertex v : input.mesh.vertices())
+        selected[first + static_cast<Index>(v)] =
+            std::abs(plane.normal.dot(position(input.mesh, v) - plane.point)) <= tolerance;
+    return selected;
+}
+
+bool holds_a_triangle(const Sheet& mechanics, const std::vector<char>& selected) {
+    return std::any_of(mechanics.triangles.begin(), mechanics.triangles.end(), [&](const auto& triangle) {
+        return std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
+                           [&](Index v) { return selected[v] != 0; });
+    });
+}
+
+/// Leaves a vertex the directions of its planes' intersection.
+void slide(std::map<Index, Matrix3d>& freedom, const std::vector<char>& selected, const Vector3d& normal) {
+    for (Index v = 0; v < static_cast<Index>(selected.size()); ++v) {
+        if (!selected[v]) continue;
+        Matrix3d& free = freedom.try_emplace(v, Matrix3d::Identity()).first->second;
+        const Vector3d lost = free * normal;
+        // Zero when an earlier plane has the same normal.
+        if (lost.norm() > on_plane) free -= lost.normalized() * lost.normalized().transpose();
+    }
+}
+
+}  // namespace
+
+Selection read_selection(TomlTable& table) {
+    Selection selection;
+    selection.where = table.where("");
+    selection.boundary = table.flag("boundary", false);
+    if (table.has("box")) {
+        const std::vector<Eigen::VectorXd> corners = table.rows("box", "m", 2, 3);
+        if (corners.size() == 2)
+            selection.box.emplace(corners[0], corners[1]);
+        else if (!corners.empty())
+            table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
+        if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
+            table.report("box", "has a lower corner above its upper one: order them in x, y and z");
+        if (selection.boundary) table.report("boundary", "conflicts with box: write a table for each");
+    } else if (!selection.boundary) {
+        table.report("", "holds nothing: give box = [[...], [...]] or boundary = true");
+    }
+    return selection;
+}
+
+void read_supports(TomlTable& table, SheetSpec& sheet) {
+    for (const auto& [key, selections] : {std::pair("pin", &sheet.pins), std::pair("clamp", &sheet.clamps)}) {
+        for (TomlTable& entry : table.tables(key)) {
+            selections->push_back(read_selection(entry));
+            entry.finish();
+        }
+    }
+    for (TomlTable& plane : table.tables("symmetry")) sheet.symmetries.push_back(read_symmetry(plane));
+}
+
+std::vector<char> selected_vertices(const Selection& selection, const std::string& sheet, const Scene& scene,
+                                    const std::vector<SheetInput>& inputs) {
+    std::vector<char> selected;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        for (const Vertex v : inputs[i].mesh.vertices())
+            selected.push_back((sheet.empty() || scene.sheets[i].name == sheet) &&
+                               selects(selection, inputs[i].mesh, v));
+    return selected;
+}
+
+void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
+                  SimulationOptions& options) {
+    std::map<Index, Matrix3d> freedom;
+    Index first = 0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const double stiffness = hinge_stiffness(inputs[i].material);
+        for (const Selection& clamp : scene.sheets[i].clamps) {
+            const std::vector<char> held = selected_vertices(clamp, scene.sheets[i].name, scene, inputs);
+            const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
+            if (sides.empty() && !holds_a_triangle(mechanics, held))
+                throw Error(
+                    fmt::format("{}: holds no tangent: it must hold both ends of an edge of the "
+                                "boundary, or a whole face",
+                                clamp.where));
+            for (const TriangleSide& side : sides)
+                options.mirrors.push_back(clamp_hinge(mechanics, side, stiffness));
+        }
+        for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
+            const std::vector<char> held =
+                vertices_on(plane, inputs[i], first, static_cast<Index>(mechanics.mass.size()));
+            const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
+            if (sides.empty())
+                throw Error(
+                    fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
+            for (const TriangleSide& side : sides)
+                options.mirrors.push_back(symmetry_hinge(mechanics, side, plane.normal, stiffness));
+            slide(freedom, held, plane.normal);
+        }
+        first += static_cast<Index>(inputs[i].mesh.number_of_vertices());
+    }
+    for (const auto& [vertex, free] : freedom) options.sliding.push_back({vertex, free});
+}
+
+}  // namespace sherd

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "core/time_step.h"
+#include "tests/support/small_sheet.h"
+
+namespace sherd {
+namespace {
+
+const Material material{1000, 0.01, 1e6, 0.3};
+
+// Newton's method would not converge, or to something else.
+TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
+    const Sheet sheet = test::tetrahedron(material);
+    // A plane through vertices 0 and 1 that is oblique to the triangle between them: curved at rest.
+    const Vector3d along = (sheet.rest.col(1) - sheet.rest.col(0)).normalized();
+    const Vector3d normal = along.cross(Vector3d(0.3, 0.5, -0.4)).normalized();
+    const std::vector<MirrorHinge> hinges{symmetry_hinge(sheet, {0, 1}, normal, 2),
+                                          clamp_hinge(sheet, {1, 0}, 3)};
+    const MirrorEnergy energy(sheet, hinges);
+    test::Random random(1);
+    Positions x = sheet.rest;
+    for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3);
+    test::expect_derivatives(energy, x, 1e-4, 1e-7);
+    Positions force = Positions::Zero(3, 4);
+    energy.add_gradient(sheet.rest, force);
+    EXPECT_LT(force.cwiseAbs().maxCoeff(), 1e-12) << "not in equilibrium at rest";
+}
+
+// Half of a sheet behind a symmetry plane must do what the whole sheet does.
+TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
+    // A roof: two wings left and right of the ridge x = 0, folded by gravity and a load.
+    Positions whole_rest(3, 4), half_rest(3, 3);
+    whole_rest << 0, 0, -1, 1, 0, 1, 0.4, 0.4, 0, 0, 0, 0;
+    half_rest << 0, 0, 1, 0, 1, 0.4, 0, 0, 0;
+    Sheet whole = test::small_sheet(whole_rest, {{0, 1, 2}, {0, 3, 1}}, material);
+    Sheet half = test::small_sheet(half_rest, {{0, 2, 1}}, material);
+    half.guides = {Eigen::DiagonalMatrix<double, 3>(0, 1, 1)};
+    half.guide = {1, 1, 0};
+    TimeStepOptions options;
+    options.gravity = Vector3d(0, 1, -20);
+    options.step = 0.01;
+    options.newton.tolerance = 1e-13;
+    whole.fixed[0] = half.fixed[0] = 1;
+    TimeStepOptions half_options = options;
+    half_options.mirrors = {symmetry_hinge(half, {0, 1}, Vector3d::UnitX(), whole.hinges[0].stiffness)};
+    TimeStep whole_step(whole, options), half_step(half, half_options);
+    for (int i = 0; i < 20; ++i) {
+        for (TimeStep* step : {&whole_step, &half_step}) {
+            step->begin();
+            step->solve(50);
+            step->finish();
+        }
+        EXPECT_EQ(half.position(0, 1), 0.0) << "left the plane";
+        EXPECT_LT((half.position.col(2) - whole.position.col(3)).norm(), 1e-9);
+        EXPECT_LT((half.position.col(1) - whole.position.col(1)).norm(), 1e-9);
+    }
+    EXPECT_GT(std::abs(half.position(2, 2)), 0.01) << "nothing moved: the test proves nothing";
+}
+
+// Pins alone would let a sheet that is held along one side swing like a door.
+TEST(Clamp, HoldsTheTangent) {
+    for (const bool clamped : {false, true}) {
+        Positions rest(3, 3);
+        rest << 0, 0, 1, 0, 1, 0.5, 0, 0, 0;
+        Sheet sheet = test::small_sheet(rest, {{0, 2, 1}}, {1000, 0.01, 1e9, 0.3});
+        sheet.fixed = {1, 1, 0};
+        TimeStepOptions options;
+        options.step = 0.02;
+        if (clamped) options.mirrors = {clamp_hinge(sheet, {0, 1}, hinge_stiffness({1000, 0.01, 1e9, 0.3}))};
+        TimeStep step(sheet, options);
+        double drop = 0;
+        for (int i = 0; i < 100; ++i) {
+            step.begin();
+            step.solve(50);
+            step.finish();
+            drop = std::max(drop, -sheet.position(2, 2));
+        }
+        if (clamped)
+            EXPECT_LT(drop, 0.5);
+        else
+            EXPECT_GT(drop, 0.9);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
