@@ -17,6 +17,7 @@ void add_run(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_info(CLI::App& program, Command& chosen);
 void add_export(CLI::App& program, Command& chosen);
+void add_probe(CLI::App& program, Command& chosen);
 
 /// A scene as the command line gives it.
 struct SceneOptions {

@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     sherd::add_check(program, chosen);
     sherd::add_info(program, chosen);
     sherd::add_export(program, chosen);
+    sherd::add_probe(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

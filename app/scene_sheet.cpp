@@ -60,6 +60,8 @@ Eigen::Isometry3d read_place(TomlTable& table) {
     return place;
 }
 
+}  // namespace
+
 Material read_material(TomlTable& table) {
     std::optional<Material> preset;
     if (table.has("preset")) {
@@ -82,6 +84,8 @@ Material read_material(TomlTable& table) {
     table.finish();
     return material;
 }
+
+namespace {
 
 Selection read_selection(TomlTable& table) {
     Selection selection;
