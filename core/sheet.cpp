@@ -35,10 +35,9 @@ void copy_vertex(Sheet& sheet, Index from, Index to) {
     sheet.fixed[to] = sheet.fixed[from];
 }
 
-HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices,
-                           const Material& material) {
+HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness) {
     const HingePositions rest = hinge_positions(sheet.rest, vertices);
-    return {vertices, rest_hinge(rest), cubic_hinge(rest, hinge_stiffness(material))};
+    return {vertices, rest_hinge(rest), cubic_hinge(rest, stiffness)};
 }
 
 double kinetic_energy(const Sheet& sheet) {

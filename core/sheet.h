@@ -47,8 +47,8 @@ void copy_vertex(Sheet& sheet, Index from, Index to);
 
 /// The stencil of the hinge whose edge runs from vertices[0] to vertices[1]; see HingePositions for the
 /// order.
-HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices,
-                           const Material& material);
+/// stiffness: lambda, N m.
+HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness);
 
 /// Kinetic energy, J.
 double kinetic_energy(const Sheet& sheet);

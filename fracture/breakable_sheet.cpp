@@ -4,6 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <string>
+
+#include "meshops/error.h"
 
 namespace sherd {
 namespace {
@@ -32,6 +35,24 @@ Mesh joined(const std::vector<SheetInput>& inputs) {
     return all;
 }
 
+/// The first material axis of every face of all sheets, [F]; zero, an angle of nought, where it does not
+/// matter.
+std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
+    std::vector<Vector3d> all;
+    for (const SheetInput& input : inputs) {
+        const std::string number = std::to_string(&input - inputs.data());
+        if (const std::string broken = broken_inequality(elastic_constants(input.material)); !broken.empty())
+            throw Error("sheet " + number + ": inadmissible material: " + broken);
+        const std::size_t faces = input.mesh.number_of_faces();
+        if (input.axes.size() != faces && !(input.axes.empty() && is_isotropic(input.material)))
+            throw Error("sheet " + number + ": an orthotropic material needs an axis for each of " +
+                        std::to_string(faces) + " faces, not " + std::to_string(input.axes.size()));
+        all.insert(all.end(), input.axes.begin(), input.axes.end());
+        if (input.axes.empty()) all.resize(all.size() + faces, Vector3d::Zero());
+    }
+    return all;
+}
+
 }  // namespace
 
 BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
@@ -42,8 +63,9 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
                              number(&input - inputs.data()));
         first_vertex += number(input.mesh.number_of_vertices());
     }
-    add_triangles(inputs);
-    add_hinges(inputs);
+    const std::vector<Vector3d> axes = joined_axes(inputs);
+    add_triangles(inputs, axes);
+    add_hinges(inputs, axes);
     add_footprints();
     first_vertex = 0;
     for (const SheetInput& input : inputs) {
@@ -58,34 +80,40 @@ void BreakableSheet::add_vertices(const SheetInput& input, Index first_vertex) {
         const Index v = first_vertex + number(vertex);
         sheet.rest.col(v) = sheet.position.col(v) = vector_of(input.mesh.point(vertex));
         sheet.thickness[v] = input.material.thickness;
-        sheet.young[v] = input.material.young;
+        sheet.young[v] = mean_young(input.material);
         original_vertex.push_back(v);
     }
     for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
 }
 
-void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs) {
+void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Face face : mesh().faces()) {
         const Material& material = inputs[sheet_of_face[face]].material;
         const std::array<Index, 3> vertices = face_vertices(mesh(), face);
+        const TrianglePositions rest = triangle_positions(sheet.rest, vertices);
         const MembraneTriangle membrane =
-            membrane_triangle(triangle_positions(sheet.rest, vertices), membrane_elasticity(material));
+            membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
         sheet.triangles.push_back({vertices, membrane});
         face_mass.push_back(membrane.area * material.thickness * material.density);
         for (const Index vertex : vertices) sheet.mass[vertex] += face_mass.back() / 3;
     }
 }
 
-void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs) {
+void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Edge edge : mesh().edges()) {
         edge_hinge.push_back(-1);
         edge_strength.push_back(std::numeric_limits<double>::infinity());
         if (cracks().state(edge) != EdgeState::interior) continue;
-        const SheetInput& input = inputs[sheet_of_face[mesh().face(mesh().halfedge(edge))]];
+        const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
+                                        mesh().face(mesh().halfedge(edge, 1))};
+        const SheetInput& input = inputs[sheet_of_face[faces[0]]];
         if (input.strain_threshold > 0) edge_strength.back() = input.strain_threshold;
         edge_hinge.back() = number(sheet.hinges.size());
         hinge_edge.push_back(edge);
-        sheet.hinges.push_back(hinge_stencil(sheet, hinge_vertices(edge), input.material));
+        const std::array<Index, 4> vertices = hinge_vertices(edge);
+        const double angle =
+            hinge_axis_angle(hinge_positions(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
+        sheet.hinges.push_back(hinge_stencil(sheet, vertices, hinge_stiffness(input.material, angle)));
     }
 }
 

@@ -13,6 +13,8 @@ namespace sherd {
 struct SheetInput {
     Mesh mesh;  ///< at rest, where it starts, m
     Material material;
+    std::vector<Vector3d>
+        axes;  ///< [F] first material axis of each face, in its plane; isotropic: may be empty
     double strain_threshold = 0;           ///< 1/m; 0: does not break
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
@@ -23,7 +25,8 @@ struct SheetInput {
 /// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
 class BreakableSheet {
   public:
-    /// inputs: at least one.
+    /// inputs: at least one. Throws Error when a material's constants are inadmissible, or an orthotropic one
+    /// has no axis for each face.
     explicit BreakableSheet(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -43,8 +46,8 @@ class BreakableSheet {
 
   private:
     void add_vertices(const SheetInput& input, Index first_vertex);
-    void add_triangles(const std::vector<SheetInput>& inputs);
-    void add_hinges(const std::vector<SheetInput>& inputs);
+    void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
+    void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;

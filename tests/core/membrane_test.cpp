@@ -20,6 +20,13 @@ MembraneTriangle random_triangle(Random& random) {
     return membrane_triangle(random.matrix<TrianglePositions>(1), membrane_elasticity(material));
 }
 
+const Material cloth{1000, 0.01, 3e5, 0.3, 4e4, 2e4};
+
+/// `axis`: its direction in the plane of the triangle.
+MembraneTriangle cloth_triangle(const TrianglePositions& rest, const Vector3d& axis) {
+    return membrane_triangle(rest, membrane_elasticity(cloth, axis_angle(rest, axis)));
+}
+
 TEST(Membrane, GradientIsTheDerivativeOfTheValue) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
@@ -89,6 +96,41 @@ TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
     x.row(1) *= 1 - material.poisson * strain;
     const double expected = 0.5 * material.young * material.thickness * strain * strain * triangle.area;
     EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
+}
+
+// The axis belongs to the sheet, not to the corner that a file happens to name first.
+TEST(Membrane, OrthotropicEnergyDoesNotDependOnTheOrderOfTheCornersOrThePlace) {
+    Random random(6);
+    for (int i = 0; i < 100; ++i) {
+        const TrianglePositions rest = random.matrix<TrianglePositions>(1),
+                                x = random.matrix<TrianglePositions>(1);
+        const Vector3d axis = rest * Vector3d(-1.3, 0.4, 0.9);
+        const Matrix3d turn = random.rotation();
+        TrianglePositions rest_turned = turn * rest, x_next = x;
+        for (int v = 0; v < 3; ++v) {
+            rest_turned.col(v) = turn * rest.col((v + 1) % 3);
+            x_next.col(v) = x.col((v + 1) % 3);
+        }
+        const double expected = value(cloth_triangle(rest, axis), x);
+        EXPECT_NEAR(value(cloth_triangle(rest_turned, turn * axis), x_next), expected, 1e-10 * expected);
+        EXPECT_NEAR(value(cloth_triangle(rest, -axis), x), expected, 1e-10 * expected);
+    }
+}
+
+// Stretched along an axis and free to contract, cloth has that axis's modulus: 7.5 times less across.
+TEST(Membrane, UniaxialStressFollowsTheModulusOfItsDirection) {
+    TrianglePositions rest;
+    rest << 0, 1, 0, 0, 0, 1, 0, 0, 0;
+    const double strain = 1e-6;
+    for (const bool along : {true, false}) {
+        const MembraneTriangle triangle = cloth_triangle(rest, along ? Vector3d::UnitX() : Vector3d::UnitY());
+        const double young = along ? cloth.young : *cloth.young1;
+        TrianglePositions x = rest;
+        x.row(0) *= 1 + strain;
+        x.row(1) *= 1 - cloth.poisson * young / cloth.young * strain;
+        const double expected = 0.5 * young * cloth.thickness * strain * strain * triangle.area;
+        EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
+    }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Sheet fold(double thickness) {
     for (const std::array<Index, 3>& triangle : {std::array{0, 1, 2}, std::array{0, 3, 1}})
         sheet.triangles.push_back({triangle, membrane_triangle(triangle_positions(sheet.rest, triangle),
                                                                membrane_elasticity(material))});
-    sheet.hinges.push_back(hinge_stencil(sheet, {0, 1, 2, 3}, material));
+    sheet.hinges.push_back(hinge_stencil(sheet, {0, 1, 2, 3}, hinge_stiffness(material)));
     return sheet;
 }
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
 
+#include "meshops/error.h"
 #include "meshops/generate.h"
 #include "tests/support/mesh_shapes.h"
 
@@ -85,6 +87,51 @@ TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
     const Edge last = sheet.edge_of_hinge(sheet.mechanics().hinges.size() - 1);
     EXPECT_EQ(sheet.strength(last), std::numeric_limits<double>::infinity());
     EXPECT_EQ(sheet.strength(sheet.edge_of_hinge(0)), 0.5);
+}
+
+/// The stiffness that a hinge was made with, from its part that is linear in it.
+double stiffness_of(const BreakableSheet& sheet, const HingeStencil& stencil) {
+    const CubicHinge unit = cubic_hinge(hinge_positions(sheet.mechanics().rest, stencil.vertices), 1);
+    return stencil.bending.quadratic.trace() / unit.quadratic.trace();
+}
+
+// A sheet whose axis is lost or taken for that of a neighbour bends like another material.
+TEST(BreakableSheet, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
+    SheetInput iron = input(test::grid(1, 1)), cloth = input(test::grid(3, 2));
+    cloth.material.young1 = 1e8;
+    cloth.material.shear = 3e7;
+    const double angle = 0.3;
+    cloth.axes.assign(cloth.mesh.number_of_faces(), Vector3d(std::cos(angle), std::sin(angle), 0));
+    const BreakableSheet sheet({iron, cloth});
+    for (const HingeStencil& stencil : sheet.mechanics().hinges) {
+        const HingePositions rest = hinge_positions(sheet.mechanics().rest, stencil.vertices);
+        const Vector3d edge = rest.col(1) - rest.col(0);
+        const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // one edge between two faces
+        const double expected = is_iron
+                                    ? hinge_stiffness(iron.material)
+                                    : hinge_stiffness(cloth.material, angle - std::atan2(edge.y(), edge.x()));
+        EXPECT_NEAR(stiffness_of(sheet, stencil), expected, 1e-12 * expected);
+    }
+    for (std::size_t f = 0; f < sheet.mechanics().triangles.size(); ++f) {
+        const TriangleStencil& triangle = sheet.mechanics().triangles[f];
+        const TrianglePositions rest = triangle_positions(sheet.mechanics().rest, triangle.vertices);
+        const Vector3d edge = rest.col(1) - rest.col(0);
+        const Matrix3d expected =
+            f < 2 ? membrane_elasticity(iron.material)
+                  : membrane_elasticity(cloth.material, angle - std::atan2(edge.y(), edge.x()));
+        EXPECT_LT((triangle.membrane.elasticity - expected).norm(), 1e-12 * expected.norm());
+    }
+}
+
+TEST(BreakableSheet, RefusesInadmissibleConstantsAndMissingAxes) {
+    SheetInput cloth = input(test::grid(1, 1));
+    cloth.material.shear = -1;
+    cloth.axes.assign(2, Vector3d::UnitX());
+    EXPECT_THROW(BreakableSheet({cloth}), Error);
+    cloth.material.shear = 1e8;
+    EXPECT_NO_THROW(BreakableSheet({cloth}));
+    cloth.axes.clear();
+    EXPECT_THROW(BreakableSheet({cloth}), Error);
 }
 
 }  // namespace
