@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 
 namespace sherd {
 namespace {
@@ -36,8 +37,8 @@ Matrix3d skew(const Vector3d& v) {
     return s;
 }
 
-/// Eq. 7 with the corrected k; not in equilibrium where the rest angle is not zero.
-CubicHinge paper_hinge(const RestHinge& rest, double stiffness) {
+/// Without the constant.
+CubicHinge eq_7(const RestHinge& rest, double stiffness) {
     const auto [c01, c03, c02, c04] =
         std::array{rest.cotangents[0], rest.cotangents[1], rest.cotangents[2], rest.cotangents[3]};
     const Eigen::Vector4d K(c03 + c04, c01 + c02, -c01 - c03, -c02 - c04);
@@ -72,9 +73,16 @@ void bring_to_equilibrium(CubicHinge& hinge, const HingePositions& rest) {
 
 }  // namespace
 
+CubicHinge cubic_hinge_2007(const HingePositions& rest, double stiffness) {
+    const HingePositions r = relative(rest);
+    CubicHinge hinge = eq_7(rest_hinge(r), stiffness);
+    hinge.constant = -value(hinge, r);
+    return hinge;
+}
+
 CubicHinge cubic_hinge(const HingePositions& rest, double stiffness) {
     const HingePositions r = relative(rest);
-    CubicHinge hinge = paper_hinge(rest_hinge(r), stiffness);
+    CubicHinge hinge = eq_7(rest_hinge(r), stiffness);
     bring_to_equilibrium(hinge, r);
     hinge.constant = -value(hinge, r);
     return hinge;
@@ -85,13 +93,17 @@ double value(const CubicHinge& hinge, const HingePositions& x) {
     return 0.5 * (r * hinge.quadratic).cwiseProduct(r).sum() - hinge.cubic * triple(r) + hinge.constant;
 }
 
+double round_off(const CubicHinge& hinge) {
+    return 4 * std::numeric_limits<double>::epsilon() * std::abs(hinge.constant);
+}
+
 HingePositions gradient(const CubicHinge& hinge, const HingePositions& x) {
     const HingePositions r = relative(x);
     return r * hinge.quadratic - hinge.cubic * triple_gradient(r);
 }
 
-Eigen::Matrix<double, 12, 12> hessian(const CubicHinge& hinge, const HingePositions& x, bool cubic_part) {
-    Eigen::Matrix<double, 12, 12> h;
+HingeHessian hessian(const CubicHinge& hinge, const HingePositions& x, bool cubic_part) {
+    HingeHessian h;
     for (int a = 0; a < 4; ++a)
         for (int b = 0; b < 4; ++b)
             h.block<3, 3>(3 * a, 3 * b) = hinge.quadratic(a, b) * Matrix3d::Identity();

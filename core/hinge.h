@@ -10,6 +10,8 @@ namespace sherd {
 /// Positions of a hinge's four vertices, one column each: the edge x0-x1, then x2 of triangle T0 = (x0, x1,
 /// x2) and x3 of triangle T1 = (x0, x3, x1). In m.
 using HingePositions = Eigen::Matrix<double, 3, 4>;
+/// Second derivatives by a hinge's positions, coordinate fastest.
+using HingeHessian = Eigen::Matrix<double, 12, 12>;
 
 /// The rest shape of a hinge, as its energies and its strain need it (paper, section 3).
 struct RestHinge {

@@ -37,7 +37,12 @@ void copy_vertex(Sheet& sheet, Index from, Index to) {
 
 HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness) {
     const HingePositions rest = hinge_positions(sheet.rest, vertices);
-    return {vertices, rest_hinge(rest), cubic_hinge(rest, stiffness)};
+    return {vertices,
+            rest_hinge(rest),
+            stiffness,
+            cubic_hinge(rest, stiffness),
+            cubic_hinge_2007(rest, stiffness),
+            nonlinear_hinge(rest, stiffness)};
 }
 
 double kinetic_energy(const Sheet& sheet) {

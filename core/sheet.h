@@ -7,6 +7,7 @@
 #include "core/hinge.h"
 #include "core/material.h"
 #include "core/membrane.h"
+#include "core/nonlinear_hinge.h"
 
 namespace sherd {
 
@@ -16,11 +17,13 @@ struct TriangleStencil {
     MembraneTriangle membrane;
 };
 
-/// The vertices of a hinge, its rest shape and its bending energy.
+/// The vertices of a hinge, its rest shape, and what each bending model needs of it (BendingEnergy chooses).
 struct HingeStencil {
     std::array<Index, 4> vertices;
     RestHinge rest;
-    CubicHinge bending;
+    double stiffness;  ///< lambda, N m
+    CubicHinge cubic, cubic_2007;
+    NonlinearHinge nonlinear;
 };
 
 /// The mechanics of all sheets of a simulation, as arrays and index stencils. Vertices and triangles are only

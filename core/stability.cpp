@@ -3,7 +3,6 @@
 
 #include "core/incremental_potential.h"
 #include "core/linear_solver.h"
-#include "core/sheet_energies.h"
 
 namespace sherd {
 namespace {
@@ -12,8 +11,8 @@ constexpr double growth_time = 0.1;  // s
 
 }  // namespace
 
-bool stable_at_rest(const Sheet& sheet) {
-    const BendingEnergy bending(sheet.hinges);
+bool stable_at_rest(const Sheet& sheet, BendingModel model) {
+    const BendingEnergy bending(sheet.hinges, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(sheet.triangles);
     // With a step of the growth time, the masses on the diagonal outweigh what grows more slowly.
     const IncrementalPotential potential(sheet, {&bending, &membrane}, growth_time, Vector3d::Zero());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sheet.h"
+#include "core/sheet_energies.h"
 
 namespace sherd {
 
@@ -10,6 +10,6 @@ namespace sherd {
 /// edges (stretching stiffness well above bending stiffness, paper, section 8); where it does not, the rest
 /// shape blows up. Tested by factoring the stiffness at rest; instabilities that take longer than a tenth of
 /// a second to grow are let pass.
-bool stable_at_rest(const Sheet& sheet);
+bool stable_at_rest(const Sheet& sheet, BendingModel model = BendingModel::cubic);
 
 }  // namespace sherd

@@ -7,7 +7,7 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
     : position(sheet.position),
       sheet(sheet),
       options(options),
-      bending(sheet.hinges),
+      bending(sheet.hinges, options.bending),
       membrane(sheet.triangles) {
     for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
 }

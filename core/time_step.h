@@ -12,6 +12,7 @@ namespace sherd {
 struct TimeStepOptions {
     double step = 1e-4;             ///< s
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    BendingOptions bending;         ///< energy and Jacobian of the hinges
     NewtonOptions newton;
     std::vector<Plane> planes;  ///< obstacles
 };

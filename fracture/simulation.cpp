@@ -26,6 +26,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.step = options.step;
     result.gravity = options.gravity;
     result.planes = options.planes;
+    result.bending = options.bending;
     result.newton.tolerance = options.tolerance * mean_edge_length(sheet);
     return result;
 }

@@ -14,6 +14,7 @@ struct SimulationOptions {
     double step = 1e-4;             ///< s
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<Plane> planes;      ///< obstacles
+    BendingOptions bending;         ///< energy and Jacobian of the hinges
     int max_iterations = 50;        ///< of Newton's method, between two stages
     double tolerance = 1e-6;        ///< largest last Newton correction, in mean edge lengths
     int max_stages = 100;           ///< of breaking in one step

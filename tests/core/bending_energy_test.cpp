@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pairings of force and Jacobian, in whole time steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/time_step.h"
+
+namespace sherd {
+namespace {
+
+using enum BendingModel;
+constexpr int across = 3, along = 9;  // vertices
+const double edge_length = 0.02;
+const Material material{1000, 0.001, 1e7, 0.3};
+
+Index vertex(int i, int j) {
+    return across * i + j;
+}
+
+/// A quarter of a tube, `along` edges around and `across` wide, with unequal triangles, clamped at one end.
+Sheet arch() {
+    Sheet sheet;
+    resize_vertices(sheet, along * across);
+    const double radius = edge_length * (along - 1) / 1.57;
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j < across; ++j) {
+            const double turn = (i + 0.2 * std::sin(2.0 * i + 3.0 * j)) * edge_length / radius;
+            sheet.rest.col(vertex(i, j)) =
+                Vector3d(radius * std::sin(turn), j * edge_length, radius * std::cos(turn));
+            sheet.fixed[vertex(i, j)] = i < 2;
+        }
+    sheet.position = sheet.rest;
+    const Matrix3d elasticity = membrane_elasticity(material);
+    const auto add_triangle = [&](const std::array<Index, 3>& v) {
+        sheet.triangles.push_back({v, membrane_triangle(triangle_positions(sheet.rest, v), elasticity)});
+        for (const Index corner : v)
+            sheet.mass[corner] +=
+                sheet.triangles.back().membrane.area * material.thickness * material.density / 3;
+    };
+    const auto add_hinge = [&](const std::array<Index, 4>& v) {
+        sheet.hinges.push_back(hinge_stencil(sheet, v, material));
+    };
+    for (int i = 0; i + 1 < along; ++i)
+        for (int j = 0; j + 1 < across; ++j) {
+            const Index a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
+                        d = vertex(i, j + 1);
+            add_triangle({a, b, c});
+            add_triangle({a, c, d});
+            add_hinge({a, c, d, b});
+            if (i > 0) add_hinge({a, d, vertex(i - 1, j), c});
+            if (j > 0) add_hinge({a, b, c, vertex(i, j - 1)});
+        }
+    return sheet;
+}
+
+/// Swings the arch under its weight for `steps` steps of 5 ms; gives the positions and counts the iterations.
+Positions swung(const BendingOptions& bending, int steps, int& iterations) {
+    Sheet sheet = arch();
+    TimeStepOptions options;
+    options.step = 5e-3;
+    options.bending = bending;
+    options.newton.tolerance = 1e-11;
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < steps; ++i) {
+        time_step.begin();
+        const NewtonResult result = time_step.solve(300);
+        EXPECT_TRUE(result.converged) << "step " << i << ", last correction " << result.correction;
+        iterations += result.iterations;
+        time_step.finish();
+    }
+    return sheet.position;
+}
+
+// Only the energy may say where a step ends. The Jacobian must not: a wrong one would stop short, or pull the
+// sheet elsewhere.
+TEST(BendingEnergy, EveryJacobianLeadsToTheSamePositions) {
+    for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
+        int exact_iterations = 0;
+        const Positions exact = swung({model, exact_jacobian(model)}, 10, exact_iterations);
+        EXPECT_GT((exact - arch().rest).norm(), edge_length) << "it must have moved";
+        for (const BendingJacobian jacobian : {BendingJacobian::constant, BendingJacobian::cubic}) {
+            int iterations = 0;
+            const Positions other = swung({model, jacobian}, 10, iterations);
+            EXPECT_LT((other - exact).cwiseAbs().maxCoeff(), 1e-8 * edge_length);
+            EXPECT_GE(iterations, exact_iterations);
+        }
+    }
+}
+
+// The models differ off isometries alone: a sheet that hardly stretches moves alike under each.
+TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
+    int iterations = 0;
+    const Positions nonlinear_path = swung({nonlinear, BendingJacobian::nonlinear}, 40, iterations);
+    const double moved = (nonlinear_path - arch().rest).norm();
+    EXPECT_GT(moved, 5 * edge_length);
+    for (const BendingModel model : {cubic, cubic_2007}) {
+        const Positions path = swung({model, BendingJacobian::cubic}, 40, iterations);
+        EXPECT_LT((path - nonlinear_path).norm(), 1e-3 * moved);
+        EXPECT_GT((path - nonlinear_path).norm(), 0);
+    }
+}
+
+// A model must be what its name says, in the sum over the hinges as in one hinge.
+TEST(BendingEnergy, SumsTheChosenModel) {
+    const Sheet sheet = arch();
+    Positions x = sheet.rest;
+    for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 0.001 * std::sin(static_cast<double>(i * i));
+    double sums[3] = {0, 0, 0};
+    for (const HingeStencil& hinge : sheet.hinges) {
+        const HingePositions local = hinge_positions(x, hinge.vertices);
+        sums[0] += value(hinge.cubic, local);
+        sums[1] += value(hinge.cubic_2007, local);
+        sums[2] += value(hinge.nonlinear, local);
+    }
+    for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
+        const BendingEnergy energy(sheet.hinges, {model, exact_jacobian(model)});
+        EXPECT_EQ(energy.value(x), sums[static_cast<int>(model)]);
+        EXPECT_GT(energy.round_off(), 0);
+        EXPECT_LT(energy.round_off(), 1e-12 * energy.value(x)) << "no bound on the round-off but a licence";
+        EXPECT_LE(std::abs(energy.value(sheet.rest)), energy.round_off());
+    }
+    EXPECT_NE(sums[0], sums[1]);
+    EXPECT_NE(sums[0], sums[2]);
+}
+
+}  // namespace
+}  // namespace sherd

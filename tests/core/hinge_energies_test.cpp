@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for each of the three hinge energies.
+#include <gtest/gtest.h>
+
+#include "core/cubic_hinge.h"
+#include "core/nonlinear_hinge.h"
+#include "tests/support/automatic_differentiation.h"
+#include "tests/support/finite_differences.h"
+#include "tests/support/hinge_formulas.h"
+#include "tests/support/random_shapes.h"
+
+namespace sherd {
+namespace {
+
+using test::Quad;
+using test::Random;
+
+constexpr double stiffness = 1.7;
+
+struct Nonlinear {
+    static NonlinearHinge make(const HingePositions& rest) { return nonlinear_hinge(rest, stiffness); }
+    template <class Scalar>
+    static Scalar energy(const HingePositions& rest, const Quad<Scalar>& x) {
+        return test::nonlinear_energy<Scalar>(rest, stiffness, x);
+    }
+};
+
+struct Cubic2007 {
+    static CubicHinge make(const HingePositions& rest) { return cubic_hinge_2007(rest, stiffness); }
+    template <class Scalar>
+    static Scalar energy(const HingePositions& rest, const Quad<Scalar>& x) {
+        return test::cubic_energy_2007<Scalar>(rest, stiffness, x);
+    }
+};
+
+struct Cubic {
+    static CubicHinge make(const HingePositions& rest) { return cubic_hinge(rest, stiffness); }
+    /// Eq. 7 and what the equilibrium adds to it: the difference of the two Q, which is a sum of edge
+    /// Laplacians (QuadraticCorrectionIsMadeOfEdgeLengths).
+    template <class Scalar>
+    static Scalar energy(const HingePositions& rest, const Quad<Scalar>& x) {
+        const Eigen::Matrix4d added = make(rest).quadratic - Cubic2007::make(rest).quadratic;
+        Scalar sum = test::cubic_energy_2007<Scalar>(rest, stiffness, x);
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < i; ++j) {
+                const test::Vector<Scalar> edge = x.col(i) - x.col(j);
+                const double rest_length = (rest.col(i) - rest.col(j)).squaredNorm();
+                sum = Scalar(sum - 0.5 * added(i, j) * (test::dot<Scalar>(edge, edge) - rest_length));
+            }
+        return sum;
+    }
+};
+
+template <class Model>
+class HingeEnergy : public testing::Test {};
+using Models = testing::Types<Nonlinear, Cubic2007, Cubic>;
+TYPED_TEST_SUITE(HingeEnergy, Models);
+
+HingePositions random_fold(Random& random, double largest_angle = 2.6) {
+    return test::random_hinge(random, random.uniform(-largest_angle, largest_angle));
+}
+
+// A wrong sign or factor in the forces would show here.
+TYPED_TEST(HingeEnergy, GradientIsTheDerivativeOfTheValue) {
+    Random random(1);
+    for (int i = 0; i < 500; ++i) {
+        const auto hinge = TypeParam::make(random_fold(random));
+        const HingePositions x = random_fold(random), exact = gradient(hinge, x);
+        const auto energy = [&](const HingePositions& at) { return value(hinge, at); };
+        EXPECT_LT((exact - test::difference_gradient(energy, x, 3e-4)).norm(), 1e-8 * exact.norm());
+    }
+}
+
+TYPED_TEST(HingeEnergy, HessianIsTheSymmetricDerivativeOfTheGradient) {
+    Random random(2);
+    for (int i = 0; i < 500; ++i) {
+        const auto hinge = TypeParam::make(random_fold(random));
+        const HingePositions x = random_fold(random);
+        const auto slope = [&](const HingePositions& at) { return gradient(hinge, at); };
+        const HingeHessian exact = hessian(hinge, x);
+        EXPECT_LT((exact - test::difference_hessian(slope, x, 3e-4)).norm(), 1e-8 * exact.norm());
+        EXPECT_LT((exact - exact.transpose()).norm(), 1e-13 * exact.norm());
+    }
+}
+
+// The truth: the paper's formula, differentiated by no one.
+TYPED_TEST(HingeEnergy, IsThePapersFormulaToTheSecondDerivative) {
+    Random random(3);
+    for (int i = 0; i < 500; ++i) {
+        const HingePositions rest = random_fold(random, 3.1), x = random_fold(random, 3.1);
+        const auto hinge = TypeParam::make(rest);
+        const auto truth = test::differentiate(
+            [&](const auto& at) {
+                return TypeParam::template energy<typename std::decay_t<decltype(at)>::Scalar>(rest, at);
+            },
+            x);
+        EXPECT_NEAR(value(hinge, x), truth.value, 1e-12 * truth.hessian.norm());
+        EXPECT_LT((gradient(hinge, x).reshaped() - truth.gradient).norm(), 1e-12 * truth.hessian.norm());
+        EXPECT_LT((hessian(hinge, x) - truth.hessian).norm(), 1e-12 * truth.hessian.norm());
+    }
+}
+
+// No bending model may set a sheet in motion or spin it by itself.
+TYPED_TEST(HingeEnergy, HasNoNetForceOrTorqueOnAnyDeformation) {
+    Random random(4);
+    for (int i = 0; i < 500; ++i) {
+        const auto hinge = TypeParam::make(random_fold(random));
+        const HingePositions x = random_fold(random) + random.matrix<HingePositions>(0.05);
+        const HingePositions force = gradient(hinge, x);
+        Vector3d torque = Vector3d::Zero();
+        for (int v = 0; v < 4; ++v) torque += Vector3d(x.col(v)).cross(Vector3d(force.col(v)));
+        EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
+        EXPECT_LT(torque.norm(), 1e-12 * force.norm() * x.norm());
+    }
+}
+
+TYPED_TEST(HingeEnergy, IsTheSameAfterARigidMotionOfEitherShape) {
+    Random random(5);
+    for (int i = 0; i < 500; ++i) {
+        const HingePositions rest = random_fold(random), x = random_fold(random);
+        const auto moved = [&](const HingePositions& shape) {
+            return HingePositions((random.rotation() * shape).colwise() + random.matrix<Vector3d>(3));
+        };
+        const double energy = value(TypeParam::make(rest), x);
+        const double scale = 1e-12 * hessian(TypeParam::make(rest), x).norm();
+        EXPECT_NEAR(value(TypeParam::make(rest), moved(x)), energy, scale);
+        EXPECT_NEAR(value(TypeParam::make(moved(rest)), x), energy, scale);
+        EXPECT_NEAR(value(TypeParam::make(rest), moved(rest)), 0, scale);
+    }
+}
+
+// Folding about the edge keeps both triangles: there all three are eq. 4.
+TYPED_TEST(HingeEnergy, IsEquationFourAlongIsometries) {
+    Random random(6);
+    for (int i = 0; i < 500; ++i) {
+        const double rest_angle = random.uniform(-2.6, 2.6), angle = random.uniform(-2.6, 2.6);
+        const double a0 = random.uniform(-0.3, 1.3), h0 = random.uniform(0.2, 2),
+                     a1 = random.uniform(-0.3, 1.3), h1 = random.uniform(0.2, 2);
+        const HingePositions rest = test::folded_hinge(rest_angle, a0, h0, a1, h1);
+        const HingePositions folded = random.rotation() * test::folded_hinge(angle, a0, h0, a1, h1);
+        const double most = stiffness * 3 / ((h0 + h1) / 2);
+        EXPECT_NEAR(value(TypeParam::make(rest), folded), most * (1 - std::cos(angle - rest_angle)),
+                    1e-12 * most);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
