@@ -30,11 +30,6 @@ std::size_t count_behind(const Mesh& mesh, const PlaneSpec& plane) {
 
 void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, const MeshMeasures& measures,
                std::vector<std::string>& warnings) {
-    if (measures.mean_edge < sheet.material.thickness)
-        warnings.push_back(
-            fmt::format("edges of {:.3g} m on the mean are shorter than the thickness of {:.3g} m: "
-                        "thin-shell mechanics does not resolve that; make edge_length larger",
-                        measures.mean_edge, sheet.material.thickness));
     if (measures.smallest_edge < measures.mean_edge / 50)
         warnings.push_back(fmt::format("the shortest edge, {:.3g} m, is far below the mean, {:.3g} m: remesh",
                                        measures.smallest_edge, measures.mean_edge));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/material_axis.h"
 #include "core/material.h"
 
 namespace sherd {
@@ -11,6 +12,7 @@ namespace sherd {
 /// What a file says of a material by itself, without a scene.
 struct MaterialFile {
     Material material;
+    MaterialAxis axis;                        ///< of a material that has directions
     std::optional<double> bending_stiffness;  ///< lambda of every hinge instead of the material's, N m
 };
 

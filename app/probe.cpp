@@ -39,16 +39,15 @@ TrianglePositions positions_of(const TriangleStencil& stencil, const Positions& 
     return triangle_positions(x, stencil.vertices);
 }
 
-/// Sums over stencils the energy that `element` makes of each.
+/// Sums one of the energies that the stencils hold.
 template <class Stencil, class Element>
-ProbedEnergy sum(const std::string& name, const std::vector<Stencil>& stencils, const Element& element,
+ProbedEnergy sum(const std::string& name, const std::vector<Stencil>& stencils, Element Stencil::*element,
                  const Positions& x) {
     ProbedEnergy total{name, 0, Positions::Zero(3, x.cols())};
     for (const Stencil& stencil : stencils) {
         const auto local = positions_of(stencil, x);
-        const auto energy = element(stencil);
-        const double amount = value(energy, local);
-        const auto slope = gradient(energy, local);
+        const double amount = value(stencil.*element, local);
+        const auto slope = gradient(stencil.*element, local);
         if (!std::isfinite(amount) || !slope.allFinite())
             throw Error(
                 fmt::format("{} is not a finite number for the vertices {}: the deformed mesh is "
@@ -69,17 +68,25 @@ double principal_strain(const Vector3d& strain) {
 }
 
 /// The mechanics of the sheet at rest, its vertices numbered as in the file.
-Sheet file_sheet(const ProbeShapes& shapes, const Material& material) {
-    Sheet sheet =
-        BreakableSheet({SheetInput{.mesh = shapes.rest, .material = material, .pinned = {}}}).mechanics();
+Sheet file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
+                 std::vector<std::string>& warnings) {
+    SheetInput input;
+    input.mesh = shapes.rest;
+    input.material = material.material;
+    if (!is_isotropic(input.material))
+        input.axes = material_axes(material.axis, input.mesh, Eigen::Isometry3d::Identity(), warnings);
+    Sheet sheet = BreakableSheet({input}).mechanics();
     const Positions rest = sheet.rest;
     sheet.rest.setZero(3, shapes.deformed.cols());
     for (std::size_t v = 0; v < shapes.file_vertex.size(); ++v)
         sheet.rest.col(shapes.file_vertex[v]) = rest.col(static_cast<Eigen::Index>(v));
-    for (HingeStencil& hinge : sheet.hinges)
-        for (Index& vertex : hinge.vertices) vertex = shapes.file_vertex[vertex];
     for (TriangleStencil& triangle : sheet.triangles)
         for (Index& vertex : triangle.vertices) vertex = shapes.file_vertex[vertex];
+    for (HingeStencil& hinge : sheet.hinges) {
+        for (Index& vertex : hinge.vertices) vertex = shapes.file_vertex[vertex];
+        if (material.bending_stiffness)
+            hinge = hinge_stencil(sheet, hinge.vertices, *material.bending_stiffness);
+    }
     return sheet;
 }
 
@@ -102,21 +109,18 @@ ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::file
     return shapes;
 }
 
-Probe probe(const ProbeShapes& shapes, const MaterialFile& material) {
-    const Sheet sheet = file_sheet(shapes, material.material);
+Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings) {
+    const Sheet sheet = file_sheet(shapes, material, warnings);
     const Positions& x = shapes.deformed;
-    const double stiffness = material.bending_stiffness.value_or(hinge_stiffness(material.material));
-    const auto cubic = [&](const HingeStencil& hinge) {
-        return cubic_hinge(positions_of(hinge, sheet.rest), stiffness);
-    };
-    const auto membrane = [](const TriangleStencil& triangle) { return triangle.membrane; };
     Probe result;
-    result.energies.push_back(sum("bending_cubic", sheet.hinges, cubic, x));
-    result.energies.push_back(sum("membrane", sheet.triangles, membrane, x));
+    result.energies = {sum("bending_nonlinear", sheet.hinges, &HingeStencil::nonlinear, x),
+                       sum("bending_cubic", sheet.hinges, &HingeStencil::cubic, x),
+                       sum("bending_cubic_2007", sheet.hinges, &HingeStencil::cubic_2007, x),
+                       sum("membrane", sheet.triangles, &TriangleStencil::membrane, x)};
     for (const HingeStencil& hinge : sheet.hinges) {
         const HingePositions local = positions_of(hinge, x);
         result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,
-                                 hinge_strain(hinge.rest, local), stiffness});
+                                 hinge_strain(hinge.rest, local), hinge.stiffness});
     }
     for (const TriangleStencil& triangle : sheet.triangles) {
         const Vector3d strain = green_strain(triangle.membrane, positions_of(triangle, x));

@@ -51,9 +51,9 @@ struct Probe {
     std::vector<ProbedFace> faces;
 };
 
-/// Throws Error (input) naming the vertices of a hinge or face where an energy or force is not a finite
-/// number.
-Probe probe(const ProbeShapes& shapes, const MaterialFile& material);
+/// Throws Error (input) as material_axes does, and naming the vertices of a hinge or face where an energy or
+/// force is not a finite number.
+Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings);
 
 /// One JSON object; its keys are described in app/README.md.
 std::string probe_json(const Probe& probe);

@@ -80,8 +80,8 @@ int run_probe(const ProbeOptions& options) {
     const MaterialFile material = read_material_file(options.material);
     std::vector<std::string> warnings;
     const ProbeShapes shapes = read_probe_shapes(options.rest, options.deformed, warnings);
+    const Probe result = probe(shapes, material, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    const Probe result = probe(shapes, material);
     if (!options.output.empty()) write_probe(result, options.output, options.force);
     fmt::print("{}", options.json ? probe_json(result) : probe_text(result));
     return 0;

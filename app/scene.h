@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/material_axis.h"
 #include "core/material.h"
 
 namespace sherd {
@@ -46,6 +47,7 @@ struct SheetSpec {
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     Material material;
+    MaterialAxis axis;            ///< of a material that has directions
     double strain_threshold = 0;  ///< 1/m; 0: does not break
     std::vector<Selection> pins;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors

@@ -3,13 +3,11 @@
 
 #include <numbers>
 
-#include "app/material_presets.h"
+#include "app/scene_material.h"
 #include "app/scene_shape.h"
 
 namespace sherd {
 namespace {
-
-constexpr Range poisson_range{[](double x) { return x > -1 && x < 0.5; }, "a number between -1 and 0.5"};
 
 MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory) {
     MeshFile mesh;
@@ -60,33 +58,6 @@ Eigen::Isometry3d read_place(TomlTable& table) {
     return place;
 }
 
-}  // namespace
-
-Material read_material(TomlTable& table) {
-    std::optional<Material> preset;
-    if (table.has("preset")) {
-        std::vector<std::string_view> names;
-        for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
-        const std::string name = table.choice("preset", names);
-        // A preset that is not known is one mistake, not four.
-        preset.emplace();
-        for (const MaterialPreset& known : material_presets())
-            if (known.name == name) preset = known.material;
-    }
-    const auto from_preset = [&](double Material::*member) {
-        return preset ? std::optional<double>((*preset).*member) : std::nullopt;
-    };
-    Material material;
-    material.density = table.number("density", "kg/m^3", positive, from_preset(&Material::density));
-    material.thickness = table.number("thickness", "m", positive, from_preset(&Material::thickness));
-    material.young = table.number("young", "Pa", positive, from_preset(&Material::young));
-    material.poisson = table.number("poisson", "", poisson_range, preset ? preset->poisson : 0.3);
-    table.finish();
-    return material;
-}
-
-namespace {
-
 Selection read_selection(TomlTable& table) {
     Selection selection;
     selection.where = table.where("");
@@ -117,11 +88,13 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     if (auto place = table.table("place")) sheet.place = read_place(*place);
     sheet.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
     sheet.spin = table.vector("spin", "rad/s", Vector3d::Zero());
-    if (auto material = table.table("material"))
+    if (auto material = table.table("material")) {
+        sheet.axis = read_axis(*material, directory);
         sheet.material = read_material(*material);
-    else if (!table.has("material"))
+    } else if (!table.has("material")) {
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");
+    }
     if (auto fracture = table.table("fracture")) {
         sheet.strain_threshold = fracture->number("strain", "1/m", positive);
         fracture->finish();

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "app/mesh_measures.h"
 #include "app/scene_mesh.h"
 #include "core/stability.h"
 #include "meshops/error.h"
@@ -19,6 +22,18 @@ void require_stability(const SheetInput& input, const SheetSpec& sheet) {
                     sheet.where, input.material.thickness));
 }
 
+/// The paper's limit of validity, section 8.
+void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(input.material, edge);
+    constexpr double least = 100;
+    if (ratio >= least) return;
+    warnings.push_back(fmt::format(
+        "{}: stretching stiffness Y t is {:.3g} times the bending stiffness D / L^2 at edges of L = "
+        "{:.3g} m and a thickness of t = {:.3g} m; thin-shell bending wants {:.0f}: make the edges "
+        "{:.2g} m or longer",
+        sheet.where, ratio, edge, input.material.thickness, least, edge * std::sqrt(least / ratio)));
+}
+
 }  // namespace
 
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
@@ -26,6 +41,13 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     input.mesh = make_mesh(sheet, scene, warnings);
     input.pinned = pinned_vertices(sheet, input.mesh);
     input.material = sheet.material;
+    std::vector<std::string> axis_warnings;
+    std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
+    if (!is_isotropic(sheet.material)) {
+        input.axes = std::move(axes);
+        warnings.insert(warnings.end(), axis_warnings.begin(), axis_warnings.end());
+    }
+    warn_of_stretching(input, sheet, warnings);
     input.strain_threshold = sheet.strain_threshold;
     input.velocity = sheet.velocity;
     input.spin = sheet.spin;

@@ -143,6 +143,15 @@ Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
     return Eigen::Vector3d::Constant(not_a_number);
 }
 
+Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, const Range& range) {
+    const toml::node* node = find(key);
+    const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
+    if (value && value->size() == 2 && range.contains((*value)[0]) && range.contains((*value)[1]))
+        return *value;
+    reject(key, with_unit(fmt::format("{}, or an array of 2 of them", range.words), unit));
+    return Eigen::Vector2d::Constant(not_a_number);
+}
+
 std::vector<Eigen::VectorXd> TomlTable::rows(std::string_view key, std::string_view unit, std::size_t least,
                                              std::size_t columns) {
     const toml::node* node = find(key);

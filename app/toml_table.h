@@ -44,6 +44,7 @@ class TomlTable {
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
+    Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range);
     /// An array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
                                       std::size_t columns);
@@ -59,6 +60,7 @@ class TomlTable {
     /// "FILE:LINE: dotted.key", for errors found later.
     std::string where(std::string_view key) const;
     bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
+    bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
     /// Reports every key that was never asked for, with the nearest one that was.
     void finish();
 

@@ -17,6 +17,7 @@ struct PolygonSoup {
     std::vector<std::vector<std::size_t>> polygons;  ///< corners, as indices into `points`
     std::vector<std::vector<Eigen::Vector2d>>
         texture;                            ///< of each corner; a polygon without: empty; none at all: empty
+    std::vector<Eigen::Vector3d> axis;      ///< of each polygon, its material axis; none: empty
     std::vector<std::size_t> point_line;    ///< 1-based; empty where a format has no lines
     std::vector<std::size_t> polygon_line;  ///< likewise
 };

@@ -131,6 +131,10 @@ Mesh Reading::build(std::size_t joined) const {
         auto texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
         for (const Face face : mesh.faces()) texture[face] = soup.texture[face.idx()];
     }
+    if (!polygons.axis.empty()) {
+        auto axis = mesh.add_property_map<Face, Eigen::Vector3d>(property::axis).first;
+        for (const Face face : mesh.faces()) axis[face] = polygons.axis[soup.polygon[face.idx()]];
+    }
     const std::size_t unused = soup.points.size() - mesh.number_of_vertices() - joined;
     if (unused > 0) warn(counted(unused, "vertex") + " dropped that no face uses");
     return mesh;

@@ -9,6 +9,11 @@
 
 namespace sherd {
 
+namespace property {
+inline constexpr const char* axis =
+    "f:axis";  ///< Eigen::Vector3d, first material axis of each face, of any length
+}  // namespace property
+
 struct ReadMeshOptions {
     bool join_duplicate_points = false;  ///< make one vertex of points at exactly the same place
     bool repair = false;  ///< drop zero-area and repeated triangles, separate faces at non-manifold edges
@@ -18,13 +23,14 @@ struct ReadMeshOptions {
 /// points of .stl are always joined, since the format repeats them for every triangle).
 /// Polygons are triangulated; faces keep the order of the file (a polygon's triangles stand together) and the
 /// order of their corners, save where inconsistent orientation is repaired (the first corner stays the
-/// first). OBJ texture coordinates become property::texture; every mesh gets property::file_vertex. Fans of
-/// faces that meet in a single point get a point each. What was changed is told in `warnings`, a sentence
-/// each that begins with the file: unreferenced vertices dropped, points joined or doubled, faces turned
-/// over, and what `repair` did. Throws Error naming the file (and line, vertex or face, numbered from 0) on:
-/// a file that is missing, unreadable, damaged or of unknown extension, no faces, NaN or infinite
-/// coordinates, an index out of range, a polygon that crosses itself, a surface with only one side, and,
-/// unless `repair`, a zero-area or repeated triangle or a non-manifold edge.
+/// first). OBJ texture coordinates become property::texture, face properties axis_x, axis_y, axis_z of PLY
+/// property::axis; every mesh gets property::file_vertex. Fans of faces that meet in a single point get a
+/// point each. What was changed is told in `warnings`, a sentence each that begins with the file:
+/// unreferenced vertices dropped, points joined or doubled, faces turned over, and what `repair` did. Throws
+/// Error naming the file (and line, vertex or face, numbered from 0) on: a file that is missing, unreadable,
+/// damaged or of unknown extension, no faces, NaN or infinite coordinates, an index out of range, a polygon
+/// that crosses itself, a surface with only one side, and, unless `repair`, a zero-area or repeated triangle
+/// or a non-manifold edge.
 Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
                std::vector<std::string>& warnings);
 

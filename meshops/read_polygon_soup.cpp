@@ -3,6 +3,7 @@
 #include <CGAL/IO/PLY.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -93,13 +94,37 @@ PolygonSoup parse_off(const fs::path& file, const std::string& text) {
     });
 }
 
+/// The face properties axis_x, axis_y and axis_z; empty when not all of them are there.
+std::vector<Eigen::Vector3d> ply_axes(const std::string& text) {
+    constexpr std::array<const char*, 3> names{"axis_x", "axis_y", "axis_z"};
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    CGAL::IO::internal::PLY_reader reader(false);
+    std::vector<Eigen::Vector3d> axes;
+    if (!reader.init(stream)) return axes;
+    for (std::size_t e = 0; e < reader.number_of_elements(); ++e) {
+        CGAL::IO::internal::PLY_element& element = reader.element(e);
+        const auto has = [&](const char* name) { return element.has_property(name, double()); };
+        const bool has_axes = element.name().starts_with("face") && std::ranges::all_of(names, has);
+        for (std::size_t item = 0; item < element.number_of_items(); ++item) {
+            for (std::size_t p = 0; p < element.number_of_properties(); ++p) element.property(p)->get(stream);
+            if (!has_axes) continue;
+            Eigen::Vector3d& axis = axes.emplace_back();
+            for (int i = 0; i < 3; ++i) element.assign(axis[i], names[i]);
+        }
+    }
+    return axes;
+}
+
 PolygonSoup parse_ply(const fs::path& file, const std::string& text) {
     if (!text.starts_with("ply")) {
         throw Error(file.string() + ":1: cannot be understood as PLY: does not begin with `ply`");
     }
-    return parse_with(file, text, "PLY", [](auto& stream, auto& points, auto& polygons) {
+    PolygonSoup soup = parse_with(file, text, "PLY", [](auto& stream, auto& points, auto& polygons) {
         return CGAL::IO::read_PLY(stream, points, polygons, CGAL::parameters::verbose(false));
     });
+    soup.axis = ply_axes(text);
+    return soup;
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Sheet arch() {
                 sheet.triangles.back().membrane.area * material.thickness * material.density / 3;
     };
     const auto add_hinge = [&](const std::array<Index, 4>& v) {
-        sheet.hinges.push_back(hinge_stencil(sheet, v, material));
+        sheet.hinges.push_back(hinge_stencil(sheet, v, hinge_stiffness(material)));
     };
     for (int i = 0; i + 1 < along; ++i)
         for (int j = 0; j + 1 < across; ++j) {

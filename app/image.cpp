@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/image.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <array>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+constexpr png_uint_32 most_pixels_a_side = 16384;
+
+void keep_message(png_structp png, png_const_charp message) {
+    *static_cast<std::string*>(png_get_error_ptr(png)) = message;
+    png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+/// libpng's two structures, for as long as a file is read.
+class PngReader {
+  public:
+    PngReader()
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {
+        if (!info) throw std::bad_alloc();
+    }
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    /// False, with a message, when libpng gives up. It then jumps back to here, so nothing here may need a
+    /// destructor.
+    bool read(std::FILE* file) {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_init_io(png, file);
+        png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
+        png_read_png(png, info,
+                     PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
+                     nullptr);
+        return true;
+    }
+
+    std::string message;
+    png_structp png;
+    png_infop info;
+};
+
+Image image_of(PngReader& reader) {
+    Image image;
+    image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
+    image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
+    image.colours.resize(3, static_cast<Eigen::Index>(image.width) * image.height);
+    const png_bytepp rows = png_get_rows(reader.png, reader.info);
+    const auto full = [](png_const_bytep two) {
+        return static_cast<float>(two[0] * 256 + two[1]) / 65535;  // most significant byte first
+    };
+    Eigen::Index pixel = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x, ++pixel)
+            for (int channel = 0; channel < 3; ++channel)
+                image.colours(channel, pixel) = full(rows[y] + 6 * x + 2 * channel);
+    return image;
+}
+
+bool is_png(std::FILE* file) {
+    std::array<png_byte, 8> signature{};
+    const std::size_t count = std::fread(signature.data(), 1, signature.size(), file);
+    std::rewind(file);
+    return count == signature.size() && png_sig_cmp(signature.data(), 0, signature.size()) == 0;
+}
+
+}  // namespace
+
+Image read_png(const std::filesystem::path& file) {
+    const auto fail = [&](const std::string& what) {
+        return Error(fmt::format("{}: {}", file.string(), what));
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw fail("is a folder, a PNG file is needed");
+    const FilePointer stream(std::fopen(file.c_str(), "rb"), std::fclose);
+    if (!stream) throw fail("cannot read the image: " + std::generic_category().message(errno));
+    if (!is_png(stream.get())) throw fail("is not a PNG file");
+    PngReader reader;
+    if (!reader.read(stream.get())) throw fail("damaged PNG file: " + reader.message);
+    return image_of(reader);
+}
+
+}  // namespace sherd

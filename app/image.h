@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+
+namespace sherd {
+
+/// Colours as a file stores them, 0 to 1.
+struct Image {
+    int width = 0, height = 0;
+    Eigen::Matrix3Xf colours;  ///< red, green, blue; row by row from the top left
+
+    Eigen::Vector3f colour(int column, int row) const {
+        return colours.col(static_cast<Eigen::Index>(row) * width + column);
+    }
+};
+
+/// Reads a PNG file of any kind: palettes are looked up, grey becomes three equal colours, transparency is
+/// dropped, 16 bits are kept and no gamma is applied. Throws Error naming the file when it is missing,
+/// unreadable, no PNG, damaged, or larger than 16384 x 16384.
+Image read_png(const std::filesystem::path& file);
+
+}  // namespace sherd

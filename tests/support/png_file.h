@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <png.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace sherd::test {
+
+/// Writes a PNG file of 16 bits a channel, all of one colour (red, green, blue).
+inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_uint_32 height,
+                      const std::array<std::uint16_t, 3>& colour) {
+    std::vector<png_byte> row;
+    for (png_uint_32 x = 0; x < width; ++x)
+        for (const std::uint16_t channel : colour) {
+            row.push_back(static_cast<png_byte>(channel >> 8));
+            row.push_back(static_cast<png_byte>(channel & 255));
+        }
+    std::FILE* stream = std::fopen(file.c_str(), "wb");
+    if (!stream) throw std::runtime_error("cannot write " + file.string());
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, stream);
+    png_set_IHDR(png, info, width, height, 16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(png, info);
+    for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, row.data());
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    std::fclose(stream);
+}
+
+}  // namespace sherd::test
