@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     sherd::add_info(program, chosen);
     sherd::add_export(program, chosen);
     sherd::add_cut(program, chosen);
+    sherd::add_probe(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

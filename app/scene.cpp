@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <system_error>
 
 #include "app/scene_force.h"
 #include "app/scene_override.h"
 #include "app/scene_sheet.h"
+#include "app/toml_file.h"
 #include "app/toml_table.h"
 #include "meshops/error.h"
 
@@ -22,30 +19,6 @@ namespace {
 
 constexpr double most_steps = 1e9;       // decades of computing: a mistyped step, not a wish
 constexpr double concrete_young = 3e10;  // Pa, C20/25 of EN 1992-1-1: what most floors are made of
-
-std::string read_text(const std::filesystem::path& file) {
-    const auto fail = [&](const std::string& reason) {
-        return Error(fmt::format("{}: cannot read the scene: {}; give a TOML file", file.string(), reason));
-    };
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw fail("it is a directory");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw fail(std::generic_category().message(errno));
-    try {
-        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    } catch (const std::ios_base::failure&) {
-        throw fail(std::generic_category().message(errno));
-    }
-}
-
-toml::table parse(const std::string& text, const std::string& file) {
-    try {
-        return toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-        const toml::source_position at = error.source().begin;
-        throw Error(fmt::format("{}:{}:{}: TOML syntax: {}", file, at.line, at.column, error.description()));
-    }
-}
 
 PlaneSpec read_obstacle(const std::string& name, TomlTable& table) {
     PlaneSpec plane;
@@ -131,8 +104,8 @@ std::int64_t step_count(const Scene& scene) {
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Scene scene;
     scene.file = file;
-    scene.text = read_text(file);
-    toml::table document = parse(scene.text, file.string());
+    scene.text = read_toml_text(file, "scene");
+    toml::table document = parse_toml(scene.text, file);
     for (const std::string& assignment : overrides) {
         apply_override(document, assignment);
         if (!scene.text.ends_with('\n')) scene.text += '\n';

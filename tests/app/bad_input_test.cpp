@@ -267,15 +267,20 @@ TEST(Usage, NoCommandPrintsTheHelpAndFails) {
     const ProgramResult result = run_sherd({}, directory.path);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
-    for (const std::string command : {"run", "check", "info", "export"})
+    for (const std::string command : {"run", "check", "info", "export", "probe"})
         EXPECT_NE(result.err.find("\n  " + command), std::string::npos) << result.err;
 }
 
 TEST(Usage, WrongOptionsExitWithTwo) {
     const TemporaryDirectory directory;
-    const std::vector<std::vector<std::string>> command_lines{
-        {"brake"}, {"check"}, {"run"}, {"info"}, {"export"}, {"check", "scene.toml", "--sett", "a=1"},
-        {"--bad"}};
+    const std::vector<std::vector<std::string>> command_lines{{"brake"},
+                                                              {"check"},
+                                                              {"run"},
+                                                              {"info"},
+                                                              {"export"},
+                                                              {"probe"},
+                                                              {"check", "scene.toml", "--sett", "a=1"},
+                                                              {"--bad"}};
     for (const auto& arguments : command_lines) {
         const ProgramResult result = run_sherd(arguments, directory.path);
         EXPECT_EQ(result.exit_code, 2) << arguments[0];
@@ -285,7 +290,7 @@ TEST(Usage, WrongOptionsExitWithTwo) {
 
 TEST(Usage, HelpHasALineToCopy) {
     const TemporaryDirectory directory;
-    for (const std::string command : {"run", "check", "info", "export"}) {
+    for (const std::string command : {"run", "check", "info", "export", "probe"}) {
         const ProgramResult result = run_sherd({command, "--help"}, directory.path);
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_NE(result.out.find("\n  sherd " + command + " "), std::string::npos) << result.out;

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/probe.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/breakable_sheet.h"
+#include "meshops/error.h"
+#include "meshops/polygon_soup.h"
+#include "meshops/read_mesh.h"
+
+namespace sherd {
+namespace {
+
+std::string corners_of(const PolygonSoup& soup, std::size_t polygon) {
+    if (polygon >= soup.polygons.size()) return "not there";
+    return fmt::format("({})", fmt::join(soup.polygons[polygon], ", "));
+}
+
+void require_same_faces(const PolygonSoup& rest, const PolygonSoup& deformed) {
+    const auto [first, other] = std::mismatch(rest.polygons.begin(), rest.polygons.end(),
+                                              deformed.polygons.begin(), deformed.polygons.end());
+    if (first == rest.polygons.end() && other == deformed.polygons.end()) return;
+    const auto face = static_cast<std::size_t>(first - rest.polygons.begin());
+    throw Error(fmt::format(
+        "{}: the faces of the two meshes differ: face {} is {} in '{}' and {} in '{}'; give "
+        "two shapes with the same faces in the same order",
+        face < deformed.polygons.size() ? place_of_polygon(deformed, face) : deformed.file.string(), face,
+        corners_of(rest, face), rest.file.string(), corners_of(deformed, face), deformed.file.string()));
+}
+
+HingePositions positions_of(const HingeStencil& stencil, const Positions& x) {
+    return hinge_positions(x, stencil.vertices);
+}
+TrianglePositions positions_of(const TriangleStencil& stencil, const Positions& x) {
+    return triangle_positions(x, stencil.vertices);
+}
+
+/// Sums one of the energies that the stencils hold.
+template <class Stencil, class Element>
+ProbedEnergy sum(const std::string& name, const std::vector<Stencil>& stencils, Element Stencil::*element,
+                 const Positions& x) {
+    ProbedEnergy total{name, 0, Positions::Zero(3, x.cols())};
+    for (const Stencil& stencil : stencils) {
+        const auto local = positions_of(stencil, x);
+        const double amount = value(stencil.*element, local);
+        const auto slope = gradient(stencil.*element, local);
+        if (!std::isfinite(amount) || !slope.allFinite())
+            throw Error(
+                fmt::format("{} is not a finite number for the vertices {}: the deformed mesh is "
+                            "collapsed or too large there",
+                            name, fmt::join(stencil.vertices, ", ")));
+        total.energy += amount;
+        for (std::size_t i = 0; i < stencil.vertices.size(); ++i)
+            total.force.col(stencil.vertices[i]) -= slope.col(static_cast<Eigen::Index>(i));
+    }
+    return total;
+}
+
+/// Principal strain of largest magnitude of the Green strain (E00, E11, 2 E01).
+double principal_strain(const Vector3d& strain) {
+    const double mean = (strain[0] + strain[1]) / 2;
+    const double radius = std::hypot((strain[0] - strain[1]) / 2, strain[2] / 2);
+    return mean < 0 ? mean - radius : mean + radius;
+}
+
+/// The mechanics of the sheet at rest, its vertices numbered as in the file.
+Sheet file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
+                 std::vector<std::string>& warnings) {
+    SheetInput input;
+    input.mesh = shapes.rest;
+    input.material = material.material;
+    if (!is_isotropic(input.material))
+        input.axes = material_axes(material.axis, input.mesh, Eigen::Isometry3d::Identity(), warnings);
+    Sheet sheet = BreakableSheet({input}).mechanics();
+    const Positions rest = sheet.rest;
+    sheet.rest.setZero(3, shapes.deformed.cols());
+    for (std::size_t v = 0; v < shapes.file_vertex.size(); ++v)
+        sheet.rest.col(shapes.file_vertex[v]) = rest.col(static_cast<Eigen::Index>(v));
+    for (TriangleStencil& triangle : sheet.triangles)
+        for (Index& vertex : triangle.vertices) vertex = shapes.file_vertex[vertex];
+    for (HingeStencil& hinge : sheet.hinges) {
+        for (Index& vertex : hinge.vertices) vertex = shapes.file_vertex[vertex];
+        if (material.bending_stiffness)
+            hinge = hinge_stencil(sheet, hinge.vertices, *material.bending_stiffness);
+    }
+    return sheet;
+}
+
+}  // namespace
+
+ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
+                              std::vector<std::string>& warnings) {
+    ProbeShapes shapes;
+    shapes.rest = read_mesh(rest, {}, warnings);
+    const PolygonSoup rest_soup = read_polygon_soup(rest), deformed_soup = read_polygon_soup(deformed);
+    check_polygon_soup(deformed_soup);
+    require_same_faces(rest_soup, deformed_soup);
+    const auto number = shapes.rest.property_map<Vertex, std::uint32_t>(property::file_vertex).first;
+    shapes.deformed.setZero(3, static_cast<Eigen::Index>(rest_soup.points.size()));
+    for (const Vertex vertex : shapes.rest.vertices()) {
+        const Point& p = deformed_soup.points[number[vertex]];
+        shapes.file_vertex.push_back(static_cast<Index>(number[vertex]));
+        shapes.deformed.col(number[vertex]) = Vector3d(p.x(), p.y(), p.z());
+    }
+    return shapes;
+}
+
+Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings) {
+    const Sheet sheet = file_sheet(shapes, material, warnings);
+    const Positions& x = shapes.deformed;
+    Probe result;
+    result.energies = {sum("bending_nonlinear", sheet.hinges, &HingeStencil::nonlinear, x),
+                       sum("bending_cubic", sheet.hinges, &HingeStencil::cubic, x),
+                       sum("bending_cubic_2007", sheet.hinges, &HingeStencil::cubic_2007, x),
+                       sum("membrane", sheet.triangles, &TriangleStencil::membrane, x)};
+    for (const HingeStencil& hinge : sheet.hinges) {
+        const HingePositions local = positions_of(hinge, x);
+        result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,
+                                 hinge_strain(hinge.rest, local), hinge.stiffness});
+    }
+    for (const TriangleStencil& triangle : sheet.triangles) {
+        const Vector3d strain = green_strain(triangle.membrane, positions_of(triangle, x));
+        result.faces.push_back({triangle.vertices, principal_strain(strain)});
+    }
+    return result;
+}
+
+}  // namespace sherd

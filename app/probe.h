@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/material_file.h"
+#include "core/vector.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// Two shapes of one sheet. The deformed one is looked up by vertex, so that it may be as distorted as it
+/// likes.
+struct ProbeShapes {
+    Mesh rest;
+    std::vector<Index> file_vertex;  ///< of each vertex of `rest`, its number in the file, from 0
+    Positions deformed;              ///< [3, V] m, of the V vertices of the rest shape's file
+};
+
+/// Reads both shapes (.obj, .ply, .off, .stl). Throws Error as read_mesh does, and when the files' lists of
+/// faces differ, naming the first face that does.
+ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
+                              std::vector<std::string>& warnings);
+
+struct ProbedEnergy {
+    std::string name;
+    double energy = 0;  ///< J
+    Positions force;    ///< -dE/dx, N, [3, V]; zero at vertices that no face uses
+};
+
+/// A hinge; see core/hinge.h for the order of its vertices, the angles and the strain.
+struct ProbedHinge {
+    std::array<Index, 4> vertices;
+    double angle = 0, rest_angle = 0;  ///< rad
+    double strain = 0;                 ///< 1/m
+    double stiffness = 0;              ///< lambda, N m
+};
+
+struct ProbedFace {
+    std::array<Index, 3> vertices;
+    double strain = 0;  ///< principal Green strain of largest magnitude
+};
+
+/// What the models say of a deformed sheet. All vertices are numbered as in the rest shape's file.
+struct Probe {
+    std::vector<ProbedEnergy> energies;
+    std::vector<ProbedHinge> hinges;
+    std::vector<ProbedFace> faces;
+};
+
+/// Throws Error (input) as material_axes does, and naming the vertices of a hinge or face where an energy or
+/// force is not a finite number.
+Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings);
+
+/// One JSON object; its keys are described in app/README.md.
+std::string probe_json(const Probe& probe);
+
+/// The same for people to read.
+std::string probe_text(const Probe& probe);
+
+/// Writes forces and hinges to an HDF5 file; its datasets are described in app/README.md. Throws Error
+/// (input) when `file` exists and not `force`, (run) when it cannot be written.
+void write_probe(const Probe& probe, const std::filesystem::path& file, bool force);
+
+}  // namespace sherd

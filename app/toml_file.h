@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace sherd {
+
+/// The text of a TOML file; `kind` says to the user what it is: "scene", "material". Throws Error with the
+/// reason when it cannot be read.
+std::string read_toml_text(const std::filesystem::path& file, std::string_view kind);
+
+/// The content of `file` as a table, with `file` as its source path. Throws Error with line and column when
+/// it is not TOML.
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace sherd
