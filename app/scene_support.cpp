@@ -8,6 +8,7 @@
 
 #include "app/mesh_measures.h"
 #include "app/scene_mesh.h"
+#include "core/orthotropy.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -96,12 +97,27 @@ std::vector<char> selected_vertices(const Selection& selection, const std::strin
     return selected;
 }
 
+namespace {
+
+/// lambda (N m) of the hinge on a boundary side. first_face: number of the sheet's first face in the
+/// mechanics.
+double side_stiffness(const SheetInput& input, const Sheet& mechanics, const TriangleSide& side,
+                      Index first_face) {
+    if (input.axes.empty()) return hinge_stiffness(input.material);
+    const TrianglePositions rest = triangle_positions(mechanics.rest, side_vertices(mechanics, side));
+    return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
+}
+
+}  // namespace
+
 void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
                   SimulationOptions& options) {
     std::map<Index, Matrix3d> freedom;
-    Index first = 0;
+    Index first = 0, first_face = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const double stiffness = hinge_stiffness(inputs[i].material);
+        const auto stiffness = [&](const TriangleSide& side) {
+            return side_stiffness(inputs[i], mechanics, side, first_face);
+        };
         for (const Selection& clamp : scene.sheets[i].clamps) {
             const std::vector<char> held = selected_vertices(clamp, scene.sheets[i].name, scene, inputs);
             const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
@@ -111,7 +127,7 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
                                 "boundary, or a whole face",
                                 clamp.where));
             for (const TriangleSide& side : sides)
-                options.mirrors.push_back(clamp_hinge(mechanics, side, stiffness));
+                options.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
         }
         for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
             const std::vector<char> held =
@@ -121,10 +137,11 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
                 throw Error(
                     fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
             for (const TriangleSide& side : sides)
-                options.mirrors.push_back(symmetry_hinge(mechanics, side, plane.normal, stiffness));
+                options.mirrors.push_back(symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
             slide(freedom, held, plane.normal);
         }
         first += static_cast<Index>(inputs[i].mesh.number_of_vertices());
+        first_face += static_cast<Index>(inputs[i].mesh.number_of_faces());
     }
     for (const auto& [vertex, free] : freedom) options.sliding.push_back({vertex, free});
 }
