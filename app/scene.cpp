@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -39,10 +40,33 @@ PlaneSpec read_obstacle(const std::string& name, TomlTable& table) {
     return plane;
 }
 
+BendingOptions read_bending(TomlTable& table) {
+    constexpr std::array<std::string_view, 3> models{"cubic", "cubic-2007", "nonlinear"};
+    constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
+    BendingOptions bending;
+    if (table.has("bending")) {
+        const std::string model = table.choice("bending", models);
+        if (model == "cubic-2007") bending.model = BendingModel::cubic_2007;
+        if (model == "nonlinear") bending.model = BendingModel::nonlinear;
+    }
+    bending.jacobian = exact_jacobian(bending.model);
+    if (table.has("jacobian")) {
+        const std::string jacobian = table.choice("jacobian", jacobians);
+        if (jacobian == "constant") bending.jacobian = BendingJacobian::constant;
+        if (jacobian == "cubic") bending.jacobian = BendingJacobian::cubic;
+        if (jacobian == "nonlinear" && bending.model != BendingModel::nonlinear)
+            table.report("jacobian",
+                         "\"nonlinear\" needs bending = \"nonlinear\": a cubic hinge takes \"constant\" "
+                         "or \"cubic\"");
+    }
+    return bending;
+}
+
 SolverSpec read_solver(TomlTable& table) {
     SolverSpec solver;
     constexpr int most = std::numeric_limits<int>::max();
     solver.step = table.number("step", "s", positive, solver.step);
+    solver.bending = read_bending(table);
     solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
     solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
     solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));

@@ -13,6 +13,7 @@
 #include "app/material_axis.h"
 #include "core/damping.h"
 #include "core/material.h"
+#include "core/sheet_energies.h"
 
 namespace sherd {
 
@@ -83,6 +84,7 @@ struct PlaneSpec {
 
 struct SolverSpec {
     double step = 1e-4;       ///< s
+    BendingOptions bending;   ///< energy and Jacobian of the hinges
     int max_iterations = 50;  ///< Newton iterations a step
     double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
     int max_stages = 100;     ///< of breaking, a step

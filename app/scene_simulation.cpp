@@ -15,8 +15,8 @@
 namespace sherd {
 namespace {
 
-void require_stability(const SheetInput& input, const SheetSpec& sheet) {
-    if (stable_at_rest(BreakableSheet({input}).mechanics())) return;
+void require_stability(const SheetInput& input, const SheetSpec& sheet, BendingModel bending) {
+    if (stable_at_rest(BreakableSheet({input}).mechanics(), bending)) return;
     throw Error(
         fmt::format("{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
                     "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
@@ -53,7 +53,7 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     input.strain_threshold = sheet.strain_threshold;
     input.velocity = sheet.velocity;
     input.spin = sheet.spin;
-    require_stability(input, sheet);
+    require_stability(input, sheet, scene.solver.bending.model);
     return input;
 }
 
@@ -61,6 +61,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     SimulationOptions options;
     options.step = scene.solver.step;
     options.gravity = scene.gravity;
+    options.bending = scene.solver.bending;
     options.max_iterations = scene.solver.max_iterations;
     options.tolerance = scene.solver.tolerance;
     options.max_stages = scene.solver.max_stages;

@@ -12,6 +12,7 @@ constexpr double growth_time = 0.1;  // s
 }  // namespace
 
 bool stable_at_rest(const Sheet& sheet, BendingModel model) {
+    if (model == BendingModel::cubic_2007) model = BendingModel::cubic;
     const BendingEnergy bending(sheet.hinges, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(sheet.triangles);
     // With a step of the growth time, the masses on the diagonal outweigh what grows more slowly.

@@ -108,6 +108,25 @@ TEST(Scene, DefaultsAreThoseOfTheReference) {
     EXPECT_TRUE(scene.sheets[0].place.isApprox(Eigen::Isometry3d::Identity()));
 }
 
+TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
+    const auto chosen = [](const std::vector<std::string>& keys) {
+        const BendingOptions bending = scene_of(small_scene, keys).solver.bending;
+        return std::pair(bending.model, bending.jacobian);
+    };
+    const std::string nonlinear = "solver.bending=nonlinear", cubic_2007 = "solver.bending=cubic-2007";
+    EXPECT_EQ(chosen({}), std::pair(BendingModel::cubic, BendingJacobian::cubic));
+    EXPECT_EQ(chosen({"solver.jacobian=constant"}),
+              std::pair(BendingModel::cubic, BendingJacobian::constant));
+    EXPECT_EQ(chosen({cubic_2007}), std::pair(BendingModel::cubic_2007, BendingJacobian::cubic));
+    EXPECT_EQ(chosen({nonlinear}), std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
+    EXPECT_EQ(chosen({nonlinear, "solver.jacobian=cubic"}),
+              std::pair(BendingModel::nonlinear, BendingJacobian::cubic));
+    EXPECT_EQ(chosen({nonlinear, "solver.jacobian=constant"}),
+              std::pair(BendingModel::nonlinear, BendingJacobian::constant));
+    EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
+              std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
+}
+
 TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
     EXPECT_EQ(step_count(scene_of(small_scene, {"duration=0.3", "solver.step=0.1"})), 3);
     EXPECT_EQ(step_count(scene_of(small_scene, {"duration=0.35", "solver.step=0.1"})), 4);

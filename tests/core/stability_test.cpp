@@ -29,5 +29,16 @@ TEST(Stability, HoldsForThinSheetsOnly) {
     EXPECT_FALSE(stable_at_rest(fold(30)));
 }
 
+// The nonlinear hinge has its least energy at rest, whatever the membrane does.
+TEST(Stability, OfTheNonlinearHingeHoldsAlways) {
+    EXPECT_TRUE(stable_at_rest(fold(30), BendingModel::nonlinear));
+}
+
+// Its Hessian at rest is indefinite wherever the sheet is curved, and says nothing of where it settles.
+TEST(Stability, OfTheFormOf2007IsThatOfTheCubicHinge) {
+    EXPECT_TRUE(stable_at_rest(fold(0.3), BendingModel::cubic_2007));
+    EXPECT_FALSE(stable_at_rest(fold(30), BendingModel::cubic_2007));
+}
+
 }  // namespace
 }  // namespace sherd
