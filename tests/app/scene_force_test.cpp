@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A load or a support that arrives wrongly, or nowhere, makes a run worthless without a word.
+#include "app/scene_force.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/scene_simulation.h"
+#include "meshops/error.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+// The plate 0 <= x <= 2, 0 <= y <= 1.
+const std::string plate = R"(duration = 0.1
+[sheet.plate]
+mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
+material = { density = 1000, thickness = 0.01, young = 1e8, poisson = 0 }
+)";
+
+struct Prepared {
+    Scene scene;
+    std::vector<SheetInput> inputs;
+    SimulationOptions options;
+};
+
+Prepared prepare(const std::string& text) {
+    const TemporaryDirectory directory;
+    Prepared result;
+    result.scene = read_scene(directory.write("scene.toml", text));
+    std::vector<std::string> warnings;
+    for (const SheetSpec& sheet : result.scene.sheets)
+        result.inputs.push_back(make_sheet(sheet, result.scene, warnings));
+    result.options = simulation_options(result.scene, result.inputs);
+    return result;
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        prepare(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+Vector3d total(const Load& load) {
+    Vector3d sum = Vector3d::Zero();
+    for (const CornerForce& dead : load.dead) sum += dead.force;
+    return sum;
+}
+
+TEST(SceneForce, LoadsArriveWithTheirUnits) {
+    const Prepared prepared = prepare(plate + R"([[force.load]]
+line = [0, 0, 3]
+box = [[1.999, -1, -1], [2.001, 2, 1]]
+ramp = 0.5
+[[force.load]]
+area = [1, 2, 0]
+[[force.load]]
+pressure = -7
+sheet = "plate"
+[[force.load]]
+point = [0, 5, 0]
+box = [[-0.001, -0.001, -1], [0.001, 0.001, 1]]
+[solver]
+damping = { stiffness = 1e-4, mass = 2 }
+)");
+    const std::vector<Load>& loads = prepared.options.loads;
+    ASSERT_EQ(loads.size(), 4u);
+    EXPECT_LT((total(loads[0]) - Vector3d(0, 0, 3)).norm(), 1e-12) << "the right side is 1 m long";
+    EXPECT_EQ(loads[0].ramp, 0.5);
+    EXPECT_LT((total(loads[1]) - Vector3d(2, 4, 0)).norm(), 1e-12) << "the plate has 2 m^2";
+    EXPECT_EQ(loads[2].pressed.size(), prepared.inputs[0].mesh.number_of_faces());
+    EXPECT_EQ(loads[2].pressure, -7);
+    EXPECT_LT((total(loads[3]) - Vector3d(0, 5, 0)).norm(), 1e-12) << "one corner";
+    EXPECT_EQ(prepared.options.damping.stiffness, 1e-4);
+    EXPECT_EQ(prepared.options.damping.mass, 2);
+}
+
+// A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
+TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
+    const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
+symmetry = [{ point = [0, 1, 0], normal = [0, 2, 0] }, { point = [2, 0, 0], normal = [1, 0, 0] }]
+[solver]
+step = 1e-2
+)");
+    Simulation simulation(prepared.inputs, prepared.options);
+    for (int i = 0; i < 10; ++i) simulation.step();
+    const Sheet& sheet = simulation.sheet().mechanics();
+    double drop = 0;
+    for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
+        const Vector3d rest = sheet.rest.col(v), now = sheet.position.col(v);
+        if (rest.x() < 1e-6) EXPECT_EQ(now, rest);
+        if (rest.y() > 1 - 1e-9) EXPECT_EQ(now.y(), rest.y());
+        if (rest.x() > 2 - 1e-9) EXPECT_EQ(now.x(), rest.x());
+        drop = std::max(drop, -now.z());
+    }
+    EXPECT_GT(drop, 1e-3);
+}
+
+TEST(SceneForce, WhatReachesNothingIsNamed) {
+    const std::string far = "box = [[8, 8, 8], [9, 9, 9]]\n";
+    EXPECT_NE(message_of(plate + "[[force.load]]\npressure = 1\n" + far).find("force.load"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "[[force.load]]\nline = [1, 0, 0]\n" + far).find("edge of the boundary"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "clamp = { box = [[-1, -1, -1], [1e-6, 1e-6, 1]] }\n").find("no tangent"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "symmetry = { point = [5, 0, 0], normal = [1, 0, 0] }\n").find("symmetry"),
+              std::string::npos);
+}
+
+TEST(SceneForce, ContradictionsAreRefused) {
+    const auto load = [](const std::string& keys) { return message_of(plate + "[[force.load]]\n" + keys); };
+    EXPECT_NE(load("pressure = 1\narea = [1, 0, 0]\n").find("conflicts"), std::string::npos);
+    EXPECT_NE(load("ramp = 1\n").find("has no size"), std::string::npos);
+    EXPECT_NE(load("pressure = 1\nsheet = \"plat\"\n").find("names no sheet"), std::string::npos);
+    EXPECT_NE(load("point = [1, 0, 0]\n").find("acts on no vertex"), std::string::npos);
+    EXPECT_NE(load("pressure = 1\nramp = -1\n").find("ramp"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sherd::test
