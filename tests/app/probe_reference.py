@@ -168,7 +168,8 @@ class Hinges:
         """The same, less the multiples of squared edge lengths that balance it at rest."""
         if self.correction is None:
             slopes, lengths = gradient(self.cubic_2007, self.rest), gradient(squared_lengths, self.rest)
-            self.correction = np.array([np.linalg.lstsq(*pair, rcond=None)[0] for pair in zip(lengths, slopes)])
+            q, r = np.linalg.qr(lengths)
+            self.correction = np.linalg.solve(r, np.swapaxes(q, 1, 2) @ slopes[..., None])[..., 0]
         change = squared_lengths(x) - squared_lengths(self.rest)
         return self.cubic_2007(x) - np.sum(self.correction * change, axis=1)
 
