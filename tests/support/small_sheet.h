@@ -26,7 +26,8 @@ inline Sheet small_sheet(const Positions& rest, const std::vector<std::array<Ind
         for (Index u = 0; u < t; ++u) {
             const auto [a, b, apex] = side_vertices(sheet, {t / 3, t % 3});
             const auto [c, d, other] = side_vertices(sheet, {u / 3, u % 3});
-            if (a == d && b == c) sheet.hinges.push_back(hinge_stencil(sheet, {a, b, apex, other}, hinge_stiffness(material)));
+            if (a == d && b == c)
+                sheet.hinges.push_back(hinge_stencil(sheet, {a, b, apex, other}, hinge_stiffness(material)));
         }
     return sheet;
 }
