@@ -110,8 +110,9 @@ TEST_F(ProbeTest, BendingStiffnessIsThatOfEveryHingeAndOfNothingElse) {
     const nlohmann::json six = json();
     EXPECT_EQ(before["energy"]["membrane"], six["energy"]["membrane"]);
     for (const auto& [name, energy] : six["energy"].items())
-        if (name != "membrane")
+        if (name != "membrane") {
             EXPECT_NEAR(energy.get<double>() / three["energy"][name].get<double>(), 2, 1e-12);
+        }
 }
 
 TEST_F(ProbeTest, TableForPeopleSaysTheSame) {

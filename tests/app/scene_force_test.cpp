@@ -93,9 +93,15 @@ step = 1e-2
     double drop = 0;
     for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
         const Vector3d rest = sheet.rest.col(v), now = sheet.position.col(v);
-        if (rest.x() < 1e-6) EXPECT_EQ(now, rest);
-        if (rest.y() > 1 - 1e-9) EXPECT_EQ(now.y(), rest.y());
-        if (rest.x() > 2 - 1e-9) EXPECT_EQ(now.x(), rest.x());
+        if (rest.x() < 1e-6) {
+            EXPECT_EQ(now, rest);
+        }
+        if (rest.y() > 1 - 1e-9) {
+            EXPECT_EQ(now.y(), rest.y());
+        }
+        if (rest.x() > 2 - 1e-9) {
+            EXPECT_EQ(now.x(), rest.x());
+        }
         drop = std::max(drop, -now.z());
     }
     EXPECT_GT(drop, 1e-3);

@@ -89,6 +89,20 @@ void expect_momentum(const std::vector<StepReport>& steps, double mass, const Ve
     }
 }
 
+// What the scene promises: shards, not dust.
+void expect_shards(const Snapshot& last) {
+    std::map<Index, std::size_t> faces;
+    for (const Index fragment : last.face_fragment) ++faces[fragment];
+    const auto single =
+        std::count_if(faces.begin(), faces.end(), [](const auto& entry) { return entry.second == 1; });
+    EXPECT_GE(faces.size(), 3u);
+    EXPECT_LT(10 * static_cast<std::size_t>(single), last.faces.size());
+    const auto large = std::count_if(faces.begin(), faces.end(), [&](const auto& entry) {
+        return 100 * entry.second > last.faces.size();
+    });
+    EXPECT_GE(large, 3);
+}
+
 class WholeScene : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
@@ -111,20 +125,6 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     const std::vector<StepReport> steps = recording.steps();
     if (scene.sheets.front().pins.empty()) expect_momentum(steps, first.mass.sum(), scene.gravity);
     for (const StepReport& step : steps) EXPECT_TRUE(step.converged) << "step " << step.step;
-}
-
-// What the scene promises: shards, not dust.
-void expect_shards(const Snapshot& last) {
-    std::map<Index, std::size_t> faces;
-    for (const Index fragment : last.face_fragment) ++faces[fragment];
-    const auto single =
-        std::count_if(faces.begin(), faces.end(), [](const auto& entry) { return entry.second == 1; });
-    EXPECT_GE(faces.size(), 3u);
-    EXPECT_LT(10 * static_cast<std::size_t>(single), last.faces.size());
-    const auto large = std::count_if(faces.begin(), faces.end(), [&](const auto& entry) {
-        return 100 * entry.second > last.faces.size();
-    });
-    EXPECT_GE(large, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, WholeScene, ::testing::Values("plate_drop", "bowl_drop", "sheet_hang"),
