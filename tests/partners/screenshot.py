@@ -4,6 +4,7 @@
 Draws a frame of a recording, its fragments in different colours and its cracks as lines."""
 
 import argparse
+import os
 
 from paraview.simple import (
     ColorBy,
@@ -73,6 +74,8 @@ def main():
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
     SaveScreenshot(wanted.picture, view)
+    if os.path.getsize(wanted.picture) < 2000:
+        raise SystemExit(f"{wanted.picture}: an empty picture")
     print(f"{wanted.picture}: {fragments} fragments at {time:.6g} s")
 
 
