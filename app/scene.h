@@ -39,6 +39,7 @@ struct MeshFile {
 struct Selection {
     std::optional<std::pair<Vector3d, Vector3d>> box;  ///< lower and upper corner, placed positions
     bool boundary = false;                             ///< all boundary vertices
+    std::string group;                                 ///< of faces; their vertices
     std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
 };
 
@@ -56,7 +57,7 @@ struct LoadSpec {
     double pressure = 0;                ///< Pa
     double ramp = 0;                    ///< s
     std::string sheet;                  ///< its name; empty: all sheets
-    Selection on;                       ///< without box and boundary: everything
+    Selection on;                       ///< without box, boundary and group: everything
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
 };
 

@@ -39,10 +39,10 @@ LoadSpec read_load(TomlTable& table, const Scene& scene) {
     if (!load.sheet.empty() && !known)
         table.report("sheet",
                      fmt::format("names no sheet of this scene: there is no [sheet.{}]", load.sheet));
-    if (table.has("box") || table.has("boundary")) {
+    if (table.has("box") || table.has("boundary") || table.has("group")) {
         load.on = read_selection(table);
     } else if (load.kind == "point") {
-        table.report("", "acts on no vertex: give box = [[...], [...]] or boundary = true");
+        table.report("", "acts on no vertex: give box = [[...], [...]], boundary = true or group = \"NAME\"");
     }
     load.ramp = table.number("ramp", "s", not_negative, 0);
     table.finish();
@@ -89,7 +89,8 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
             load.pressed = selected_triangles(mechanics, selected);
         load.pressure = spec.pressure;
         if (load.dead.empty() && load.pressed.empty())
-            throw Error(fmt::format("{}: acts on nothing: {} must be in its box or boundary", spec.where,
+            throw Error(fmt::format("{}: acts on nothing: {} must be in its box, boundary or group",
+                                    spec.where,
                                     spec.kind == "point"  ? "a vertex"
                                     : spec.kind == "line" ? "both ends of an edge of the boundary"
                                                           : "all vertices of a face"));

@@ -7,7 +7,9 @@
 
 #include "app/mesh_measures.h"
 #include "app/scene_shape.h"
+#include "app/toml_table.h"
 #include "meshops/error.h"
+#include "meshops/face_groups.h"
 #include "meshops/generate.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh.h"
@@ -63,10 +65,25 @@ Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::stri
 
 bool selects(const Selection& selection, const Mesh& mesh, Vertex v) {
     if (selection.boundary) return mesh.is_border(v);
+    if (!selection.group.empty()) return is_in_group(mesh, v, selection.group);
     if (!selection.box) return true;
     const Vector3d p = position(mesh, v);
     return (p.array() >= selection.box->first.array()).all() &&
            (p.array() <= selection.box->second.array()).all();
+}
+
+void check_group(const Selection& selection, const std::vector<std::string>& known) {
+    if (selection.group.empty() || std::find(known.begin(), known.end(), selection.group) != known.end())
+        return;
+    if (known.empty())
+        throw Error(
+            fmt::format("{}: the mesh has no groups; they are `g` or `o` lines of an OBJ file, and remeshing "
+                        "loses them",
+                        selection.where));
+    const std::string nearest = nearest_name(selection.group, known);
+    const std::string hint = nearest.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
+                                             : fmt::format("did you mean '{}'?", nearest);
+    throw Error(fmt::format("{}: the mesh has no group '{}'; {}", selection.where, selection.group, hint));
 }
 
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed) {
@@ -74,12 +91,13 @@ std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& pl
     std::vector<Selection> holds = sheet.pins;
     holds.insert(holds.end(), sheet.clamps.begin(), sheet.clamps.end());
     for (const Selection& pin : holds) {
+        check_group(pin, group_names(placed));
         bool any = false;
         for (const Vertex v : placed.vertices())
             if (selects(pin, placed, v)) any = held[v] = true;
         if (!any)
-            throw Error(fmt::format("{}: holds no vertex: its box or boundary must reach the placed sheet",
-                                    pin.where));
+            throw Error(fmt::format(
+                "{}: holds no vertex: its box, boundary or group must reach the placed sheet", pin.where));
     }
     std::vector<std::int32_t> numbers;
     for (std::size_t v = 0; v < held.size(); ++v)

@@ -14,8 +14,12 @@ namespace sherd {
 /// remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
-/// Whether a selection holds a vertex; one without box and boundary holds all.
+/// Whether a selection holds a vertex; one without box, boundary and group holds all.
 bool selects(const Selection& selection, const Mesh& placed, Vertex v);
+
+/// Throws Error, naming the scene's line and key, when the selection's group is none of `known`, the groups
+/// of the meshes that it selects from.
+void check_group(const Selection& selection, const std::vector<std::string>& known);
 
 /// Numbers of the vertices that the sheet's pins and clamps hold, in ascending order. Throws Error on one
 /// that holds none.

@@ -10,11 +10,22 @@
 #include "app/scene_mesh.h"
 #include "core/orthotropy.h"
 #include "meshops/error.h"
+#include "meshops/face_groups.h"
 
 namespace sherd {
 namespace {
 
 constexpr double on_plane = 1e-6;  // of the mesh's diagonal: single-precision files are no better
+
+void read_box(TomlTable& table, Selection& selection) {
+    const std::vector<Eigen::VectorXd> corners = table.rows("box", "m", 2, 3);
+    if (corners.size() == 2)
+        selection.box.emplace(corners[0], corners[1]);
+    else if (!corners.empty())
+        table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
+    if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
+        table.report("box", "has a lower corner above its upper one: order them in x, y and z");
+}
 
 SymmetrySpec read_symmetry(TomlTable& table) {
     SymmetrySpec plane;
@@ -60,20 +71,23 @@ void slide(std::map<Index, Matrix3d>& freedom, const std::vector<char>& selected
 
 Selection read_selection(TomlTable& table) {
     Selection selection;
-    selection.where = table.where("");
+    selection.where = table.where(table.has("group") ? "group" : "");
     selection.boundary = table.flag("boundary", false);
-    if (table.has("box")) {
-        const std::vector<Eigen::VectorXd> corners = table.rows("box", "m", 2, 3);
-        if (corners.size() == 2)
-            selection.box.emplace(corners[0], corners[1]);
-        else if (!corners.empty())
-            table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
-        if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
-            table.report("box", "has a lower corner above its upper one: order them in x, y and z");
-        if (selection.boundary) table.report("boundary", "conflicts with box: write a table for each");
-    } else if (!selection.boundary) {
-        table.report("", "holds nothing: give box = [[...], [...]] or boundary = true");
+    if (table.has("box")) read_box(table, selection);
+    if (table.has("group")) {
+        selection.group = table.string("group", "the name of a group of the mesh file");
     }
+    std::string given;
+    for (const auto& [key, is_given] :
+         {std::pair("box", table.has("box")), std::pair("group", table.has("group")),
+          std::pair("boundary", selection.boundary)}) {
+        if (!is_given) continue;
+        if (!given.empty())
+            table.report(key, fmt::format("conflicts with {}: write a table for each", given));
+        given = key;
+    }
+    if (given.empty())
+        table.report("", "holds nothing: give box = [[...], [...]], boundary = true or group = \"NAME\"");
     return selection;
 }
 
@@ -90,6 +104,13 @@ void read_supports(TomlTable& table, SheetSpec& sheet) {
 std::vector<char> selected_vertices(const Selection& selection, const std::string& sheet, const Scene& scene,
                                     const std::vector<SheetInput>& inputs) {
     std::vector<char> selected;
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (!sheet.empty() && scene.sheets[i].name != sheet) continue;
+        const std::vector<std::string> names = group_names(inputs[i].mesh);
+        known.insert(known.end(), names.begin(), names.end());
+    }
+    check_group(selection, known);
     for (std::size_t i = 0; i < inputs.size(); ++i)
         for (const Vertex v : inputs[i].mesh.vertices())
             selected.push_back((sheet.empty() || scene.sheets[i].name == sheet) &&

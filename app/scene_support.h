@@ -7,14 +7,14 @@
 
 namespace sherd {
 
-/// Reads `box` or `boundary`; the caller finishes the table.
+/// Reads `box`, `boundary` or `group`; the caller finishes the table.
 Selection read_selection(TomlTable& table);
 
 /// Reads the keys pin, clamp and symmetry of a sheet.
 void read_supports(TomlTable& table, SheetSpec& sheet);
 
 /// Which of the inputs' vertices, numbered over all inputs, the selection holds; of all sheets, or of the one
-/// with this name.
+/// with this name. Throws Error, naming the scene's line and key, on a group that none of these has.
 std::vector<char> selected_vertices(const Selection& selection, const std::string& sheet, const Scene& scene,
                                     const std::vector<SheetInput>& inputs);
 

@@ -57,7 +57,31 @@ class ObjParser {
             texture_points.emplace_back(u, words.is_at_end() ? 0.0 : words.next_number());
         } else if (keyword == "f") {
             parse_face(words);
+        } else if (keyword == "g") {
+            groups = rest_of(words);
+            face_groups = nullptr;
+        } else if (keyword == "o") {
+            object.clear();
+            for (const std::string& word : rest_of(words)) object += (object.empty() ? "" : " ") + word;
+            face_groups = nullptr;
         }
+    }
+
+    static std::vector<std::string> rest_of(TextLine& words) {
+        std::vector<std::string> rest;
+        for (auto word = words.next_word(); !word.empty(); word = words.next_word()) rest.emplace_back(word);
+        return rest;
+    }
+
+    /// Of a face that stands here.
+    GroupNames present_groups() {
+        if (groups.empty() && object.empty()) return nullptr;
+        if (!face_groups) {
+            std::vector<std::string> names = groups;
+            if (!object.empty()) names.push_back(object);
+            face_groups = std::make_shared<const std::vector<std::string>>(std::move(names));
+        }
+        return face_groups;
     }
 
     void parse_face(TextLine& words) {
@@ -79,6 +103,7 @@ class ObjParser {
         soup.polygons.push_back(std::move(polygon));
         soup.texture.push_back(std::move(texture));
         soup.polygon_line.push_back(line_number);
+        soup.groups.push_back(present_groups());
     }
 
     /// The 0-based index at the front of `numbers`, which is moved on. OBJ counts from 1, and from -1
@@ -102,10 +127,13 @@ class ObjParser {
     PolygonSoup soup;
     std::vector<Eigen::Vector2d> texture_points;
     bool has_texture = false;
-    std::string_view text;        ///< what is still to be read
-    std::string joined_line;      ///< holds a line that goes on over several
-    std::size_t line_number = 1;  ///< of the present line, 1-based
-    std::size_t lines_taken = 0;  ///< by the present line
+    std::vector<std::string> groups;  ///< of the last `g` line
+    std::string object;               ///< of the last `o` line
+    GroupNames face_groups;           ///< both, once a face has asked for them
+    std::string_view text;            ///< what is still to be read
+    std::string joined_line;          ///< holds a line that goes on over several
+    std::size_t line_number = 1;      ///< of the present line, 1-based
+    std::size_t lines_taken = 0;      ///< by the present line
 };
 
 }  // namespace

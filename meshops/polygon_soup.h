@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "meshops/face_groups.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -18,6 +19,7 @@ struct PolygonSoup {
     std::vector<std::vector<Eigen::Vector2d>>
         texture;                            ///< of each corner; a polygon without: empty; none at all: empty
     std::vector<Eigen::Vector3d> axis;      ///< of each polygon, its material axis; none: empty
+    std::vector<GroupNames> groups;         ///< of each polygon; a format without groups: empty
     std::vector<std::size_t> point_line;    ///< 1-based; empty where a format has no lines
     std::vector<std::size_t> polygon_line;  ///< likewise
 };
@@ -26,8 +28,9 @@ struct PolygonSoup {
 /// .stl are joined. Throws Error when the file is missing, unreadable, of unknown extension or damaged.
 PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 
-/// The part of read_polygon_soup that reads the text of an OBJ file: `v`, `vt` and `f` lines (with negative
-/// indices and continued lines); what else the file holds is passed over.
+/// The part of read_polygon_soup that reads the text of an OBJ file: `v`, `vt`, `f`, `g` and `o` lines (with
+/// negative indices and continued lines); what else the file holds is passed over. A face is in the groups of
+/// the last `g` line (a name a word; none: in no group) and in one with the name of the last `o` line.
 PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 /// Likewise the content of an STL file, text or binary.
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);

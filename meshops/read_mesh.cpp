@@ -135,6 +135,11 @@ Mesh Reading::build(std::size_t joined) const {
         auto axis = mesh.add_property_map<Face, Eigen::Vector3d>(property::axis).first;
         for (const Face face : mesh.faces()) axis[face] = polygons.axis[soup.polygon[face.idx()]];
     }
+    const auto is_named = [](const GroupNames& names) { return names != nullptr; };
+    if (std::ranges::any_of(polygons.groups, is_named)) {
+        auto groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
+        for (const Face face : mesh.faces()) groups[face] = polygons.groups[soup.polygon[face.idx()]];
+    }
     const std::size_t unused = soup.points.size() - mesh.number_of_vertices() - joined;
     if (unused > 0) warn(counted(unused, "vertex") + " dropped that no face uses");
     return mesh;

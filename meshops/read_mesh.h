@@ -24,13 +24,13 @@ struct ReadMeshOptions {
 /// Polygons are triangulated; faces keep the order of the file (a polygon's triangles stand together) and the
 /// order of their corners, save where inconsistent orientation is repaired (the first corner stays the
 /// first). OBJ texture coordinates become property::texture, face properties axis_x, axis_y, axis_z of PLY
-/// property::axis; every mesh gets property::file_vertex. Fans of faces that meet in a single point get a
-/// point each. What was changed is told in `warnings`, a sentence each that begins with the file:
-/// unreferenced vertices dropped, points joined or doubled, faces turned over, and what `repair` did. Throws
-/// Error naming the file (and line, vertex or face, numbered from 0) on: a file that is missing, unreadable,
-/// damaged or of unknown extension, no faces, NaN or infinite coordinates, an index out of range, a polygon
-/// that crosses itself, a surface with only one side, and, unless `repair`, a zero-area or repeated triangle
-/// or a non-manifold edge.
+/// property::axis, OBJ groups and objects property::groups (face_groups.h); every mesh gets
+/// property::file_vertex. Fans of faces that meet in a single point get a point each. What was changed is
+/// told in `warnings`, a sentence each that begins with the file: unreferenced vertices dropped, points
+/// joined or doubled, faces turned over, and what `repair` did. Throws Error naming the file (and line,
+/// vertex or face, numbered from 0) on: a file that is missing, unreadable, damaged or of unknown extension,
+/// no faces, NaN or infinite coordinates, an index out of range, a polygon that crosses itself, a surface
+/// with only one side, and, unless `repair`, a zero-area or repeated triangle or a non-manifold edge.
 Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
                std::vector<std::string>& warnings);
 

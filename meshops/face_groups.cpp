@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/face_groups.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+std::vector<std::string> group_names(const Mesh& mesh) {
+    const auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
+    std::vector<std::string> names;
+    if (!exists) return names;
+    GroupNames last;
+    for (const Face face : mesh.faces()) {
+        // Neighbours in the file share their names.
+        if (groups[face] && groups[face] != last)
+            names.insert(names.end(), groups[face]->begin(), groups[face]->end());
+        last = groups[face];
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+bool is_in_group(const Mesh& mesh, Vertex vertex, std::string_view group) {
+    const auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
+    if (!exists) return false;
+    for (const Face face : mesh.faces_around_target(mesh.halfedge(vertex))) {
+        if (face == Mesh::null_face() || !groups[face]) continue;
+        const std::vector<std::string>& names = *groups[face];
+        if (std::find(names.begin(), names.end(), group) != names.end()) return true;
+    }
+    return false;
+}
+
+}  // namespace sherd

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Groups of a mesh file through the real program: if one of these fails, a run holds or loads the wrong part.
+#include <gtest/gtest.h>
+
+#include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+// Two squares side by side, and the edge they share.
+const std::string strip =
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\no strip\ng handle\nf 1 2 5 4\ng blade\nf 2 3 6 "
+    "5\n";
+
+/// Runs `command` on a scene of the strip with these lines in its sheet, and these behind it.
+ProgramResult outcome(const std::string& command, const std::string& sheet, const std::string& behind = "",
+                      const std::string& mesh = "\"strip.obj\"") {
+    const TemporaryDirectory directory;
+    directory.write("strip.obj", strip);
+    directory.write("scene.toml", "duration = 2e-3\n[sheet.strip]\nmesh = " + mesh +
+                                      "\nmaterial = { density = 1000, thickness = 0.01, young = 1e8 }\n" +
+                                      sheet + "\n[solver]\nstep = 1e-3\n" + behind);
+    std::vector<std::string> arguments{command, "scene.toml"};
+    if (command == "run") arguments.insert(arguments.end(), {"-o", "out.h5"});
+    return run_sherd(arguments, directory.path);
+}
+
+void expect_refused(const ProgramResult& result, const std::string& message) {
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+}
+
+TEST(SceneGroup, PinsHoldTheVerticesOfTheGroup) {
+    for (const auto& [group, count] :
+         {std::pair("handle", "4"), std::pair("blade", "4"), std::pair("strip", "6")}) {
+        const ProgramResult result = outcome("check", "pin = { group = \"" + std::string(group) + "\" }");
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(result.out.find("pinned vertices " + std::string(count) + "\n"), std::string::npos)
+            << result.out;
+    }
+}
+
+TEST(SceneGroup, ClampsAndLoadsTakeGroupsInARun) {
+    const std::string clamp = "clamp = { group = \"handle\" }";
+    for (const std::string load :
+         {"pressure = 3", "line = [0, 0, 1]", "area = [0, 0, 1]", "point = [0, 0, 1]"}) {
+        const ProgramResult result =
+            outcome("run", clamp, "[[force.load]]\n" + load + "\ngroup = \"blade\"\n");
+        EXPECT_EQ(result.exit_code, 0) << load << ": " << result.err;
+    }
+}
+
+TEST(SceneGroup, AnUnknownGroupIsNamedWithTheNearest) {
+    for (const std::string command : {"check", "run"}) {
+        expect_refused(
+            outcome(command, "pin = { group = \"handel\" }"),
+            "scene.toml:5: sheet.strip.pin.group: the mesh has no group 'handel'; did you mean 'handle'?");
+        expect_refused(outcome(command, "clamp = [{ group = \"zzzzz\" }]"), "it has blade, handle, strip");
+        expect_refused(
+            outcome(command, "", "[[force.load]]\npressure = 1\ngroup = \"blad\"\n"),
+            "scene.toml:10: force.load[0].group: the mesh has no group 'blad'; did you mean 'blade'?");
+    }
+}
+
+TEST(SceneGroup, RemeshingLosesGroupsAndSaysSo) {
+    expect_refused(
+        outcome("check", "pin = { group = \"handle\" }", "", "{ file = \"strip.obj\", remesh = 0.3 }"),
+        "sheet.strip.pin.group: the mesh has no groups");
+}
+
+}  // namespace
+}  // namespace sherd::test
