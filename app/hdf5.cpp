@@ -93,6 +93,13 @@ Handle with_parents() {
     return links;
 }
 
+/// Properties of a dataset that keeps no time of its making: the same run is to give the same file.
+Handle timeless() {
+    Handle layout(checked(H5Pcreate(H5P_DATASET_CREATE), "cannot prepare HDF5"));
+    checked(H5Pset_obj_track_times(layout, false), "cannot prepare HDF5");
+    return layout;
+}
+
 Handle create_dataset(hid_t where, const std::string& name, hid_t type, hid_t space, hid_t layout) {
     return Handle(checked(H5Dcreate2(where, name.c_str(), type, space, with_parents(), layout, H5P_DEFAULT),
                           "cannot create dataset '" + name + "'"));
@@ -100,7 +107,7 @@ Handle create_dataset(hid_t where, const std::string& name, hid_t type, hid_t sp
 
 void write_lines(hid_t where, const std::string& name, const Handle& space, const char* const* lines) {
     const Handle type = text_type();
-    const Handle dataset = create_dataset(where, name, type, space, H5P_DEFAULT);
+    const Handle dataset = create_dataset(where, name, type, space, timeless());
     if (H5Sget_simple_extent_npoints(space) > 0)
         checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, lines),
                 "cannot write dataset '" + name + "'");
@@ -284,7 +291,7 @@ void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows
     const std::string what = "cannot write dataset '" + name + "'";
     const std::array<hsize_t, 2> shape{rows, width};
     const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), nullptr), what));
-    const Handle layout(checked(H5Pcreate(H5P_DATASET_CREATE), what));
+    const Handle layout = timeless();
     if (rows > 0) {
         // Large enough that a frame of an ordinary plate is one chunk, small enough for HDF5's chunk cache.
         const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, 32768), width};
@@ -301,7 +308,7 @@ void create_table(hid_t where, const std::string& name, hid_t type, hsize_t widt
     const std::string what = "cannot create dataset '" + name + "'";
     const std::array<hsize_t, 2> shape{0, width}, limit{H5S_UNLIMITED, width}, chunk{128, width};
     const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), limit.data()), what));
-    const Handle layout(checked(H5Pcreate(H5P_DATASET_CREATE), what));
+    const Handle layout = timeless();
     checked(H5Pset_chunk(layout, rank_of(width), chunk.data()), what);
     const Handle dataset = create_dataset(where, name, type, space, layout);
     describe(dataset, meaning);

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/membrane.h"
+#include "core/principal_strain.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -48,6 +51,23 @@ std::vector<FragmentInfo> fragments_of(const RecordingHeader& header, const Snap
     return fragments;
 }
 
+/// None without faces. A NaN wins: the frame is worthless.
+std::optional<MembraneStrainInfo> largest_membrane_strain(const RecordingHeader& header,
+                                                          const Snapshot& frame) {
+    std::optional<MembraneStrainInfo> largest;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        // Strain does not depend on the elasticity.
+        const MembraneTriangle triangle = membrane_triangle(
+            triangle_positions(header.rest_position, header.rest_faces[f]), Matrix3d::Zero());
+        const double strain =
+            principal_strain(green_strain(triangle, triangle_positions(frame.position, frame.faces[f])));
+        if (!largest || std::isnan(strain) || std::abs(strain) > std::abs(largest->strain))
+            largest = {strain, f};
+        if (std::isnan(strain)) break;
+    }
+    return largest;
+}
+
 void add_last_frame(RunInfo& info, const RecordingHeader& header, const Snapshot& frame) {
     if (frame.faces.size() != header.rest_faces.size())
         throw Error(fmt::format("the recording is damaged: its last frame has {} faces, the unbroken mesh {}",
@@ -56,6 +76,7 @@ void add_last_frame(RunInfo& info, const RecordingHeader& header, const Snapshot
     info.faces = frame.faces.size();
     info.sheets = sheets_of(header, frame.face_sheet);
     info.fragments = fragments_of(header, frame);
+    info.membrane_strain = largest_membrane_strain(header, frame);
 }
 
 void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
@@ -167,6 +188,9 @@ std::string run_info_json(const RunInfo& info) {
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};
     json["peak_strain"] = info.peak_strain;
+    json["membrane_strain"] = nullptr;
+    if (const auto& largest = info.membrane_strain)
+        json["membrane_strain"] = {{"strain", largest->strain}, {"face", largest->face}};
     json["newton_iterations"] = info.newton_iterations;
     json["unconverged_steps"] = info.unconverged_steps;
     json["most_stages"] = info.most_stages;
@@ -191,6 +215,9 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split\n", info.failures,
                    info.openings, info.splits);
     if (info.last) add_last_step(text, info);
+    if (info.membrane_strain)
+        fmt::format_to(out, "membrane     strain {:.4g} at most in the last frame, of face {}\n",
+                       info.membrane_strain->strain, info.membrane_strain->face);
     add_fragment_table(text, info.fragments);
     return text;
 }

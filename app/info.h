@@ -18,6 +18,12 @@ struct FragmentInfo {
     double mass = 0;  ///< kg
 };
 
+/// The face that is stretched or squeezed most.
+struct MembraneStrainInfo {
+    double strain = 0;  ///< principal Green strain of largest magnitude, signed
+    std::size_t face = 0;
+};
+
 struct SheetInfo {
     std::string name;
     std::size_t faces = 0;
@@ -31,10 +37,11 @@ struct RunInfo {
     double wall_seconds = 0;
     std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
     std::size_t failures = 0, openings = 0, splits = 0;
-    std::vector<SheetInfo> sheets;        ///< none before the first frame
-    std::vector<FragmentInfo> fragments;  ///< by id; none before the first frame
-    std::optional<StepReport> last;       ///< the last step, if there was one
-    std::int64_t newton_iterations = 0;   ///< of all steps
+    std::vector<SheetInfo> sheets;                      ///< none before the first frame
+    std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
+    std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
+    std::optional<StepReport> last;                     ///< the last step, if there was one
+    std::int64_t newton_iterations = 0;                 ///< of all steps
     std::size_t unconverged_steps = 0;
     Index most_stages = 0;   ///< of breaking in one step
     double peak_strain = 0;  ///< 1/m, of the whole run

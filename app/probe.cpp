@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/principal_strain.h"
 #include "fracture/breakable_sheet.h"
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
@@ -58,13 +59,6 @@ ProbedEnergy sum(const std::string& name, const std::vector<Stencil>& stencils, 
             total.force.col(stencil.vertices[i]) -= slope.col(static_cast<Eigen::Index>(i));
     }
     return total;
-}
-
-/// Principal strain of largest magnitude of the Green strain (E00, E11, 2 E01).
-double principal_strain(const Vector3d& strain) {
-    const double mean = (strain[0] + strain[1]) / 2;
-    const double radius = std::hypot((strain[0] - strain[1]) / 2, strain[2] / 2);
-    return mean < 0 ? mean - radius : mean + radius;
 }
 
 /// The mechanics of the sheet at rest, its vertices numbered as in the file.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/hdf5.h"
+#include "app/recording.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
@@ -109,5 +110,7 @@ std::string frame_group(std::size_t number);
 
 /// What is wrong with the array lengths and indices of a snapshot; empty when nothing is.
 std::string inconsistency(const Snapshot& snapshot);
+/// Likewise of the mesh at rest.
+std::string inconsistency(const RecordingHeader& header);
 
 }  // namespace sherd::recording_format

@@ -69,8 +69,7 @@ RecordingHeader Recording::header() const {
         read_array(opened, "rest/position", header.rest_position);
         read_array(opened, "rest/faces", header.rest_faces);
         read_array(opened, "rest/area", header.rest_area);
-        if (header.rest_area.size() != header.rest_faces.size())
-            throw Error("/rest/faces and /rest/area differ in length");
+        if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
         return header;
     });
 }

@@ -66,6 +66,30 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["most_stages"], 3);
 }
 
+// Told of the wrong shape at rest, or of another face, a strain report would send its reader the wrong way.
+TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
+    const TemporaryDirectory folder;
+    const auto reported = [&](const SyntheticRun& run) {
+        record(run, folder.path / "run.h5");
+        const Json strain = json_of(folder.path / "run.h5")["membrane_strain"];
+        for (const auto& file : {"run.h5", "run.xdmf"}) std::filesystem::remove(folder.path / file);
+        return strain;
+    };
+    SyntheticRun run = synthetic_run();
+    EXPECT_NEAR(reported(run)["strain"].get<double>(), 0, 1e-13) << "torn off and moved, but rigidly";
+    // Scaled by s in every direction: Green's strain is (s^2 - 1) / 2.
+    run.frames[2].position *= 1.1;
+    EXPECT_NEAR(reported(run)["strain"].get<double>(), 0.105, 1e-13);
+    run.frames[2].position *= 0.5 / 1.1;
+    EXPECT_NEAR(reported(run)["strain"].get<double>(), -0.375, 1e-13);
+    // The only corner that no other face has.
+    const Index face = 2 * synthetic::rows - 1;
+    run.frames[2].position.col(run.frames[2].faces[face][2]).y() += 1;
+    EXPECT_EQ(reported(run)["face"], face);
+    run.frames[2].position.col(run.frames[2].faces[0][0]).x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(reported(run)["strain"].is_null()) << "a run that blew up has no largest strain";
+}
+
 // A fragment table that lost or doubled something would show in the sums.
 TEST(Info, FragmentsShareOutTheWholeSheet) {
     const TemporaryDirectory folder;
@@ -106,6 +130,7 @@ TEST(Info, TellsOfARunThatHasJustBegun) {
     EXPECT_EQ(info["faces"], 96);
     EXPECT_EQ(info["end"], "running");
     EXPECT_TRUE(info["fragments"].empty());
+    EXPECT_TRUE(info["membrane_strain"].is_null());
     EXPECT_NE(run_info_text(read_run_info(folder.path / "run.h5")).find("running"), std::string::npos);
 }
 
@@ -127,7 +152,8 @@ TEST(Info, ListsTheLargestFragmentsForPeople) {
     record(synthetic_run(), folder.path / "run.h5");
     RunInfo info = read_run_info(folder.path / "run.h5");
     const std::string text = run_info_text(info);
-    for (const char* word : {"complete", "20 steps", "3 frames", "75 vertices", "8 edges failed", "kinetic"})
+    for (const char* word : {"complete", "20 steps", "3 frames", "75 vertices", "8 edges failed", "kinetic",
+                             "membrane     strain"})
         EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
     for (Index i = 3; i < 50; ++i) info.fragments.push_back({i, 1, 1e-6 * i, 1e-6});
     EXPECT_NE(run_info_text(info).find("and 30 smaller ones"), std::string::npos);
@@ -146,6 +172,10 @@ TEST(Info, RefusesWhatIsNoRecording) {
     run.header.rest_area.pop_back();
     record(run, folder.path / "short.h5");
     EXPECT_THROW(read_run_info(folder.path / "short.h5"), Error);
+    run = synthetic_run();
+    run.header.rest_faces[5][1] = 1000000;
+    record(run, folder.path / "astray.h5");
+    EXPECT_THROW(read_run_info(folder.path / "astray.h5"), Error);
 }
 
 }  // namespace
