@@ -211,11 +211,14 @@ pin = [{ box = [[9.9, -1, -1], [10.001, 2, 1]] }]
     EXPECT_EQ(pinned, expected);
 
     SheetSpec all = scene.sheets[0];
-    all.pins = {{.box = {}, .boundary = true, .where = ""}};
+    all.pins = {{.box = {}, .boundary = true, .group = "", .where = ""}};
     std::size_t border = 0;
     for (const Vertex v : mesh.vertices()) border += mesh.is_border(v);
     EXPECT_EQ(pinned_vertices(all, mesh).size(), border);
-    all.pins = {{.box = std::pair(Vector3d(0, 0, 0), Vector3d(1, 1, 1)), .boundary = false, .where = "here"}};
+    all.pins = {{.box = std::pair(Vector3d(0, 0, 0), Vector3d(1, 1, 1)),
+                 .boundary = false,
+                 .group = "",
+                 .where = "here"}};
     EXPECT_THROW(pinned_vertices(all, mesh), Error);
 }
 

@@ -64,8 +64,8 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
 /// Runs the real program in `directory` and waits for its end.
 inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
                                const ProgramLimits& limits = {}) {
-    arguments.insert(arguments.begin(), SHERD_PROGRAM);
-    std::vector<char*> pointers;
+    std::string program = SHERD_PROGRAM;
+    std::vector<char*> pointers{program.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     const detail::OpenFile out = detail::nameless_file(), err = detail::nameless_file();
