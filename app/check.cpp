@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "app/commands.h"
-#include "app/mesh_measures.h"
 #include "app/scene_simulation.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 
 namespace sherd {
 namespace {
@@ -35,7 +35,7 @@ void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, con
                                        measures.smallest_edge, measures.mean_edge));
     // 20 steps a period lose a tenth of the peak strain with implicit Euler.
     const double step = slowest_period(sheet.material, measures.area) / 20;
-    if (sheet.strain_threshold > 0 && scene.solver.step > step)
+    if (sheet.fracture && scene.solver.step > step)
         warnings.push_back(
             fmt::format("solver.step of {:.2g} s is long for this sheet: peaks of strain come out "
                         "low; use {:.1g} s or less",
@@ -44,6 +44,27 @@ void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, con
         if (const std::size_t count = count_behind(mesh, plane))
             warnings.push_back(
                 fmt::format("{} vertices start behind obstacle.{}: move the sheet", count, plane.name));
+}
+
+void print_strength(const SheetSpec& sheet, const Strength& strength) {
+    if (!sheet.fracture) {
+        fmt::print("  does not break\n");
+        return;
+    }
+    const auto words = [&](double value) {
+        if (strength.measure == Measure::stress)
+            return fmt::format("{:.4g} Pa of tension at its surface", value);
+        return fmt::format("{:.4g} 1/m, {:.3g} of strain at its surface", value,
+                           value * sheet.material.thickness / 2);
+    };
+    if (strength.along == strength.across)
+        fmt::print("  breaks above {}\n", words(strength.along));
+    else
+        fmt::print("  breaks above {} along its axis, {} across\n", words(strength.along),
+                   words(strength.across));
+    if (strength.factors.empty()) return;
+    const auto [least, most] = std::minmax_element(strength.factors.begin(), strength.factors.end());
+    fmt::print("  times {:.3g} to {:.3g}, edge by edge\n", *least, *most);
 }
 
 SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
@@ -62,11 +83,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
                m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
     fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m\n", m.mean_edge, m.smallest_edge,
                m.largest_edge);
-    if (sheet.strain_threshold > 0)
-        fmt::print("  breaks above {:.4g} 1/m, {:.3g} of strain at its surface\n", sheet.strain_threshold,
-                   sheet.strain_threshold * sheet.material.thickness / 2);
-    else
-        fmt::print("  does not break\n");
+    print_strength(sheet, input.strength);
     for (const std::string& warning : warnings) fmt::print("  warning: {}\n", warning);
     return input;
 }

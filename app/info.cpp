@@ -41,7 +41,7 @@ std::vector<FragmentInfo> fragments_of(const RecordingHeader& header, const Snap
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         const Index id = frame.face_fragment[f];
         while (fragments.size() <= static_cast<std::size_t>(id))
-            fragments.push_back({static_cast<Index>(fragments.size()), 0, 0, 0});
+            fragments.push_back({.id = static_cast<Index>(fragments.size())});
         FragmentInfo& fragment = fragments[id];
         ++fragment.faces;
         fragment.area += header.rest_area[f];
@@ -84,8 +84,9 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     for (const StepReport& step : steps) {
         info.newton_iterations += step.newton_iterations;
         info.unconverged_steps += !step.converged;
+        info.capped_steps += step.stage_cap_reached;
         info.most_stages = std::max(info.most_stages, step.stages);
-        info.peak_strain = std::max(info.peak_strain, step.peak_strain);
+        raise_peaks(info.peaks, step);
     }
 }
 
@@ -93,6 +94,9 @@ void add_events(RunInfo& info, const CrackEvents& events) {
     info.failures = events.failures.size();
     info.openings = events.openings.size();
     info.splits = events.splits.size();
+    for (const FragmentBirth& birth : events.births)
+        if (birth.fragment >= 0 && static_cast<std::size_t>(birth.fragment) < info.fragments.size())
+            info.fragments[birth.fragment].parent = birth.parent;
 }
 
 Json vector_json(const Vector3d& v) {
@@ -105,9 +109,11 @@ void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) 
     std::ranges::stable_sort(fragments, std::greater(), &FragmentInfo::area);
     fmt::format_to(out, "fragments    {}\n", fragments.size());
     if (!fragments.empty())
-        fmt::format_to(out, "  {:>6} {:>8} {:>12} {:>12}\n", "id", "faces", "area m^2", "mass kg");
+        fmt::format_to(out, "  {:>6} {:>6} {:>8} {:>12} {:>12}\n", "id", "from", "faces", "area m^2",
+                       "mass kg");
     for (std::size_t i = 0; i < std::min(most, fragments.size()); ++i)
-        fmt::format_to(out, "  {:>6} {:>8} {:>12.5g} {:>12.5g}\n", fragments[i].id, fragments[i].faces,
+        fmt::format_to(out, "  {:>6} {:>6} {:>8} {:>12.5g} {:>12.5g}\n", fragments[i].id,
+                       fragments[i].parent < 0 ? "" : std::to_string(fragments[i].parent), fragments[i].faces,
                        fragments[i].area, fragments[i].mass);
     if (fragments.size() > most)
         fmt::format_to(out, "  and {} smaller ones (--json lists all)\n", fragments.size() - most);
@@ -124,11 +130,16 @@ void add_last_step(std::string& text, const RunInfo& info) {
                    "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",
                    last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),
                    last.angular_momentum.x(), last.angular_momentum.y(), last.angular_momentum.z());
-    fmt::format_to(
-        out,
-        "solver       {} Newton iterations, at most {} stages of breaking a step, {} steps not converged\n",
-        info.newton_iterations, info.most_stages, info.unconverged_steps);
-    fmt::format_to(out, "peak strain  {:.5g} 1/m\n", info.peak_strain);
+    fmt::format_to(out,
+                   "solver       {} Newton iterations, at most {} stages of breaking a step, {} steps not "
+                   "converged, {} out "
+                   "of stages\n",
+                   info.newton_iterations, info.most_stages, info.unconverged_steps, info.capped_steps);
+    fmt::format_to(out, "peaks        strain {:.5g} 1/m, bending strain {:.5g} 1/m, stress {:.5g} Pa",
+                   info.peaks.peak_strain, info.peaks.peak_bending_strain, info.peaks.peak_stress);
+    if (info.peaks.peak_overload > 0)
+        fmt::format_to(out, ", {:.4g} times the strength", info.peaks.peak_overload);
+    text += "\n";
 }
 
 struct InfoOptions {
@@ -176,7 +187,8 @@ std::string run_info_json(const RunInfo& info) {
               {"vertices_split", info.splits}};
     json["fragments"] = Json::array();
     for (const FragmentInfo& f : info.fragments)
-        json["fragments"].push_back({{"id", f.id}, {"faces", f.faces}, {"area", f.area}, {"mass", f.mass}});
+        json["fragments"].push_back(
+            {{"id", f.id}, {"parent", f.parent}, {"faces", f.faces}, {"area", f.area}, {"mass", f.mass}});
     json["sheets"] = Json::array();
     for (const SheetInfo& s : info.sheets)
         json["sheets"].push_back({{"name", s.name}, {"faces", s.faces}, {"area", s.area}});
@@ -187,7 +199,11 @@ std::string run_info_json(const RunInfo& info) {
                       {"contact", last.contact}};
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};
-    json["peak_strain"] = info.peak_strain;
+    json["peak_strain"] = info.peaks.peak_strain;
+    json["peak_bending_strain"] = info.peaks.peak_bending_strain;
+    json["peak_stress"] = info.peaks.peak_stress;
+    json["peak_overload"] = info.peaks.peak_overload;
+    json["capped_steps"] = info.capped_steps;
     json["membrane_strain"] = nullptr;
     if (const auto& largest = info.membrane_strain)
         json["membrane_strain"] = {{"strain", largest->strain}, {"face", largest->face}};

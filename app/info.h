@@ -13,6 +13,7 @@ namespace sherd {
 /// A connected piece in the last frame.
 struct FragmentInfo {
     Index id = 0;
+    Index parent = -1;  ///< the piece that it was a part of; -1: it was there from the beginning
     std::size_t faces = 0;
     double area = 0;  ///< m^2, at rest
     double mass = 0;  ///< kg
@@ -42,9 +43,9 @@ struct RunInfo {
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
     std::optional<StepReport> last;                     ///< the last step, if there was one
     std::int64_t newton_iterations = 0;                 ///< of all steps
-    std::size_t unconverged_steps = 0;
-    Index most_stages = 0;   ///< of breaking in one step
-    double peak_strain = 0;  ///< 1/m, of the whole run
+    std::size_t unconverged_steps = 0, capped_steps = 0;
+    Index most_stages = 0;  ///< of breaking in one step
+    StepReport peaks;       ///< only its peaks: the largest of the whole run
 };
 
 /// Throws Error (input) when `file` is missing, not a recording or damaged.

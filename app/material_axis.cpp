@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "app/mesh_measures.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 
 namespace sherd {

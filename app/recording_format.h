@@ -12,7 +12,7 @@
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
-inline constexpr std::int64_t version = 1;
+inline constexpr std::int64_t version = 2;
 
 /// Calls visit(dataset name, meaning, array) for every array of a frame.
 template <class S, class Visit>
@@ -23,7 +23,8 @@ void visit_arrays(S& snapshot, Visit visit) {
     visit("vertex/original", {"1", "vertex of the unbroken mesh (/rest) that this one came from"},
           snapshot.original);
     visit("face/vertices", {"1", "the three corners, as rows of vertex/*"}, snapshot.faces);
-    visit("face/fragment", {"1", "number of the connected piece"}, snapshot.face_fragment);
+    visit("face/fragment", {"1", "number of the piece, which lasts: see /events/fragment"},
+          snapshot.face_fragment);
     visit("face/sheet", {"1", "row of /rest/sheet_names"}, snapshot.face_sheet);
     visit("edge/vertices", {"1", "the two end points, as rows of vertex/*"}, snapshot.edges);
     visit("edge/state",
@@ -58,8 +59,14 @@ struct Table<StepReport> {
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
         visit("fragments", {"1", "number of pieces"}, &R::fragments);
-        visit("peak_strain", {"1/m", "largest of an unbroken hinge before anything broke in the step"},
+        visit("peak_strain",
+              {"1/m",
+               "surface strain over half the thickness; largest of an unbroken hinge before anything "
+               "broke in the step, as are all peaks"},
               &R::peak_strain);
+        visit("peak_stress", {"Pa", "surface stress"}, &R::peak_stress);
+        visit("peak_bending_strain", {"1/m", "the paper's measure"}, &R::peak_bending_strain);
+        visit("peak_overload", {"1", "measure over strength; 0 where nothing can break"}, &R::peak_overload);
     }
 };
 
@@ -75,7 +82,9 @@ struct Table<EdgeFailure> {
         visit("edge", {"1", "row of edge/* of the frames"}, &R::edge);
         visit("vertices", {"1", "end points, rows of vertex/* of the frames"}, &R::vertices);
         visit("boundary_vertices", {"1", "0, 1, 2: B0, B1, B2"}, &R::boundary_vertices);
-        visit("strain", {"1/m", "that exceeded the strength"}, &R::strain);
+        visit("strain", {"1/m", "surface strain over half the thickness"}, &R::strain);
+        visit("stress", {"Pa", "surface stress"}, &R::stress);
+        visit("overload", {"1", "what it was judged by over its strength"}, &R::overload);
     }
 };
 
@@ -102,6 +111,20 @@ struct Table<VertexSplit> {
         visit("step", {"1"}, &R::step);
         visit("vertex", {"1", "the vertex that was split"}, &R::vertex);
         visit("created", {"1", "its copy"}, &R::created);
+    }
+};
+
+template <>
+struct Table<FragmentBirth> {
+    static constexpr const char* group = "events/fragment";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = FragmentBirth;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("fragment", {"1", "number of the new piece"}, &R::fragment);
+        visit("parent", {"1", "the piece that it was a part of, whose largest part keeps the number"},
+              &R::parent);
     }
 };
 

@@ -99,7 +99,7 @@ std::vector<StepReport> Recording::steps() const {
 CrackEvents Recording::events() const {
     return read_from(file, [](hid_t opened) {
         return CrackEvents{read_table<EdgeFailure>(opened), read_table<EdgeOpening>(opened),
-                           read_table<VertexSplit>(opened)};
+                           read_table<VertexSplit>(opened), read_table<FragmentBirth>(opened)};
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/format.h>
+
 #include "app/recording_format.h"
 #include "meshops/error.h"
 
@@ -13,7 +15,7 @@ using Stored = std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>;
 
 template <class Row>
 std::string column(const char* name) {
-    return std::string(Table<Row>::group) + "/" + name;
+    return fmt::format("{}/{}", Table<Row>::group, name);
 }
 
 template <class Row>

@@ -50,6 +50,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     create_table<EdgeFailure>(file);
     create_table<EdgeOpening>(file);
     create_table<VertexSplit>(file);
+    create_table<FragmentBirth>(file);
 }
 
 void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot) {
@@ -69,9 +70,10 @@ struct Extent {
         : steps(table_rows<StepReport>(file)),
           failures(table_rows<EdgeFailure>(file)),
           openings(table_rows<EdgeOpening>(file)),
-          splits(table_rows<VertexSplit>(file)) {}
+          splits(table_rows<VertexSplit>(file)),
+          births(table_rows<FragmentBirth>(file)) {}
 
-    std::size_t steps, failures, openings, splits;
+    std::size_t steps, failures, openings, splits, births;
 };
 
 /// Makes the file what it was before an append that failed half-way.
@@ -81,6 +83,7 @@ void roll_back(hid_t file, std::size_t frame, const Extent& before) {
     shorten_table<EdgeFailure>(file, before.failures);
     shorten_table<EdgeOpening>(file, before.openings);
     shorten_table<VertexSplit>(file, before.splits);
+    shorten_table<FragmentBirth>(file, before.births);
 }
 
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<const StepReport> steps,
@@ -91,6 +94,7 @@ void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<cons
         append_table<EdgeFailure>(file, events.failures);
         append_table<EdgeOpening>(file, events.openings);
         append_table<VertexSplit>(file, events.splits);
+        append_table<FragmentBirth>(file, events.births);
         write_frame(file, frame, snapshot);
     } catch (const Error&) {
         roll_back(file, frame, before);
@@ -107,7 +111,7 @@ std::size_t append_bytes(const Snapshot& snapshot, std::span<const StepReport> s
     return 80 * snapshot.position.cols() + 24 * snapshot.faces.size() + 24 * snapshot.edges.size() +
            2 * sizeof(StepReport) * steps.size() + 2 * sizeof(EdgeFailure) * events.failures.size() +
            2 * sizeof(EdgeOpening) * events.openings.size() + 2 * sizeof(VertexSplit) * events.splits.size() +
-           append_overhead;
+           2 * sizeof(FragmentBirth) * events.births.size() + append_overhead;
 }
 
 std::size_t head_bytes(const RecordingHeader& header) {

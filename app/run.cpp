@@ -29,7 +29,7 @@ void interrupt(int) {
 struct Totals {
     std::size_t cracks = 0, unconverged = 0, capped = 0;
     std::int64_t newton_iterations = 0;
-    double peak_strain = 0;
+    StepReport peaks;
     StepReport last;
 };
 
@@ -64,7 +64,7 @@ void Runner::step() {
     totals.unconverged += !report.converged;
     totals.capped += report.stage_cap_reached;
     totals.newton_iterations += report.newton_iterations;
-    totals.peak_strain = std::max(totals.peak_strain, report.peak_strain);
+    raise_peaks(totals.peaks, report);
     totals.last = report;
     unrecorded.push_back(report);
     append(unrecorded_events, events);
@@ -106,10 +106,12 @@ void Runner::print_summary(const std::string& end, const std::filesystem::path& 
                         static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     row("cracked edges", fmt::format("{}", totals.cracks));
     row("fragments", fmt::format("{}", totals.last.fragments));
-    row("peak strain",
-        fmt::format(
-            "{:.4g} 1/m{}", totals.peak_strain,
-            totals.cracks == 0 ? " (no hinge broke; to break it, try a threshold of half of that)" : ""));
+    row("peak strain", fmt::format("{:.4g} 1/m (of bending alone: {:.4g} 1/m)", totals.peaks.peak_strain,
+                                   totals.peaks.peak_bending_strain));
+    row("peak stress", fmt::format("{:.4g} Pa", totals.peaks.peak_stress));
+    if (totals.peaks.peak_overload > 0)
+        row("peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
+    if (totals.cracks == 0) row("", "no hinge broke; to break it, try half of a peak as its strength");
     if (totals.unconverged > 0) row("unconverged steps", fmt::format("{}", totals.unconverged));
     if (totals.capped > 0) row("steps out of stages", fmt::format("{}", totals.capped));
 }

@@ -69,6 +69,10 @@ SolverSpec read_solver(TomlTable& table) {
     solver.bending = read_bending(table);
     solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
     solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
+    if (table.has("rule")) {
+        constexpr std::array<std::string_view, 2> rules{"staged", "paper"};
+        if (table.choice("rule", rules) == "paper") solver.rule = BreakingRule::paper;
+    }
     solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));
     if (auto damping = table.table("damping")) {
         solver.damping.stiffness = damping->number("stiffness", "s", not_negative, 0);

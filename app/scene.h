@@ -14,6 +14,7 @@
 #include "core/damping.h"
 #include "core/material.h"
 #include "core/sheet_energies.h"
+#include "fracture/breaking.h"
 
 namespace sherd {
 
@@ -61,6 +62,12 @@ struct LoadSpec {
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
 };
 
+/// `[sheet.NAME.fracture]`.
+struct FractureSpec {
+    Strength strength;                             ///< without factors
+    double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
+};
+
 struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile> mesh;
@@ -68,8 +75,8 @@ struct SheetSpec {
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     Material material;
-    MaterialAxis axis;            ///< of a material that has directions
-    double strain_threshold = 0;  ///< 1/m; 0: does not break
+    MaterialAxis axis;                     ///< of a material that has directions
+    std::optional<FractureSpec> fracture;  ///< none: it does not break
     std::vector<Selection> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
@@ -88,7 +95,8 @@ struct SolverSpec {
     BendingOptions bending;   ///< energy and Jacobian of the hinges
     int max_iterations = 50;  ///< Newton iterations a step
     double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
-    int max_stages = 100;     ///< of breaking, a step
+    BreakingRule rule = BreakingRule::staged;
+    int max_stages = 100;  ///< of staged breaking, a step
     Damping damping;
 };
 

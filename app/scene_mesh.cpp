@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "app/mesh_measures.h"
 #include "app/scene_shape.h"
 #include "app/toml_table.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
 #include "meshops/generate.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh.h"
 

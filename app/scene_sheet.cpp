@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "app/scene_fracture.h"
 #include "app/scene_material.h"
 #include "app/scene_shape.h"
 #include "app/scene_support.h"
@@ -76,10 +77,7 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");
     }
-    if (auto fracture = table.table("fracture")) {
-        sheet.strain_threshold = fracture->number("strain", "1/m", positive);
-        fracture->finish();
-    }
+    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture);
     read_supports(table, sheet);
     table.finish();
     return sheet;

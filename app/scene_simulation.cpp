@@ -5,12 +5,13 @@
 
 #include <cmath>
 
-#include "app/mesh_measures.h"
 #include "app/scene_force.h"
 #include "app/scene_mesh.h"
 #include "app/scene_support.h"
+#include "app/sheet_strength.h"
 #include "core/stability.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 
 namespace sherd {
 namespace {
@@ -45,12 +46,15 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     input.material = sheet.material;
     std::vector<std::string> axis_warnings;
     std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
-    if (!is_isotropic(sheet.material)) {
+    const bool directed =
+        !is_isotropic(sheet.material) ||
+        (sheet.fracture && sheet.fracture->strength.along != sheet.fracture->strength.across);
+    if (directed) {
         input.axes = std::move(axes);
         warnings.insert(warnings.end(), axis_warnings.begin(), axis_warnings.end());
     }
     warn_of_stretching(input, sheet, warnings);
-    input.strain_threshold = sheet.strain_threshold;
+    if (sheet.fracture) input.strength = sheet_strength(sheet, scene, input.mesh);
     input.velocity = sheet.velocity;
     input.spin = sheet.spin;
     require_stability(input, sheet, scene.solver.bending.model);
@@ -64,6 +68,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     options.bending = scene.solver.bending;
     options.max_iterations = scene.solver.max_iterations;
     options.tolerance = scene.solver.tolerance;
+    options.rule = scene.solver.rule;
     options.max_stages = scene.solver.max_stages;
     options.damping = scene.solver.damping;
     for (const PlaneSpec& plane : scene.planes)

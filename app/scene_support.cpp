@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
-#include "app/mesh_measures.h"
 #include "app/scene_mesh.h"
 #include "core/orthotropy.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
+#include "meshops/mesh_measures.h"
 
 namespace sherd {
 namespace {

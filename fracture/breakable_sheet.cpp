@@ -44,8 +44,10 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
         if (const std::string broken = broken_inequality(elastic_constants(input.material)); !broken.empty())
             throw Error("sheet " + number + ": inadmissible material: " + broken);
         const std::size_t faces = input.mesh.number_of_faces();
-        if (input.axes.size() != faces && !(input.axes.empty() && is_isotropic(input.material)))
-            throw Error("sheet " + number + ": an orthotropic material needs an axis for each of " +
+        const bool directed = !is_isotropic(input.material) || input.strength.along != input.strength.across;
+        if (input.axes.size() != faces && (directed || !input.axes.empty()))
+            throw Error("sheet " + number +
+                        ": a material or a strength with directions needs an axis for each of " +
                         std::to_string(faces) + " faces, not " + std::to_string(input.axes.size()));
         all.insert(all.end(), input.axes.begin(), input.axes.end());
         if (input.axes.empty()) all.resize(all.size() + faces, Vector3d::Zero());
@@ -66,6 +68,7 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
     const std::vector<Vector3d> axes = joined_axes(inputs);
     add_triangles(inputs, axes);
     add_hinges(inputs, axes);
+    add_strengths(inputs);
     add_footprints();
     first_vertex = 0;
     for (const SheetInput& input : inputs) {
@@ -94,6 +97,7 @@ void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const 
         const MembraneTriangle membrane =
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
         sheet.triangles.push_back({vertices, membrane});
+        face_area.push_back(membrane.area);
         face_mass.push_back(membrane.area * material.thickness * material.density);
         for (const Index vertex : vertices) sheet.mass[vertex] += face_mass.back() / 3;
     }
@@ -107,14 +111,35 @@ void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs, const std
         const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
                                         mesh().face(mesh().halfedge(edge, 1))};
         const SheetInput& input = inputs[sheet_of_face[faces[0]]];
-        if (input.strain_threshold > 0) edge_strength.back() = input.strain_threshold;
         edge_hinge.back() = number(sheet.hinges.size());
         hinge_edge.push_back(edge);
         const std::array<Index, 4> vertices = hinge_vertices(edge);
         const double angle =
             hinge_axis_angle(hinge_positions(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
+        edge_strength.back() = directional_strength(input.strength, angle);
         sheet.hinges.push_back(hinge_stencil(sheet, vertices, hinge_stiffness(input.material, angle)));
     }
+}
+
+void BreakableSheet::add_strengths(const std::vector<SheetInput>& inputs) {
+    std::size_t first_edge = 0;
+    for (const SheetInput& input : inputs) {
+        const std::vector<double>& factors = input.strength.factors;
+        const std::size_t edges = input.mesh.number_of_edges();
+        if (!factors.empty() && factors.size() != edges)
+            throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
+                        std::to_string(factors.size()) + " factors of the strength for " +
+                        std::to_string(edges) + " edges");
+        for (std::size_t e = 0; e < factors.size(); ++e) edge_strength[first_edge + e] *= factors[e];
+        first_edge += edges;
+        measures.push_back(input.strength.measure);
+        crack_tip_factors.push_back(input.strength.crack_tip_factor);
+    }
+}
+
+Index BreakableSheet::sheet_of(Edge edge) const {
+    const Halfedge h = mesh().halfedge(edge);
+    return sheet_of_face[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
 }
 
 void BreakableSheet::add_footprints() {

@@ -6,6 +6,7 @@
 
 #include "core/sheet.h"
 #include "fracture/crack_mesh.h"
+#include "fracture/strength.h"
 
 namespace sherd {
 
@@ -14,8 +15,8 @@ struct SheetInput {
     Mesh mesh;  ///< at rest, where it starts, m
     Material material;
     std::vector<Vector3d>
-        axes;  ///< [F] first material axis of each face, in its plane; isotropic: may be empty
-    double strain_threshold = 0;           ///< 1/m; 0: does not break
+        axes;  ///< [F] first material axis of each face, in its plane; may be empty when no direction differs
+    Strength strength;                     ///< by default it does not break
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that stay where they are
@@ -25,8 +26,9 @@ struct SheetInput {
 /// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
 class BreakableSheet {
   public:
-    /// inputs: at least one. Throws Error when a material's constants are inadmissible, or an orthotropic one
-    /// has no axis for each face.
+    /// inputs: at least one. Throws Error when a material's constants are inadmissible, when material or
+    /// strength have directions and there is no axis for each face, or when the strength's factors are not as
+    /// many as the edges.
     explicit BreakableSheet(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -38,16 +40,22 @@ class BreakableSheet {
     Edge edge_of_hinge(std::size_t hinge) const { return hinge_edge[hinge]; }
     /// Number of the edge's hinge in mechanics().hinges, -1 when it has none.
     Index hinge_of_edge(Edge edge) const { return edge_hinge[edge]; }
-    /// Bending strain over which the hinge of `edge` fails, 1/m; infinite when it cannot.
+    /// What the hinge of `edge` withstands, in the unit of its sheet's measure; infinite when it cannot fail.
     double strength(Edge edge) const { return edge_strength[edge]; }
+    /// By what the hinge of `edge` is judged.
+    Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
+    double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
+    std::span<const double> face_areas() const { return face_area; }  ///< [F] at rest, m^2
 
     /// Lets the hinges of `edges` fail, opens the mesh and carries all data over. Vertices are appended.
     CrackMesh::Change fail(std::span<const Edge> edges);
 
   private:
+    Index sheet_of(Edge edge) const;
     void add_vertices(const SheetInput& input, Index first_vertex);
     void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
+    void add_strengths(const std::vector<SheetInput>& inputs);
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
@@ -60,7 +68,9 @@ class BreakableSheet {
     Sheet sheet;
     std::vector<Index> original_vertex, sheet_of_face, edge_hinge;
     std::vector<Edge> hinge_edge;
-    std::vector<double> edge_strength, face_mass;  ///< face_mass: [F] kg
+    std::vector<Measure> measures;  ///< of each input
+    std::vector<double> crack_tip_factors;
+    std::vector<double> edge_strength, face_mass, face_area;  ///< face_mass: [F] kg
 };
 
 }  // namespace sherd

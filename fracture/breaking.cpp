@@ -22,26 +22,32 @@ std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
     return vertices;
 }
 
+bool continues_a_crack(const BreakableSheet& sheet, Edge edge) {
+    return sheet.cracks().is_tip(sheet.mesh().vertex(edge, 0)) ||
+           sheet.cracks().is_tip(sheet.mesh().vertex(edge, 1));
+}
+
 }  // namespace
 
-std::vector<Edge> failing_edges(const BreakableSheet& sheet, const VectorXd& strains,
-                                double crack_tip_factor) {
+double overload(const BreakableSheet& sheet, const HingeMeasures& measures, Edge edge, bool crack_tips) {
+    const Index hinge = sheet.hinge_of_edge(edge);
+    if (hinge < 0) return 0;
+    const double measure = measures.of(sheet.measure(edge), hinge);
+    if (measure <= 0) return 0;
+    const double factor = crack_tips && continues_a_crack(sheet, edge) ? sheet.crack_tip_factor(edge) : 1;
+    return measure / (sheet.strength(edge) * factor);
+}
+
+std::vector<Edge> most_overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures) {
     const Mesh& mesh = sheet.mesh();
-    const auto overload = [&](Edge edge) {
-        const Index hinge = sheet.hinge_of_edge(edge);
-        if (hinge < 0 || strains[hinge] <= 0) return 0.0;
-        const bool continues =
-            sheet.cracks().is_tip(mesh.vertex(edge, 0)) || sheet.cracks().is_tip(mesh.vertex(edge, 1));
-        return strains[hinge] / (sheet.strength(edge) * (continues ? crack_tip_factor : 1));
-    };
     const auto beats = [&](Edge edge, double ratio, Edge other) {
-        const double rival = overload(other);
+        const double rival = overload(sheet, measures, other, true);
         return rival > ratio || (rival == ratio && other < edge);
     };
     std::vector<Edge> failing;
     for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i) {
         const Edge edge = sheet.edge_of_hinge(i);
-        const double ratio = overload(edge);
+        const double ratio = overload(sheet, measures, edge, true);
         if (!(ratio > 1)) continue;
         bool most = true;
         for (const Vertex vertex : neighbourhood(mesh, edge))
@@ -49,6 +55,15 @@ std::vector<Edge> failing_edges(const BreakableSheet& sheet, const VectorXd& str
                 most = most && (mesh.edge(h) == edge || !beats(edge, ratio, mesh.edge(h)));
         if (most) failing.push_back(edge);
     }
+    std::sort(failing.begin(), failing.end());
+    return failing;
+}
+
+std::vector<Edge> overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures) {
+    std::vector<Edge> failing;
+    for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i)
+        if (overload(sheet, measures, sheet.edge_of_hinge(i), false) > 1)
+            failing.push_back(sheet.edge_of_hinge(i));
     std::sort(failing.begin(), failing.end());
     return failing;
 }

@@ -8,6 +8,7 @@ void append(CrackEvents& events, const CrackEvents& later) {
     add(events.failures, later.failures);
     add(events.openings, later.openings);
     add(events.splits, later.splits);
+    add(events.births, later.births);
 }
 
 }  // namespace sherd

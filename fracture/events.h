@@ -17,7 +17,9 @@ struct EdgeFailure {
     Index edge = 0;
     std::array<Index, 2> vertices{};  ///< end points
     Index boundary_vertices = 0;      ///< 0, 1, 2: the paper's B0, B1, B2 when it failed
-    double strain = 0;                ///< measure that exceeded the strength (1/m)
+    double strain = 0;                ///< surface strain over half the thickness (1/m)
+    double stress = 0;                ///< surface stress (Pa)
+    double overload = 0;              ///< its measure over its strength, above 1
 };
 
 /// A failed edge that opened: `edge` stays with one face, `created` is the new edge of the other face.
@@ -36,11 +38,20 @@ struct VertexSplit {
     Index created = 0;
 };
 
+/// A new piece. Those that are there from the beginning have no event.
+struct FragmentBirth {
+    double time = 0;
+    std::int64_t step = 0;
+    Index fragment = 0;
+    Index parent = 0;  ///< the piece that it was a part of, which goes on under its old number
+};
+
 /// What cracked, in order.
 struct CrackEvents {
     std::vector<EdgeFailure> failures;
     std::vector<EdgeOpening> openings;
     std::vector<VertexSplit> splits;
+    std::vector<FragmentBirth> births;
 };
 
 /// Appends later events.

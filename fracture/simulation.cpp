@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fracture/breaking.h"
-#include "fracture/opening_strain.h"
+#include "fracture/hinge_measures.h"
 
 namespace sherd {
 namespace {
@@ -44,8 +43,8 @@ void set_guides(Sheet& sheet, const std::vector<SlidingVertex>& sliding) {
     }
 }
 
-double largest(const VectorXd& strains) {
-    return strains.size() == 0 ? 0 : strains.maxCoeff();
+double largest(const VectorXd& measures) {
+    return measures.size() == 0 ? 0 : measures.maxCoeff();
 }
 
 }  // namespace
@@ -54,7 +53,7 @@ Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOp
     : options(options),
       breakable(inputs),
       time_step(breakable.mechanics(), time_step_options(options, breakable.mechanics())),
-      fragments(connected_components(breakable.mesh())) {
+      fragments(breakable.mesh(), breakable.face_areas()) {
     set_guides(breakable.mechanics(), options.sliding);
 }
 
@@ -66,24 +65,31 @@ StepReport Simulation::step() {
 
     time_step.begin();
     NewtonResult newton = solve_stage(report, options.max_iterations);
-    VectorXd strains = opening_strains(breakable, time_step.position);
-    report.peak_strain = largest(strains);
+    const HingeMeasures measures = hinge_measures(breakable, time_step.position);
+    report_peaks(report, measures);
+    if (options.rule == BreakingRule::staged)
+        newton = break_in_stages(report, newton, measures);
+    else if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
+        break_edges(failing, measures, report.stages++);
+    report.converged = newton.converged;
+    finish(report);
+    return report;
+}
+
+NewtonResult Simulation::break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures) {
     for (;;) {
-        const std::vector<Edge> failing = failing_edges(breakable, strains, options.crack_tip_factor);
+        const std::vector<Edge> failing = most_overloaded_edges(breakable, measures);
         report.stage_cap_reached = !failing.empty() && report.stages == options.max_stages;
         if (!failing.empty() && !report.stage_cap_reached) {
-            break_edges(failing, strains, report.stages++);
+            break_edges(failing, measures, report.stages++);
             newton = solve_stage(report, iterations_between_stages);
         } else if (!newton.converged && newton.iterations == iterations_between_stages) {
             newton = solve_stage(report, options.max_iterations);
         } else {
-            break;
+            return newton;
         }
-        strains = opening_strains(breakable, time_step.position);
+        measures = hinge_measures(breakable, time_step.position);
     }
-    report.converged = newton.converged;
-    finish(report);
-    return report;
 }
 
 NewtonResult Simulation::solve_stage(StepReport& report, int max_iterations) {
@@ -92,8 +98,8 @@ NewtonResult Simulation::solve_stage(StepReport& report, int max_iterations) {
     return result;
 }
 
-void Simulation::break_edges(std::span<const Edge> edges, const VectorXd& strains, Index stage) {
-    record_failures(edges, strains, stage);
+void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
+    record_failures(edges, measures, stage);
     const CrackMesh::Change change = breakable.fail(edges);
     record_change(change);
     time_step.position.conservativeResize(3, breakable.mechanics().position.cols());
@@ -102,7 +108,7 @@ void Simulation::break_edges(std::span<const Edge> edges, const VectorXd& strain
     time_step.stencils_changed();
 }
 
-void Simulation::record_failures(std::span<const Edge> edges, const VectorXd& strains, Index stage) {
+void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
     const Mesh& mesh = breakable.mesh();
     for (const Edge edge : edges) {
         EdgeFailure failure;
@@ -112,7 +118,10 @@ void Simulation::record_failures(std::span<const Edge> edges, const VectorXd& st
         failure.edge = static_cast<Index>(edge);
         failure.vertices = {static_cast<Index>(mesh.vertex(edge, 0)),
                             static_cast<Index>(mesh.vertex(edge, 1))};
-        failure.strain = strains[breakable.hinge_of_edge(edge)];
+        const Index hinge = breakable.hinge_of_edge(edge);
+        failure.strain = measures.strain[hinge];
+        failure.stress = measures.stress[hinge];
+        failure.overload = overload(breakable, measures, edge, options.rule == BreakingRule::staged);
         events.failures.push_back(failure);
     }
 }
@@ -127,9 +136,26 @@ void Simulation::record_change(const CrackMesh::Change& change) {
         events.splits.push_back({time(), steps, static_cast<Index>(vertex), static_cast<Index>(created)});
 }
 
+void Simulation::update_fragments() {
+    const Index before = fragments.count();
+    fragments.update(breakable.mesh(), breakable.face_areas());
+    for (Index fragment = before; fragment < fragments.count(); ++fragment)
+        events.births.push_back({time(), steps, fragment, fragments.parents()[fragment]});
+}
+
+void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
+    report.peak_strain = largest(measures.strain);
+    report.peak_stress = largest(measures.stress);
+    report.peak_bending_strain = largest(measures.bending);
+    for (std::size_t i = 0; i < breakable.mechanics().hinges.size(); ++i)
+        report.peak_overload = std::max(
+            report.peak_overload,
+            overload(breakable, measures, breakable.edge_of_hinge(i), options.rule == BreakingRule::staged));
+}
+
 void Simulation::finish(StepReport& report) {
     time_step.finish();
-    if (report.stages > 0) fragments = connected_components(breakable.mesh());
+    if (report.stages > 0) update_fragments();
     const PotentialEnergies potential = time_step.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
@@ -139,11 +165,11 @@ void Simulation::finish(StepReport& report) {
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     report.contacts = time_step.contacts();
-    report.fragments = fragments.count;
+    report.fragments = fragments.count();
 }
 
 Snapshot Simulation::snapshot() const {
-    Snapshot snapshot = take_snapshot(breakable, fragments.of_face);
+    Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;
     snapshot.time = time();
     return snapshot;

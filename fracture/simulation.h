@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/time_step.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breaking.h"
 #include "fracture/events.h"
+#include "fracture/fragments.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
-#include "meshops/components.h"
 
 namespace sherd {
 
@@ -25,10 +25,10 @@ struct SimulationOptions {
     std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
     std::vector<SlidingVertex> sliding;
     Damping damping;
-    int max_iterations = 50;        ///< of Newton's method, between two stages
-    double tolerance = 1e-6;        ///< largest last Newton correction, in mean edge lengths
-    int max_stages = 100;           ///< of breaking in one step
-    double crack_tip_factor = 0.7;  ///< times the strength of a hinge that continues a crack
+    int max_iterations = 50;  ///< of Newton's method, between two stages
+    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
+    BreakingRule rule = BreakingRule::staged;
+    int max_stages = 100;  ///< of staged breaking in one step
 };
 
 /// Sheets that move, bend and break.
@@ -39,7 +39,7 @@ class Simulation {
     Simulation(const Simulation&) = delete;  // the time step refers to the sheet
 
     /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
-    /// again until none is over its strength.
+    /// again until none is over its strength (or, by the paper's rule, break all overloaded ones at its end).
     StepReport step();
 
     Snapshot snapshot() const;
@@ -49,16 +49,20 @@ class Simulation {
     double time() const { return static_cast<double>(steps) * options.step; }  ///< s
 
   private:
+    /// Breaks and solves again until nothing is overloaded; returns the last solution's result.
+    NewtonResult break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures);
     NewtonResult solve_stage(StepReport& report, int max_iterations);
-    void break_edges(std::span<const Edge> edges, const VectorXd& strains, Index stage);
-    void record_failures(std::span<const Edge> edges, const VectorXd& strains, Index stage);
+    void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
+    void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
+    void update_fragments();
+    void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
 
     SimulationOptions options;
     BreakableSheet breakable;
     TimeStep time_step;
-    Components fragments;
+    Fragments fragments;
     CrackEvents events;
     std::int64_t steps = 0;
 };

@@ -2,7 +2,7 @@
 #include "fracture/snapshot.h"
 
 #include "fracture/breakable_sheet.h"
-#include "fracture/opening_strain.h"
+#include "fracture/hinge_measures.h"
 
 namespace sherd {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "core/vector.h"
 
 namespace sherd {
@@ -25,7 +27,19 @@ struct StepReport {
     bool stage_cap_reached = false;
     Index contacts = 0;  ///< vertices in contact
     Index fragments = 0;
-    double peak_strain = 0;  ///< 1/m, largest measure of an unbroken hinge before anything broke in this step
+
+    // Largest of the unbroken hinges before anything broke in this step: see HingeMeasures.
+    double peak_strain = 0;          ///< 1/m, surface strain over half the thickness
+    double peak_stress = 0;          ///< Pa, surface stress
+    double peak_bending_strain = 0;  ///< 1/m, the paper's
+    double peak_overload = 0;        ///< measure over strength; 0 where nothing can break
 };
+
+/// Makes the peaks of `peaks` at least those of `step`.
+inline void raise_peaks(StepReport& peaks, const StepReport& step) {
+    for (double StepReport::*peak : {&StepReport::peak_strain, &StepReport::peak_stress,
+                                     &StepReport::peak_bending_strain, &StepReport::peak_overload})
+        peaks.*peak = std::max(peaks.*peak, step.*peak);
+}
 
 }  // namespace sherd

@@ -61,6 +61,10 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
             iterations += step.newton_iterations;
         }
     EXPECT_EQ(info["peak_strain"], peak);
+    EXPECT_NEAR(info["peak_stress"], 3e7 + 1, 0.1);
+    EXPECT_NEAR(info["peak_bending_strain"], 2, 0.1);
+    EXPECT_NEAR(info["peak_overload"], 1.5, 0.1);
+    EXPECT_EQ(info["capped_steps"], 1) << "step 11";
     EXPECT_EQ(info["newton_iterations"], iterations);
     EXPECT_EQ(info["unconverged_steps"], 2);
     EXPECT_EQ(info["most_stages"], 3);
@@ -100,6 +104,8 @@ TEST(Info, FragmentsShareOutTheWholeSheet) {
     double area = 0, mass = 0, rest_area = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(fragments[i]["id"], i);
+        EXPECT_EQ(fragments[i]["parent"], static_cast<int>(i) - 1)
+            << "the synthetic run tears one off another";
         EXPECT_EQ(fragments[i]["faces"], i < 2 ? 24 : 48);
         area += fragments[i]["area"].get<double>();
         mass += fragments[i]["mass"].get<double>();
@@ -155,7 +161,8 @@ TEST(Info, ListsTheLargestFragmentsForPeople) {
     for (const char* word : {"complete", "20 steps", "3 frames", "75 vertices", "8 edges failed", "kinetic",
                              "membrane     strain"})
         EXPECT_NE(text.find(word), std::string::npos) << word << " is not in\n" << text;
-    for (Index i = 3; i < 50; ++i) info.fragments.push_back({i, 1, 1e-6 * i, 1e-6});
+    for (Index i = 3; i < 50; ++i)
+        info.fragments.push_back({.id = i, .parent = 0, .faces = 1, .area = 1e-6 * i, .mass = 1e-6});
     EXPECT_NE(run_info_text(info).find("and 30 smaller ones"), std::string::npos);
 }
 

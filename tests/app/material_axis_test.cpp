@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/mesh_measures.h"
 #include "meshops/error.h"
 #include "meshops/generate.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "tests/support/ply_square.h"
 #include "tests/support/png_file.h"

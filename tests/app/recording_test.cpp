@@ -63,7 +63,8 @@ void expect_same(const StepReport& a, const StepReport& b) {
     EXPECT_EQ(a.step, b.step);
     for (const auto member :
          {&StepReport::time, &StepReport::step_size, &StepReport::kinetic, &StepReport::bending,
-          &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain})
+          &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain,
+          &StepReport::peak_stress, &StepReport::peak_bending_strain, &StepReport::peak_overload})
         EXPECT_TRUE(same(a.*member, b.*member));
     EXPECT_TRUE(same(a.linear_momentum, b.linear_momentum));
     EXPECT_TRUE(same(a.angular_momentum, b.angular_momentum));
@@ -80,6 +81,7 @@ void expect_same(const CrackEvents& a, const CrackEvents& b) {
     for (std::size_t i = 0; i < a.failures.size(); ++i) {
         const EdgeFailure &x = a.failures[i], &y = b.failures[i];
         EXPECT_TRUE(same(x.time, y.time) && same(x.strain, y.strain));
+        EXPECT_TRUE(same(x.stress, y.stress) && same(x.overload, y.overload));
         EXPECT_EQ(std::tie(x.step, x.stage, x.edge, x.vertices, x.boundary_vertices),
                   std::tie(y.step, y.stage, y.edge, y.vertices, y.boundary_vertices));
     }
@@ -93,6 +95,12 @@ void expect_same(const CrackEvents& a, const CrackEvents& b) {
         const VertexSplit &x = a.splits[i], &y = b.splits[i];
         EXPECT_EQ(std::tie(x.time, x.step, x.vertex, x.created),
                   std::tie(y.time, y.step, y.vertex, y.created));
+    }
+    ASSERT_EQ(a.births.size(), b.births.size());
+    for (std::size_t i = 0; i < a.births.size(); ++i) {
+        const FragmentBirth &x = a.births[i], &y = b.births[i];
+        EXPECT_EQ(std::tie(x.time, x.step, x.fragment, x.parent),
+                  std::tie(y.time, y.step, y.fragment, y.parent));
     }
 }
 
@@ -109,6 +117,7 @@ void expect_recorded(const fs::path& file, const SyntheticRun& run, std::size_t 
         events.failures.insert(events.failures.end(), e.failures.begin(), e.failures.end());
         events.openings.insert(events.openings.end(), e.openings.begin(), e.openings.end());
         events.splits.insert(events.splits.end(), e.splits.begin(), e.splits.end());
+        events.births.insert(events.births.end(), e.births.begin(), e.births.end());
     }
     const std::vector<StepReport> recorded = recording.steps();
     ASSERT_EQ(recorded.size(), steps.size());
@@ -359,8 +368,8 @@ TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
     hdf5::create_file(folder.path / "foreign.h5");
     expect_error(opening("foreign.h5"), Fault::input, {"foreign.h5", "not a recording"});
     record(synthetic_run(), folder.path / "newer.h5");
-    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{2});
-    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 2"});
+    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{3});
+    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 3"});
     const std::string whole = folder.contents().at(folder.path / "newer.h5");
     folder.write("cut.h5", whole.substr(0, whole.size() / 2));
     expect_error(opening("cut.h5"), Fault::input, {"cut.h5", "damaged"});

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/mesh_measures.h"
 #include "app/profile.h"
 #include "app/scene_mesh.h"
 #include "app/toml_table.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -74,7 +74,8 @@ every = 0.25
     EXPECT_EQ(sheet.material.density, 2500) << "of the preset";
     EXPECT_EQ(sheet.material.thickness, 0.01) << "given keys win over the preset";
     EXPECT_EQ(sheet.material.poisson, 0.1);
-    EXPECT_EQ(sheet.strain_threshold, 12.5);
+    EXPECT_EQ(sheet.fracture->strength.along, 12.5);
+    EXPECT_EQ(sheet.fracture->strength.across, 12.5);
     ASSERT_EQ(sheet.pins.size(), 2u);
     EXPECT_TRUE(sheet.pins[0].boundary);
     EXPECT_EQ(sheet.pins[1].box->first, Vector3d(0, 1, 2));
@@ -83,7 +84,7 @@ every = 0.25
     EXPECT_EQ(cylinder.shape, "cylinder");
     EXPECT_EQ(cylinder.height, 2);
     EXPECT_TRUE(cylinder.structured);
-    EXPECT_EQ(scene.sheets[1].strain_threshold, 0) << "without [fracture] a sheet does not break";
+    EXPECT_FALSE(scene.sheets[1].fracture) << "without [fracture] a sheet does not break";
     ASSERT_EQ(scene.planes.size(), 1u);
     EXPECT_EQ(scene.planes[0].name, "wall");
     EXPECT_EQ(scene.planes[0].normal, Vector3d(1, 0, 0)) << "made a unit vector";

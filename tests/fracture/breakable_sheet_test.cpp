@@ -18,7 +18,7 @@ SheetInput input(Mesh mesh) {
     SheetInput sheet;
     sheet.mesh = std::move(mesh);
     sheet.material = {2400, 0.01, 1e9, 0.2};
-    sheet.strain_threshold = 0.5;
+    sheet.strength = uniform_strength(0.5);
     return sheet;
 }
 
@@ -76,7 +76,7 @@ TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
     SheetInput first = input(test::grid(3, 2)), second = input(test::grid(1, 1));
     second.velocity = Vector3d(0, 0, -2);
     second.spin = Vector3d(0, 0, 4);
-    second.strain_threshold = 0;
+    second.strength = {};
     const BreakableSheet sheet({first, second});
     EXPECT_NEAR(sheet.mechanics().mass.sum(), 7 * 0.01 * 2400, 1e-9);
     EXPECT_EQ(sheet.face_sheet()[11], 0);

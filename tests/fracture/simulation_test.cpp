@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fracture/breaking.h"
-#include "fracture/opening_strain.h"
+#include "fracture/hinge_measures.h"
 #include "meshops/generate.h"
 #include "tests/support/mesh_shapes.h"
 
@@ -80,7 +80,7 @@ TEST(Simulation, ElasticForcesBalanceOnAnyDeformation) {
 
 Simulation falling_disc(double strain_threshold) {
     SheetInput plate = disc(0.1, 0.012);
-    plate.strain_threshold = strain_threshold;
+    plate.strength = uniform_strength(strain_threshold);
     for (const Vertex vertex : plate.mesh.vertices()) {
         const Point p = plate.mesh.point(vertex);
         const double tilt = 0.3;
@@ -117,8 +117,9 @@ TEST(Simulation, BreaksWithoutGainingEnergyAndRecordsEveryEvent) {
     for (std::size_t e = 0; e < before.edges.size(); ++e)
         failed += after.edge_state[e] != before.edge_state[e];
     EXPECT_EQ(failed, events.failures.size());
-    const VectorXd strains = opening_strains(simulation.sheet(), simulation.sheet().mechanics().position);
-    EXPECT_LE(strains.maxCoeff(), 0.3);
+    const HingeMeasures measures =
+        hinge_measures(simulation.sheet(), simulation.sheet().mechanics().position);
+    EXPECT_LE(measures.strain.maxCoeff(), 0.3);
 }
 
 TEST(Simulation, GivesTheSameBitsTwice) {
@@ -129,86 +130,6 @@ TEST(Simulation, GivesTheSameBitsTwice) {
     }
     EXPECT_TRUE(first.snapshot().position == second.snapshot().position);
     EXPECT_EQ(first.snapshot().faces, second.snapshot().faces);
-}
-
-// A stage breaks the worst hinges only; its neighbours are judged again after the sheet has relaxed.
-TEST(Breaking, PicksTheMostOverloadedWithinTwoRings) {
-    SheetInput flat;
-    flat.mesh = test::grid(12, 4);
-    flat.material = {1000, 0.01, 1e7, 0.3};
-    flat.strain_threshold = 0.1;
-    const BreakableSheet sheet({flat});
-    VectorXd strains = VectorXd::Zero(static_cast<Eigen::Index>(sheet.mechanics().hinges.size()));
-    const auto hinge_at = [&](unsigned a, unsigned b) {
-        return sheet.hinge_of_edge(sheet.mesh().edge(sheet.mesh().halfedge(Vertex(a), Vertex(b))));
-    };
-    strains[hinge_at(15, 28)] = 0.3;   // worst of the left half
-    strains[hinge_at(16, 29)] = 0.2;   // one ring away
-    strains[hinge_at(22, 35)] = 0.15;  // far away
-    strains[hinge_at(36, 49)] = 0.05;  // not overloaded
-    std::vector<Edge> expected{sheet.edge_of_hinge(hinge_at(15, 28)), sheet.edge_of_hinge(hinge_at(22, 35))};
-    std::sort(expected.begin(), expected.end());
-    EXPECT_EQ(failing_edges(sheet, strains, 1), expected);
-    // Negative strain presses the edge together.
-    strains[hinge_at(22, 35)] = -0.3;
-    expected = {sheet.edge_of_hinge(hinge_at(15, 28))};
-    EXPECT_EQ(failing_edges(sheet, strains, 1), expected);
-    strains.setConstant(0.2);  // a tie everywhere breaks somewhere, and not everywhere
-    const std::size_t count = failing_edges(sheet, strains, 1).size();
-    EXPECT_GT(count, 0u);
-    EXPECT_LT(count, sheet.mechanics().hinges.size() / 20);
-}
-
-// A hinge at the tip of a crack fails before an equally strained one elsewhere.
-TEST(Breaking, ContinuesACrackBelowTheStrength) {
-    SheetInput flat;
-    flat.mesh = test::grid(12, 4);
-    flat.material = {1000, 0.01, 1e7, 0.3};
-    flat.strain_threshold = 0.1;
-    BreakableSheet sheet({flat});
-    const auto edge_at = [&](unsigned a, unsigned b) {
-        return sheet.mesh().edge(sheet.mesh().halfedge(Vertex(a), Vertex(b)));
-    };
-    sheet.fail(std::array{edge_at(3, 16)});  // from the boundary inwards: open, with its tip at 16
-    EXPECT_TRUE(sheet.cracks().is_tip(Vertex(16)));
-    EXPECT_FALSE(sheet.cracks().is_tip(Vertex(3)));
-    VectorXd strains = VectorXd::Zero(static_cast<Eigen::Index>(sheet.mechanics().hinges.size()));
-    strains[sheet.hinge_of_edge(edge_at(16, 29))] = 0.08;
-    strains[sheet.hinge_of_edge(edge_at(22, 35))] = 0.08;
-    EXPECT_EQ(failing_edges(sheet, strains, 0.7), std::vector{edge_at(16, 29)});
-    EXPECT_TRUE(failing_edges(sheet, strains, 1).empty());
-}
-
-// A strip rolled into a cylinder, stretched, or both: the strain of its outer surface, over half the
-// thickness.
-TEST(OpeningStrain, IsSurfaceStrainOverHalfTheThickness) {
-    SheetInput strip;
-    strip.mesh = generate_rectangle(0.3, 0.3, {0.01, Layout::delaunay, 5});
-    strip.material = {1000, 0.002, 1e7, 0.3};
-    const BreakableSheet sheet({strip});
-    const double curvature = 0.5, stretch = 2e-4;
-    Positions rolled = sheet.mechanics().rest, stretched = rolled;
-    for (Eigen::Index v = 0; v < rolled.cols(); ++v) {
-        const double s = rolled(0, v);
-        rolled(0, v) = std::sin(curvature * s) / curvature;
-        rolled(2, v) = (1 - std::cos(curvature * s)) / curvature;
-        stretched(0, v) *= 1 + stretch;
-    }
-    const VectorXd bent = opening_strains(sheet, rolled), pulled = opening_strains(sheet, stretched);
-    double bending = 0;
-    int count = 0;
-    for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i) {
-        const auto& vertices = sheet.mechanics().hinges[i].vertices;
-        const Vector3d edge =
-            sheet.mechanics().rest.col(vertices[1]) - sheet.mechanics().rest.col(vertices[0]);
-        const double across = std::pow(edge.y() / edge.norm(), 2);  // squared cosine between x and across
-        EXPECT_NEAR(pulled[i], across * stretch / 0.001,
-                    1e-4 * stretch / 0.001 + 1e-3 * across * stretch / 0.001);
-        if (across < 0.98) continue;
-        bending += bent[i];
-        ++count;
-    }
-    EXPECT_NEAR(bending / count, curvature, 0.1 * curvature);
 }
 
 }  // namespace

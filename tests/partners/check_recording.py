@@ -22,7 +22,7 @@ def check_units(name, item):
 
 def check_head(file):
     assert file.attrs["format"] == "sherd recording"
-    assert file.attrs["format_version"] == 1
+    assert file.attrs["format_version"] == 2
     assert file.attrs["sherd_version"]
     assert file.attrs["wall_seconds"] >= 0
     assert file.attrs["end"] and file.attrs["scene_file"]
@@ -34,12 +34,12 @@ def check_head(file):
 
 
 def check_tables(file):
-    for group in ("steps", "events/failure", "events/opening", "events/split"):
+    for group in ("steps", "events/failure", "events/opening", "events/split", "events/fragment"):
         rows = {column.shape[0] for column in file[group].values()}
         assert len(rows) == 1, f"the columns of {group} differ in length: {rows}"
     assert np.all(np.diff(file["steps/step"][:]) == 1)
     assert np.all(np.diff(file["steps/time"][:]) > 0)
-    for group in ("failure", "opening", "split"):
+    for group in ("failure", "opening", "split", "fragment"):
         assert np.all(np.diff(file[f"events/{group}/time"][:]) >= 0)
 
 

@@ -66,9 +66,18 @@ inline void tear(Snapshot& snapshot, Index k, CrackEvents& events) {
         snapshot.face_fragment[f] = k;
     for (Index y = 0; y < rows; ++y) {
         const Index edge = static_cast<Index>(7 * y), created = 1000 + y;
-        events.failures.push_back({0.25 * k, k, y, edge, {y, y + 1}, y % 3, number(y + 1, k)});
+        events.failures.push_back({0.25 * k,
+                                   k,
+                                   y,
+                                   edge,
+                                   {y, y + 1},
+                                   y % 3,
+                                   number(y + 1, k),
+                                   number(y + 2, k),
+                                   1 + number(y + 3, k)});
         events.openings.push_back({0.25 * k, k, edge, created});
     }
+    events.births.push_back({0.25 * k, k, k, k - 1});
 }
 
 inline void add_edges(Snapshot& snapshot) {
@@ -123,6 +132,9 @@ inline StepReport step(Index i) {
     report.contacts = 3 * i;
     report.fragments = 1 + i / 10;
     report.peak_strain = 2.0 + std::sin(i);
+    report.peak_stress = 3e7 + std::sin(i);
+    report.peak_bending_strain = 1.0 + std::cos(i);
+    report.peak_overload = 0.5 + std::cos(3.0 * i);
     return report;
 }
 

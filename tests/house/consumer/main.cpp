@@ -16,7 +16,7 @@ int main() {
     input.material.density = 2000;
     input.material.thickness = 0.01;
     input.material.young = 1e9;
-    input.strain_threshold = 1;
+    input.strength = sherd::uniform_strength(1);
     sherd::BreakableSheet sheet({input});
     const double mass = sheet.mechanics().mass.sum();
 

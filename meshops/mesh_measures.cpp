@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/mesh_measures.h"
+#include "meshops/mesh_measures.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,6 +22,13 @@ int count_boundary_loops(const Mesh& mesh) {
 
 }  // namespace
 
+double face_area(const Mesh& mesh, Face face) {
+    const Halfedge h = mesh.halfedge(face);
+    const Eigen::Vector3d a = position(mesh, mesh.source(h)), b = position(mesh, mesh.target(h));
+    const Eigen::Vector3d c = position(mesh, mesh.target(mesh.next(h)));
+    return (b - a).cross(c - a).norm() / 2;
+}
+
 MeshMeasures measure(const Mesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     MeshMeasures measures;
@@ -38,12 +45,7 @@ MeshMeasures measure(const Mesh& mesh) {
         measures.largest_edge = std::max(measures.largest_edge, length);
         measures.mean_edge += length / static_cast<double>(mesh.number_of_edges());
     }
-    for (const Face f : mesh.faces()) {
-        const Halfedge h = mesh.halfedge(f);
-        const Eigen::Vector3d a = position(mesh, mesh.source(h)), b = position(mesh, mesh.target(h));
-        const Eigen::Vector3d c = position(mesh, mesh.target(mesh.next(h)));
-        measures.area += (b - a).cross(c - a).norm() / 2;
-    }
+    for (const Face f : mesh.faces()) measures.area += face_area(mesh, f);
     measures.boundary_loops = count_boundary_loops(mesh);
     return measures;
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene.h"
+#include "app/toml_table.h"
+
+namespace sherd {
+
+/// Reads [sheet.NAME.fracture] of a scene file.
+FractureSpec read_fracture(TomlTable& table);
+
+}  // namespace sherd

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/hinge_measures.h"
+
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+/// A hinge's two faces and the outward normal of its edge in each, in the faces' rest frames.
+struct HingeSides {
+    std::array<Face, 2> faces;
+    std::array<Vector2d, 2> normals;  ///< 1/m: one over the height on the edge
+};
+
+/// Strain of a face and what it costs, as (00, 11, 2 * 01) and (00, 11, 01) in the face's rest frame.
+struct FaceStrain {
+    Vector3d green = Vector3d::Zero();
+    Vector3d curvature = Vector3d::Zero();  ///< 1/m, its change
+};
+
+HingeSides sides_of(const BreakableSheet& sheet, std::size_t hinge) {
+    HingeSides sides;
+    const Edge edge = sheet.edge_of_hinge(hinge);
+    for (const int side : {0, 1}) {
+        const Face face = sheet.mesh().face(sheet.mesh().halfedge(edge, side));
+        const TriangleStencil& triangle = sheet.mechanics().triangles[face];
+        const Index apex = sheet.mechanics().hinges[hinge].vertices[2 + side];
+        int place = 0;
+        while (triangle.vertices[place] != apex) ++place;
+        sides.faces[side] = face;
+        sides.normals[side] = -triangle.membrane.derivatives.row(place).transpose();
+    }
+    return sides;
+}
+
+/// What to multiply a strain (00, 11, 2 * 01) with to get its part across an edge of unit normal n.
+Vector3d across(const Vector2d& n) {
+    return {n.x() * n.x(), n.y() * n.y(), n.x() * n.y()};
+}
+
+/// The bending that a hinge's turn (1/m, times the height on its edge) means for a face.
+Vector3d curvature_of(double turn, const Vector2d& normal) {
+    const Vector3d part = turn / normal.norm() * across(normal);
+    return {part[0], part[1], 2 * part[2]};
+}
+
+std::vector<FaceStrain> face_strains(const Sheet& mechanics, const std::vector<HingeSides>& sides,
+                                     const VectorXd& bending, const Positions& x) {
+    std::vector<FaceStrain> strains(mechanics.triangles.size());
+    for (std::size_t f = 0; f < strains.size(); ++f) {
+        const TriangleStencil& triangle = mechanics.triangles[f];
+        strains[f].green = green_strain(triangle.membrane, triangle_positions(x, triangle.vertices));
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const RestHinge& rest = mechanics.hinges[i].rest;
+        const double turn = bending[i] * rest.area / rest.edge_length;
+        for (const int side : {0, 1})
+            strains[sides[i].faces[side]].curvature += curvature_of(turn, sides[i].normals[side]);
+    }
+    return strains;
+}
+
+}  // namespace
+
+VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x) {
+    const std::vector<HingeStencil>& hinges = sheet.mechanics().hinges;
+    VectorXd strains(hinges.size());
+    for (std::size_t i = 0; i < hinges.size(); ++i)
+        strains[i] = hinge_strain(hinges[i].rest, hinge_positions(x, hinges[i].vertices));
+    return strains;
+}
+
+double HingeMeasures::of(Measure measure, Index hinge) const {
+    switch (measure) {
+        case Measure::bending:
+            return bending[hinge];
+        case Measure::stress:
+            return stress[hinge];
+        default:
+            return strain[hinge];
+    }
+}
+
+HingeMeasures hinge_measures(const BreakableSheet& sheet, const Positions& x) {
+    const Sheet& mechanics = sheet.mechanics();
+    std::vector<HingeSides> sides;
+    for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(sheet, i));
+    const VectorXd bending = hinge_strains(sheet, x);
+    const std::vector<FaceStrain> faces = face_strains(mechanics, sides, bending, x);
+
+    HingeMeasures measures;
+    measures.bending = bending.cwiseAbs();
+    measures.strain = measures.stress = VectorXd::Zero(bending.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const double thickness = mechanics.thickness[mechanics.hinges[i].vertices[0]];
+        double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
+        for (const int side : {0, 1}) {
+            const FaceStrain& face = faces[sides[i].faces[side]];
+            const Matrix3d& elasticity = mechanics.triangles[sides[i].faces[side]].membrane.elasticity;
+            const Vector3d part = across(sides[i].normals[side].normalized());
+            const Vector3d stiff = elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
+            stretch += 0.5 * part.dot(face.green);
+            bend += 0.5 * part.dot(face.curvature);
+            pull += 0.5 * stiff.dot(face.green) / thickness;
+            bending_stress += 0.5 * stiff.dot(face.curvature) / 2;
+        }
+        measures.strain[i] = stretch / (0.5 * thickness) + std::abs(bend);
+        measures.stress[i] = pull + std::abs(bending_stress);
+    }
+    return measures;
+}
+
+}  // namespace sherd

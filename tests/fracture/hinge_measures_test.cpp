@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/hinge_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "meshops/generate.h"
+
+namespace sherd {
+namespace {
+
+constexpr double thickness = 0.002, young = 1e7, poisson = 0.3;
+
+/// Squared cosine between x and the direction across the hinge's edge.
+double across_of(const BreakableSheet& sheet, std::size_t hinge) {
+    const auto& vertices = sheet.mechanics().hinges[hinge].vertices;
+    const Vector3d edge = sheet.mechanics().rest.col(vertices[1]) - sheet.mechanics().rest.col(vertices[0]);
+    return std::pow(edge.y() / edge.norm(), 2);
+}
+
+Positions rolled(const Positions& flat, double curvature) {
+    Positions x = flat;
+    x.row(0) = (curvature * flat.row(0).array()).sin() / curvature;
+    x.row(2) = (1 - (curvature * flat.row(0).array()).cos()) / curvature;
+    return x;
+}
+
+class HingeMeasuresOfASquare : public testing::Test {
+  protected:
+    HingeMeasuresOfASquare() {
+        SheetInput square;
+        square.mesh = generate_rectangle(0.3, 0.3, {0.01, Layout::delaunay, 5});
+        square.material = {1000, thickness, young, poisson};
+        sheet = std::make_unique<BreakableSheet>(std::vector{square});
+        flat = sheet->mechanics().rest;
+    }
+    std::unique_ptr<BreakableSheet> sheet;
+    Positions flat;
+};
+
+// Stretched along x: strain across an edge is the resolved strain, stress that of plane stress.
+TEST_F(HingeMeasuresOfASquare, ResolveStretchAcrossTheEdge) {
+    const double stretch = 2e-4;
+    Positions x = flat;
+    x.row(0) *= 1 + stretch;
+    const HingeMeasures measures = hinge_measures(*sheet, x);
+    const double modulus = young / (1 - poisson * poisson);
+    for (std::size_t i = 0; i < sheet->mechanics().hinges.size(); ++i) {
+        const double across = across_of(*sheet, i), along = 1 - across;
+        EXPECT_NEAR(measures.strain[i], across * stretch / (thickness / 2), 2e-3 * stretch / (thickness / 2));
+        EXPECT_NEAR(measures.stress[i], modulus * stretch * (across + poisson * along),
+                    2e-3 * modulus * stretch);
+        EXPECT_NEAR(measures.bending[i], 0, 1e-9);
+    }
+}
+
+// Rolled into a cylinder, either way up: curvature, and the stress of its stretched surface.
+TEST_F(HingeMeasuresOfASquare, SeeTheStretchedSurfaceOfABend) {
+    const double stress = young / (1 - poisson * poisson) * 0.5 * thickness / 2;
+    for (const double curvature : {0.5, -0.5}) {
+        const HingeMeasures measures = hinge_measures(*sheet, rolled(flat, curvature));
+        double strain = 0, pull = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < sheet->mechanics().hinges.size(); ++i) {
+            if (across_of(*sheet, i) < 0.98) continue;
+            strain += measures.strain[i];
+            pull += measures.stress[i];
+            ++count;
+        }
+        EXPECT_NEAR(strain / count, 0.5, 0.05);
+        EXPECT_NEAR(pull / count, stress, 0.1 * stress);
+    }
+}
+
+// Bending and stretch add up at the surface; a stretch that undoes the bending's leaves nothing.
+TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
+    Positions both = rolled(flat, 0.5);
+    const double squeeze = -0.5 * thickness / 2;
+    both.row(0) *= 1 + squeeze;
+    both.row(2) *= 1 + squeeze;
+    const HingeMeasures bent = hinge_measures(*sheet, rolled(flat, 0.5)), less = hinge_measures(*sheet, both);
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < sheet->mechanics().hinges.size(); ++i) {
+        if (across_of(*sheet, i) < 0.98) continue;
+        before += bent.strain[i];
+        after += less.strain[i];
+    }
+    EXPECT_LT(std::abs(after), 0.1 * before);
+}
+
+}  // namespace
+}  // namespace sherd
