@@ -11,9 +11,10 @@ constexpr double kept = 0.1;   // of the gap, at the end
 constexpr double slack = 0.5;  // of what is kept, not worth another iteration
 constexpr int max_iterations = 500;
 
-/// Bound on how much nearer two points of the elements can come, m: the elements' mean motions against each
-/// other, and how far their vertices depart from the means.
+}  // namespace
+
 double approach(PairKind kind, const PairPositions& displacement) {
+    // The elements' mean motions against each other, and how far their vertices depart from the means.
     const int first = kind == PairKind::edge_edge ? 2 : 1;
     const auto bound = [](const auto& motion, const Vector3d& mean) {
         return std::sqrt((motion.colwise() - mean).colwise().squaredNorm().maxCoeff());
@@ -22,8 +23,6 @@ double approach(PairKind kind, const PairPositions& displacement) {
     const Vector3d mean = one.rowwise().mean(), other_mean = other.rowwise().mean();
     return (mean - other_mean).norm() + bound(one, mean) + bound(other, other_mean);
 }
-
-}  // namespace
 
 double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement, double minimum,
                      double clearance) {

@@ -7,6 +7,9 @@
 
 namespace sherd {
 
+/// Bound on how much nearer two points of the elements come in a straight motion, m.
+double approach(PairKind kind, const PairPositions& displacement);
+
 /// Largest fraction, 0 to 1, of the straight motion from x by `displacement` (m) that two elements can make
 /// without coming as near as `minimum` (m). On the way up to it the distance stays above `minimum` by a tenth
 /// of what it was, or by `clearance` (m) if that is less, round-off included; 0 where the elements are not
