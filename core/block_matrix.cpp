@@ -49,6 +49,19 @@ void BlockMatrix::add_diagonal(Index vertex, const Matrix3d& block) {
         for (Index r = c; r < 3; ++r) value[column_start[3 * vertex + c] + r - c] += block(r, c);
 }
 
+Index BlockMatrix::rank(Index row, Index column) const {
+    const auto first = block_row.begin() + block_start[column];
+    const auto found = std::lower_bound(first, block_row.begin() + block_start[column + 1], row);
+    return static_cast<Index>(found - first);
+}
+
+bool BlockMatrix::has(Index i, Index j) const {
+    if (i == j) return true;
+    const auto [column, below] = std::minmax(i, j);
+    const Index block = block_start[column] + rank(below, column);
+    return block < block_start[column + 1] && block_row[block] == below;
+}
+
 void BlockMatrix::add(Index i, Index j, const Matrix3d& unconstrained) {
     if (fixed[i] || fixed[j]) return;
     Matrix3d block = unconstrained;
@@ -57,11 +70,9 @@ void BlockMatrix::add(Index i, Index j, const Matrix3d& unconstrained) {
     if (i == j) return add_diagonal(j, block);
     const bool lower = i > j;
     const Index column = lower ? j : i, below = lower ? i : j;
-    const auto first = block_row.begin() + block_start[column];
-    const auto found = std::lower_bound(first, block_row.begin() + block_start[column + 1], below);
-    const Index rank = static_cast<Index>(found - first);
+    const Index offset = 3 * rank(below, column);
     for (Index c = 0; c < 3; ++c) {
-        double* target = &value[column_start[3 * column + c] + (3 - c) + 3 * rank];
+        double* target = &value[column_start[3 * column + c] + (3 - c) + offset];
         for (Index r = 0; r < 3; ++r) target[r] += lower ? block(r, c) : block(c, r);
     }
 }

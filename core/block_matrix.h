@@ -23,6 +23,8 @@ class BlockMatrix {
                 std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
 
     void set_zero();
+    /// Whether there is a block at block row i, block column j, or would be were its vertices not fixed.
+    bool has(Index i, Index j) const;
     /// Adds `block` at block row i, block column j. The caller adds each unordered pair once: (j, i) is
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
@@ -34,6 +36,8 @@ class BlockMatrix {
 
   private:
     bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }
+    /// Number below the diagonal of the block at (row, column), or of the one where it should be inserted.
+    Index rank(Index row, Index column) const;
     void add_diagonal(Index vertex, const Matrix3d& block);
 
     std::vector<Index> block_start;  ///< [vertices + 1] first below-diagonal block of each block column

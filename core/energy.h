@@ -28,6 +28,12 @@ struct Energy {
     virtual void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const = 0;
     /// Appends the pairs of vertices that have a block in the Hessian.
     virtual void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const = 0;
+    /// Appends those that come and go with the positions: the pairs that have a block at x, and, `ahead`,
+    /// those that are likely to have one soon.
+    virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,
+                              std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
+    /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite on the whole way.
+    virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
 };
 
 }  // namespace sherd

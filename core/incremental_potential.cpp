@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/incremental_potential.h"
 
+#include <algorithm>
+
 namespace sherd {
 
 IncrementalPotential::IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies,
@@ -40,11 +42,27 @@ Positions IncrementalPotential::gradient(const Positions& x) const {
     return sum;
 }
 
-BlockMatrix IncrementalPotential::hessian_pattern() const {
+BlockMatrix IncrementalPotential::hessian_pattern(const Positions& x) const {
     std::vector<std::pair<Index, Index>> pairs;
-    for (const Energy* energy : energies) energy->add_pattern(pairs);
+    for (const Energy* energy : energies) {
+        energy->add_pattern(pairs);
+        energy->add_contacts(x, true, pairs);
+    }
     return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed, sheet.guide,
                        sheet.guides);
+}
+
+bool IncrementalPotential::fits(const Positions& x, const BlockMatrix& hessian) const {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : energies) energy->add_contacts(x, false, pairs);
+    return std::all_of(pairs.begin(), pairs.end(),
+                       [&](const auto& pair) { return hessian.has(pair.first, pair.second); });
+}
+
+double IncrementalPotential::safe_fraction(const Positions& x, const Positions& motion) const {
+    double fraction = 1;
+    for (const Energy* energy : energies) fraction = std::min(fraction, energy->safe_fraction(x, motion));
+    return fraction;
 }
 
 void IncrementalPotential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {

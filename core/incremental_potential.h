@@ -20,9 +20,13 @@ class IncrementalPotential {
     double value(const Positions& x) const;                  ///< J
     double round_off() const;                      ///< bound on the value's error by cancellation, J
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
-    /// Zero matrix of the Hessian's pattern.
-    BlockMatrix hessian_pattern() const;
+    /// Zero matrix of the pattern of Hessians at x, and near it.
+    BlockMatrix hessian_pattern(const Positions& x) const;
+    /// Whether the Hessian at x has no block that the matrix lacks.
+    bool fits(const Positions& x, const BlockMatrix& hessian) const;
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
+    /// Fraction, 0 to 1, of a straight motion from x [3, V] that leads through no sheet.
+    double safe_fraction(const Positions& x, const Positions& motion) const;
 
   private:
     /// Takes away what pins and guides do not let through.

@@ -12,6 +12,7 @@ constexpr double flattening = 0.9;            // of the slope, where round-off h
 constexpr int max_halvings = 40;
 
 void factorize(const IncrementalPotential& potential, NewtonSystem& system, const Positions& x) {
+    if (!potential.fits(x, system.matrix)) system = NewtonSystem(potential, x);
     for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
         potential.hessian(x, curvature, system.matrix);
         if (system.solver.factorize(system.matrix)) return;
@@ -20,16 +21,18 @@ void factorize(const IncrementalPotential& potential, NewtonSystem& system, cons
         "Newton's method: the convex Hessian is not positive definite (NaN in the positions?)");
 }
 
-/// Moves x along `direction`, halving it until the potential decreases. The value has a round-off error that
-/// is large beside the last decreases: a step after which the slope is flatter is good too.
+/// Moves x along `direction`, as far as nothing is met, halving it until the potential decreases. The value
+/// has a round-off error that is large beside the last decreases: a step after which the slope is flatter is
+/// good too.
 bool line_search(const IncrementalPotential& potential, const Positions& direction, double slope,
                  Positions& x) {
+    double scale = potential.safe_fraction(x, direction);
+    if (scale == 0) return false;
     const double start = potential.value(x), round_off = potential.round_off() + 1e-12 * std::abs(start);
     if (-slope <= round_off) {  // nothing could be told of a shorter step
-        x += direction;
+        x += scale * direction;
         return true;
     }
-    double scale = 1;
     for (int halving = 0; halving < max_halvings; ++halving, scale /= 2) {
         const Positions trial = x + scale * direction;
         const double value = potential.value(trial);

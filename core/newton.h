@@ -17,18 +17,21 @@ struct NewtonResult {
     double correction = 0;  ///< m, largest coordinate of the last correction
 };
 
-/// The matrix of Newton's method and its factor; they are kept as long as the pattern is the same.
+/// The matrix of Newton's method and its factor; they are kept as long as the pattern is the same, or, as
+/// contacts come and go, large enough.
 struct NewtonSystem {
     BlockMatrix matrix;
     LinearSolver solver;
 
-    explicit NewtonSystem(const IncrementalPotential& potential) : matrix(potential.hessian_pattern()) {
+    NewtonSystem(const IncrementalPotential& potential, const Positions& x)
+        : matrix(potential.hessian_pattern(x)) {
         solver.analyze(matrix);
     }
 };
 
 /// Minimises the potential from x [3, V] on, by Newton's method with backtracking. Takes the exact Hessian,
-/// and its convex neighbour where that is not positive definite.
+/// and its convex neighbour where that is not positive definite. x must be where the potential is finite; no
+/// motion leads through a place where it is not.
 NewtonResult minimise(const IncrementalPotential& potential, NewtonSystem& system,
                       const NewtonOptions& options, Positions& x);
 

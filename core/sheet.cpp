@@ -26,6 +26,7 @@ void resize_vertices(Sheet& sheet, Index count) {
         resize(*values, count);
     sheet.fixed.resize(count, 0);
     sheet.guide.resize(count, 0);
+    sheet.body.resize(count, 0);
 }
 
 void copy_vertex(Sheet& sheet, Index from, Index to) {
@@ -35,6 +36,7 @@ void copy_vertex(Sheet& sheet, Index from, Index to) {
         (*values)[to] = (*values)[from];
     sheet.fixed[to] = sheet.fixed[from];
     sheet.guide[to] = sheet.guide[from];
+    sheet.body[to] = sheet.body[from];
 }
 
 HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness) {

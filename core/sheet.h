@@ -39,6 +39,10 @@ struct Sheet {
         footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/plane_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
     std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
+    std::vector<Index> body;  ///< [V] number of the sheet that the vertex is of, whatever broke off it since
+    /// Vertices that lie on each other because a crack between them has only just opened: elements that have
+    /// one each do not see each other in SheetContact.
+    std::vector<std::array<Index, 2>> twins;
     std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
     std::vector<TriangleStencil> triangles;
     std::vector<HingeStencil> hinges;

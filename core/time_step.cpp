@@ -11,6 +11,7 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       membrane(sheet.triangles),
       mirrors(sheet, this->options.mirrors) {
     for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
+    if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
 
 void TimeStep::prepare() {
@@ -24,14 +25,18 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const PlaneContact& plane : contact) energies.push_back(&plane);
+    if (sheet_contact) energies.push_back(sheet_contact.get());
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity);
 }
 
 void TimeStep::begin() {
     prepare();
-    if (!system) system = std::make_unique<NewtonSystem>(*potential);
-    position = potential->predicted();
+    if (sheet_contact) sheet_contact->require_apart(sheet.position);
+    const Positions motion = potential->predicted() - sheet.position;
+    const double fraction = potential->safe_fraction(sheet.position, motion);
+    position = fraction == 1 ? potential->predicted() : sheet.position + fraction * motion;
+    if (!system) system = std::make_unique<NewtonSystem>(*potential, position);
 }
 
 NewtonResult TimeStep::solve(int max_iterations) {
@@ -41,8 +46,9 @@ NewtonResult TimeStep::solve(int max_iterations) {
 }
 
 void TimeStep::stencils_changed() {
+    if (sheet_contact) sheet_contact->surface_changed();
     prepare();
-    system = std::make_unique<NewtonSystem>(*potential);
+    system = std::make_unique<NewtonSystem>(*potential, position);
 }
 
 void TimeStep::finish() {
@@ -57,6 +63,7 @@ PotentialEnergies TimeStep::energies() const {
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const PlaneContact& plane : contact) sum.contact += plane.stored_energy(position);
+    if (sheet_contact) sum.contact += sheet_contact->value(position);
     return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/contact/plane_contact.h"
+#include "core/contact/sheet_contact.h"
 #include "core/damping.h"
 #include "core/loads.h"
 #include "core/mirror_hinge.h"
@@ -21,6 +22,7 @@ struct TimeStepOptions {
     std::vector<Load> loads;
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
+    bool sheet_contact = false;  ///< whether sheets meet each other, and themselves
 };
 
 /// Potential energies of a sheet, J.
@@ -35,7 +37,8 @@ class TimeStep {
     /// The sheet must outlive it.
     TimeStep(Sheet& sheet, const TimeStepOptions& options);
 
-    /// Starts a step from the sheet's positions and velocities; `position` is the inertial prediction.
+    /// Starts a step from the sheet's positions and velocities; `position` is the inertial prediction, or as
+    /// much of the way there as is free. Throws std::runtime_error if sheets overlap.
     void begin();
     /// Advances `position` towards the minimum by at most `max_iterations` of Newton's method.
     NewtonResult solve(int max_iterations);
@@ -60,6 +63,7 @@ class TimeStep {
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
     std::vector<PlaneContact> contact;
+    std::unique_ptr<SheetContact> sheet_contact;   ///< none if not asked for
     std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;

@@ -22,7 +22,7 @@ VectorXd frequencies(const Sheet& sheet, const std::vector<MirrorHinge>& mirrors
     const MembraneEnergy membrane(sheet.triangles);
     const MirrorEnergy mirror(sheet, mirrors);
     const IncrementalPotential potential(sheet, {&bending, &membrane, &mirror}, step, Vector3d::Zero());
-    BlockMatrix matrix = potential.hessian_pattern();
+    BlockMatrix matrix = potential.hessian_pattern(sheet.rest);
     potential.hessian(sheet.rest, Curvature::exact, matrix);
     LinearSolver solver;
     solver.analyze(matrix);

@@ -59,6 +59,7 @@ inline Eigen::MatrixXd dense(const BlockMatrix& matrix) {
 inline void expect_derivatives(const Energy& energy, const Positions& x, double step, double relative) {
     std::vector<std::pair<Index, Index>> pairs;
     energy.add_pattern(pairs);
+    energy.add_contacts(x, false, pairs);
     const auto count = static_cast<Index>(x.cols());
     BlockMatrix hessian(count, pairs, std::vector<char>(count, 0));
     energy.add_hessian(x, Curvature::exact, hessian);

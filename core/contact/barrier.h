@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace sherd {
+
+/// What keeps two elements apart: a potential of their gap, infinite at zero, zero from `range` on, and twice
+/// continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020, eq.
+/// 6). Scaled so that at half the range it pushes like a spring of stiffness 1 N/m that has been pressed that
+/// far together.
+struct Barrier {
+    double range;  ///< m
+
+    double value(double gap) const {  ///< J
+        if (gap >= range) return 0;
+        if (gap <= 0) return std::numeric_limits<double>::infinity();
+        return -scale * (range - gap) * (range - gap) * std::log(gap / range);
+    }
+    double slope(double gap) const {  ///< N; the force is its negative
+        if (gap >= range) return 0;
+        const double left = range - gap;
+        return scale * left * (2 * std::log(gap / range) - left / gap);
+    }
+    double curvature(double gap) const {  ///< N/m, positive
+        if (gap >= range) return 0;
+        const double ratio = (range - gap) / gap;
+        return scale * (-2 * std::log(gap / range) + ratio * (4 + ratio));
+    }
+
+  private:
+    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // 1/2 over the bare slope at 1/2
+};
+
+}  // namespace sherd

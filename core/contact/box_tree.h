@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// An axis-aligned box, m; empty as it stands.
+struct Box {
+    Eigen::Array3d lower = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Array3d upper = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
+
+    void include(const Box& other) {
+        lower = lower.min(other.lower);
+        upper = upper.max(other.upper);
+    }
+    /// Whether the boxes have a point in common, be it on their sides.
+    bool meets(const Box& other) const {
+        return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] && lower[1] <= other.upper[1] &&
+               other.lower[1] <= upper[1] && lower[2] <= other.upper[2] && other.lower[2] <= upper[2];
+    }
+};
+
+/// Boxes around elements, from those of their vertices.
+template <std::size_t N>
+std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
+                               const std::vector<std::array<Index, N>>& elements) {
+    std::vector<Box> boxes(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        for (const Index vertex : elements[i]) boxes[i].include(of_vertices[vertex]);
+    return boxes;
+}
+
+/// Finds which of many boxes meet: a balanced binary tree of boxes around boxes, split in the middle of their
+/// longest extent, walked against another tree or itself.
+class BoxTree {
+  public:
+    explicit BoxTree(const std::vector<Box>& boxes);
+
+    /// Calls visit(i, j) once for every box i of this tree and j of the other that meet, in an order that
+    /// only depends on the boxes.
+    template <class Visit>
+    void meet(const BoxTree& other, const Visit& visit) const {
+        if (!element.empty() && !other.element.empty()) descend(other, root(), other.root(), visit);
+    }
+    /// Calls visit(i, j) once for every two different boxes of this tree that meet, in either order.
+    template <class Visit>
+    void meet_itself(const Visit& visit) const {
+        if (!element.empty()) descend_itself(root(), visit);
+    }
+
+  private:
+    /// A node of the tree: children of number n are 2 n + 1 and 2 n + 2; its boxes are first to last - 1.
+    struct Node {
+        std::size_t number;
+        Index first, last;
+
+        bool leaf() const { return last - first <= leaf_size; }
+        Index middle() const { return first + (last - first) / 2; }
+        Node left() const { return {2 * number + 1, first, middle()}; }
+        Node right() const { return {2 * number + 2, middle(), last}; }
+    };
+    static constexpr Index leaf_size = 4;
+
+    Node root() const { return {0, 0, static_cast<Index>(element.size())}; }
+    void build(const Node& node, const std::vector<Box>& boxes);
+
+    template <class Visit>
+    void descend(const BoxTree& other, const Node& a, const Node& b, const Visit& visit) const {
+        if (!around[a.number].meets(other.around[b.number])) return;
+        if (a.leaf() && b.leaf()) {
+            for (Index i = a.first; i < a.last; ++i)
+                for (Index j = b.first; j < b.last; ++j)
+                    if (box[i].meets(other.box[j])) visit(element[i], other.element[j]);
+        } else if (b.leaf() || (!a.leaf() && a.last - a.first >= b.last - b.first)) {
+            descend(other, a.left(), b, visit);
+            descend(other, a.right(), b, visit);
+        } else {
+            descend(other, a, b.left(), visit);
+            descend(other, a, b.right(), visit);
+        }
+    }
+    template <class Visit>
+    void descend_itself(const Node& node, const Visit& visit) const {
+        if (!node.leaf()) {
+            descend_itself(node.left(), visit);
+            descend_itself(node.right(), visit);
+            return descend(*this, node.left(), node.right(), visit);
+        }
+        for (Index i = node.first; i < node.last; ++i)
+            for (Index j = node.first; j < i; ++j)
+                if (box[i].meets(box[j])) visit(element[i], element[j]);
+    }
+
+    std::vector<Box> around;     ///< of each node
+    std::vector<Box> box;        ///< of each element, in the tree's order
+    std::vector<Index> element;  ///< their numbers
+};
+
+}  // namespace sherd

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/continuous_collision.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+constexpr double kept = 0.1;   // of the gap, at the end
+constexpr double slack = 0.5;  // of what is kept, not worth another iteration
+constexpr int max_iterations = 500;
+
+}  // namespace
+
+double approach(PairKind kind, const PairPositions& displacement) {
+    // The elements' mean motions against each other, and how far their vertices depart from the means.
+    const int first = kind == PairKind::edge_edge ? 2 : 1;
+    const auto bound = [](const auto& motion, const Vector3d& mean) {
+        return std::sqrt((motion.colwise() - mean).colwise().squaredNorm().maxCoeff());
+    };
+    const auto one = displacement.leftCols(first), other = displacement.rightCols(4 - first);
+    const Vector3d mean = one.rowwise().mean(), other_mean = other.rowwise().mean();
+    return (mean - other_mean).norm() + bound(one, mean) + bound(other, other_mean);
+}
+
+double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement, double minimum,
+                     double clearance) {
+    // Of rounding positions on the way, and of the distance; a dozen roundings of numbers of this size.
+    const double size = x.cwiseAbs().maxCoeff() + displacement.cwiseAbs().maxCoeff();
+    const double excluded = minimum + 32 * std::numeric_limits<double>::epsilon() * size;
+    const auto gap_at = [&](double time) {
+        const PairPositions at = x + time * displacement;
+        return std::sqrt(squared_distance(closest_points(kind, at), at)) - excluded;
+    };
+    double gap = gap_at(0);
+    const double bound = approach(kind, displacement) * (1 + 1e-12);  // rounded up
+    if (!(gap > 0) || !std::isfinite(bound)) return 0;
+    const double target = std::min(kept * gap, clearance), enough = slack * target;
+    double time = 0;
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+        const double way = gap - target;
+        if (bound * (1 - time) <= way) return 1;
+        if (iteration > 0 && way <= enough) break;
+        time += way / bound;
+        gap = gap_at(time);
+    }
+    return time;
+}
+
+}  // namespace sherd

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/distance.h"
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+using Direction = Eigen::Vector4d;
+
+/// Squared sine below which two directions, known to 1e-16, are the same.
+constexpr double parallel = 1e-28;
+
+/// Vertex p against the edge from a to b.
+Closest vertex_edge(const PairPositions& x, int p, int a, int b) {
+    const Vector3d along = x.col(b) - x.col(a);
+    const double way = (x.col(p) - x.col(a)).dot(along), length = along.squaredNorm();
+    const double parameter = way > 0 ? (way < length ? way / length : 1) : 0;
+    const double sign = p < a ? 1 : -1;  // the first element's weights are positive
+    Closest closest;
+    closest.weights[p] = sign;
+    closest.weights[a] = -sign * (1 - parameter);
+    closest.weights[b] = -sign * parameter;
+    if (way > 0 && way < length) {
+        closest.freedom = 1;
+        closest.directions(a, 0) = sign;
+        closest.directions(b, 0) = -sign;
+    }
+    return closest;
+}
+
+/// Parameters (s, t) that minimise |r + s u + t v|, for u and v not parallel. By orthogonalisation, which
+/// keeps digits on needles that the normal equations would lose.
+Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
+    const double projection = u.dot(v) / u.squaredNorm();
+    const Vector3d across = v - projection * u;
+    const double t = -r.dot(across) / across.squaredNorm();
+    return {-r.dot(u) / u.squaredNorm() - t * projection, t};
+}
+
+/// Replaces `best` by `other` if that is closer.
+void improve(Closest& best, const Closest& other, const PairPositions& x) {
+    if (squared_distance(other, x) < squared_distance(best, x)) best = other;
+}
+
+/// The pair as if both elements went on for ever: start + s first + t second in the weights.
+Closest both_inside(const PairPositions& x, const Direction& start, const Direction& first,
+                    const Direction& second) {
+    const Vector2d parameter = minimising(x * start, x * first, x * second);
+    Closest closest;
+    closest.directions << first, second;
+    closest.weights = start + closest.directions * parameter;
+    closest.freedom = 2;
+    return closest;
+}
+
+}  // namespace
+
+double squared_distance(const Closest& closest, const PairPositions& x) {
+    // Differences first, which keeps digits far from the origin.
+    const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
+    return (edges * closest.weights.tail<3>()).squaredNorm();
+}
+
+Closest closest_points(PairKind kind, const PairPositions& x) {
+    const bool edges = kind == PairKind::edge_edge;
+    Closest best = edges ? vertex_edge(x, 0, 2, 3) : vertex_edge(x, 0, 1, 2);
+    if (edges) {
+        improve(best, vertex_edge(x, 1, 2, 3), x);
+        improve(best, vertex_edge(x, 2, 0, 1), x);
+        improve(best, vertex_edge(x, 3, 0, 1), x);
+    } else {
+        improve(best, vertex_edge(x, 0, 2, 3), x);
+        improve(best, vertex_edge(x, 0, 3, 1), x);
+    }
+    const PairPositions local = x.colwise() - x.col(0);
+    const Closest inside = edges ? both_inside(local, {1, 0, -1, 0}, {-1, 1, 0, 0}, {0, 0, 1, -1})
+                                 : both_inside(local, {1, -1, 0, 0}, {0, 1, -1, 0}, {0, 1, 0, -1});
+    const Direction w = edges ? Direction(inside.weights.cwiseProduct(Direction(1, 1, -1, -1)))
+                              : Direction(inside.weights.cwiseProduct(Direction(1, -1, -1, -1)));
+    if ((w.array() > 0).all()) improve(best, inside, x);  // not so for NaN, of parallel directions
+    return best;
+}
+
+PairPositions squared_distance_gradient(const Closest& closest, const PairPositions& x) {
+    const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
+    return 2 * (edges * closest.weights.tail<3>()) * closest.weights.transpose();
+}
+
+PairHessian squared_distance_hessian(const Closest& closest, const PairPositions& x) {
+    const auto& w = closest.weights;
+    PairHessian h = PairHessian::Zero();
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) h.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(2 * w[i] * w[j]);
+    const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
+    const Vector3d between = edges * w.tail<3>();
+    // Orthogonal directions make f_aa diagonal.
+    Direction first = closest.directions.col(0), second = closest.directions.col(1);
+    if (closest.freedom == 2) {
+        const Vector3d u = edges * first.tail<3>(), v = edges * second.tail<3>();
+        second -= u.dot(v) / u.squaredNorm() * first;
+    }
+    for (const Direction& a : {first, second}) {
+        const Vector3d slide = edges * a.tail<3>();
+        if (slide.squaredNorm() <= parallel * edges.squaredNorm()) continue;
+        Eigen::Matrix<double, 12, 1> mixed;  // f_xa / 2
+        for (int i = 0; i < 4; ++i) mixed.segment<3>(3 * i) = w[i] * slide + a[i] * between;
+        h.noalias() -= 2 / slide.squaredNorm() * mixed * mixed.transpose();
+    }
+    return h;
+}
+
+}  // namespace sherd

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/sheet_contact.h"
+
+#include <gtest/gtest.h>
+
+#include "core/time_step.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
+const Material rubber{.density = 1000, .thickness = 2e-3, .young = 2e6, .poisson = 0.4};
+
+Positions shaken(const Positions& x, double amplitude) {
+    test::Random random(6);
+    Positions moved = x;
+    for (double& entry : moved.reshaped()) entry += random.uniform(-amplitude, amplitude);
+    return moved;
+}
+
+// Force and stiffness of hundreds of pairs of all cases at once, mollified ones too.
+TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
+    const Sheet sheet = test::stacked_plates(2, 5, 1.8e-3, ceramic);
+    const SheetContact contact(sheet);
+    const Positions x = shaken(sheet.position, 1e-4);
+    ASSERT_GT(contact.touching(x).size(), 100u);
+    Positions sum = Positions::Zero(3, x.cols());
+    contact.add_gradient(x, sum);
+    EXPECT_GT(sum.norm(), 1);
+    EXPECT_LT(sum.rowwise().sum().norm(), 1e-12 * sum.norm());
+    Vector3d torque = Vector3d::Zero();
+    for (Index v = 0; v < x.cols(); ++v) torque += x.col(v).cross(sum.col(v));
+    EXPECT_LT(torque.norm(), 1e-12 * sum.norm());
+    test::expect_derivatives(contact, x, 1e-10, 2e-6);
+}
+
+// The candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
+// bit.
+TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
+    const Sheet sheet = test::stacked_plates(3, 4, 1.8e-3, ceramic);
+    const SheetContact wanderer(sheet);
+    for (const double lift : {0.0, 0.02, 0.0, 1.0, 0.05, 1e-3}) {
+        Positions x = shaken(sheet.position, 1e-4);
+        x.row(2) *= 1 + lift;
+        const SheetContact fresh(sheet);
+        EXPECT_EQ(wanderer.value(x), fresh.value(x));
+        Positions a = Positions::Zero(3, x.cols()), b = a;
+        wanderer.add_gradient(x, a);
+        fresh.add_gradient(x, b);
+        EXPECT_EQ(a, b);
+        wanderer.safe_fraction(x, shaken(Positions::Zero(3, x.cols()), 0.01));
+        EXPECT_EQ(wanderer.value(x), fresh.value(x));
+    }
+}
+
+// A sheet whose edges are shorter than it is thick must not push itself apart; folded flat it must.
+TEST(SheetContact, RestShapeIsFreeOfForces) {
+    Material thick = rubber;
+    thick.thickness = 0.03;
+    Sheet sheet = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01
+    const SheetContact contact(sheet);
+    EXPECT_EQ(contact.touching(sheet.position).size(), 0u);
+    EXPECT_EQ(contact.value(shaken(sheet.position, 5e-4)), 0);
+    Positions folded = sheet.position;
+    for (Index v = 0; v < folded.cols(); ++v)
+        if (folded(0, v) > 0) {
+            folded(2, v) = 0.005 + 0.1 * folded(0, v);
+            folded(0, v) = -folded(0, v);
+        }
+    EXPECT_GT(contact.touching(folded).size(), 100u);
+}
+
+/// Area that two squares of side 0.1 m, turned against each other by 0.7, have in common, by counting.
+double common_area() {
+    int inside = 0;
+    for (int i = 0; i < 400; ++i)
+        for (int j = 0; j < 400; ++j) {
+            const Vector3d at((i + 0.5) / 400 - 0.5, (j + 0.5) / 400 - 0.5, 0);
+            inside += (Eigen::AngleAxisd(0.7, Vector3d::UnitZ()) * at).cwiseAbs().maxCoeff() < 0.5;
+        }
+    return 0.01 * inside / 160000;
+}
+
+// Plates that lie on each other push like one and a half columns (all three ways of touching are in play) on
+// any mesh: edges of 12, 6 and 3 thicknesses. The mesh may matter a little, since a vertex over an edge of
+// the other sheet sees two triangles.
+TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
+    const double press = 0.001 * ceramic.thickness,
+                 column = ceramic.young * common_area() / ceramic.thickness;
+    const Barrier barrier{0.25 * ceramic.thickness};
+    for (const int count : {4, 8, 16}) {
+        const Sheet sheet = test::stacked_plates(2, count, ceramic.thickness - press, ceramic);
+        Positions sum = Positions::Zero(3, sheet.position.cols());
+        SheetContact(sheet).add_gradient(sheet.position, sum);
+        const double force = sum.row(2).head(sum.cols() / 2).sum();
+        EXPECT_NEAR(force / (-column * barrier.slope(barrier.range - press)), 1.5, 0.15) << count;
+    }
+}
+
+// Nothing that is held together by twins pushes, and what only borders on them still does.
+TEST(SheetContact, TwinsDoNotSeeEachOther) {
+    Sheet sheet = test::stacked_plates(2, 2, 1.8e-3, ceramic);
+    const std::size_t before = SheetContact(sheet).touching(sheet.position).size();
+    sheet.twins = {{4, 13}};  // the middles
+    const auto after = SheetContact(sheet).touching(sheet.position);
+    EXPECT_LT(after.size(), before);
+    EXPECT_GT(after.size(), 0u);
+    for (const ContactPair& pair : after)
+        EXPECT_LT(std::count(pair.vertices.begin(), pair.vertices.end(), 4) +
+                      std::count(pair.vertices.begin(), pair.vertices.end(), 13),
+                  2);
+}
+
+TEST(SheetContact, OverlapIsRefusedByName) {
+    Sheet sheet = test::stacked_plates(2, 2, 1e-3, ceramic);
+    TimeStepOptions options;
+    options.sheet_contact = true;
+    TimeStep step(sheet, options);
+    EXPECT_THROW(step.begin(), std::runtime_error);
+}
+
+struct Collision {
+    double nearest = std::numeric_limits<double>::infinity();
+    int intersections = 0, iterations = 0, unconverged = 0;
+    double momentum_change = 0, momentum_moved = 0;
+};
+
+/// Throws the upper plates at the lower one at `speed`, tilted, without gravity.
+Collision collide(Sheet& sheet, double speed, double step, int steps) {
+    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
+    for (Index v = half; v < sheet.position.cols(); ++v) {
+        sheet.velocity.col(v) = Vector3d(0.1 * speed, 0, -speed);
+        sheet.position(2, v) += 0.2 * sheet.position(0, v) + 0.012;
+    }
+    TimeStepOptions options;
+    options.step = step;
+    options.gravity.setZero();
+    options.sheet_contact = true;
+    options.newton.tolerance = 1e-9;
+    TimeStep time_step(sheet, options);
+    const Vector3d momentum = linear_momentum(sheet);
+    Collision result;
+    for (int i = 0; i < steps; ++i) {
+        time_step.begin();
+        const NewtonResult newton = time_step.solve(200);
+        time_step.finish();
+        result.iterations += newton.iterations;
+        result.unconverged += !newton.converged;
+        result.nearest = std::min(result.nearest, test::smallest_distance(sheet, sheet.position));
+        result.intersections += test::intersections(sheet, sheet.position);
+    }
+    result.momentum_change = (linear_momentum(sheet) - momentum).norm() / momentum.norm();
+    result.momentum_moved = (sheet.velocity.leftCols(half) * sheet.mass.head(half)).norm() / momentum.norm();
+    return result;
+}
+
+// The mark to beat: no intersection at any speed, no momentum lost.
+TEST(SheetContact, CollidingPlatesDoNotPassThroughEachOther) {
+    struct Case {
+        Material material;
+        double speed, step;
+    };
+    for (const Case& c : {Case{ceramic, 3, 1e-4}, Case{ceramic, 60, 1e-4}, Case{rubber, 10, 3e-4}}) {
+        Sheet sheet = test::stacked_plates(2, 5, 0, c.material);
+        const Collision result = collide(sheet, c.speed, c.step, 60);
+        EXPECT_EQ(result.intersections, 0);
+        EXPECT_GT(result.nearest, 0.75 * c.material.thickness);
+        EXPECT_LT(result.nearest, c.material.thickness);
+        EXPECT_LT(result.momentum_change, 1e-8);
+        EXPECT_GT(result.momentum_moved, 0.1);
+        EXPECT_EQ(result.unconverged, 0);
+        EXPECT_LT(result.iterations, 60 * 12);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
