@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/contact/lip.h"
 #include "core/cubic_hinge.h"
 #include "core/hinge.h"
 #include "core/material.h"
@@ -43,6 +44,7 @@ struct Sheet {
     /// Vertices that lie on each other because a crack between them has only just opened: elements that have
     /// one each do not see each other in SheetContact.
     std::vector<std::array<Index, 2>> twins;
+    std::vector<LipStencil> lips;  ///< of these cracks
     std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
     std::vector<TriangleStencil> triangles;
     std::vector<HingeStencil> hinges;

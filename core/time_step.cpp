@@ -9,7 +9,8 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       options(options),
       bending(sheet.hinges, options.bending),
       membrane(sheet.triangles),
-      mirrors(sheet, this->options.mirrors) {
+      mirrors(sheet, this->options.mirrors),
+      lips(sheet.lips) {
     for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
     if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
@@ -25,7 +26,10 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const PlaneContact& plane : contact) energies.push_back(&plane);
-    if (sheet_contact) energies.push_back(sheet_contact.get());
+    if (sheet_contact) {
+        energies.push_back(sheet_contact.get());
+        energies.push_back(&lips);
+    }
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity);
 }
@@ -63,7 +67,7 @@ PotentialEnergies TimeStep::energies() const {
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const PlaneContact& plane : contact) sum.contact += plane.stored_energy(position);
-    if (sheet_contact) sum.contact += sheet_contact->value(position);
+    if (sheet_contact) sum.contact += sheet_contact->value(position) + lips.value(position);
     return sum;
 }
 

@@ -50,6 +50,7 @@ class TimeStep {
 
     PotentialEnergies energies() const;  ///< of `position`
     Index contacts() const;              ///< vertices that touch an obstacle, at `position`
+    double lip_overlap() const { return lips.largest_overlap(position); }  ///< m
 
     Positions position;  ///< [3, V] m, at the end of the open step
 
@@ -64,6 +65,7 @@ class TimeStep {
     MirrorEnergy mirrors;
     std::vector<PlaneContact> contact;
     std::unique_ptr<SheetContact> sheet_contact;   ///< none if not asked for
+    LipContact lips;
     std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;

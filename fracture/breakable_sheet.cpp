@@ -60,7 +60,7 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
-        add_vertices(input, first_vertex);
+        add_vertices(input, number(&input - inputs.data()), first_vertex);
         sheet_of_face.insert(sheet_of_face.end(), input.mesh.number_of_faces(),
                              number(&input - inputs.data()));
         first_vertex += number(input.mesh.number_of_vertices());
@@ -77,7 +77,7 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
     }
 }
 
-void BreakableSheet::add_vertices(const SheetInput& input, Index first_vertex) {
+void BreakableSheet::add_vertices(const SheetInput& input, Index body, Index first_vertex) {
     resize_vertices(sheet, first_vertex + number(input.mesh.number_of_vertices()));
     for (const Vertex vertex : input.mesh.vertices()) {
         const Index v = first_vertex + number(vertex);
@@ -85,6 +85,7 @@ void BreakableSheet::add_vertices(const SheetInput& input, Index first_vertex) {
         sheet.thickness[v] = input.material.thickness;
         sheet.young[v] = mean_young(input.material);
         original_vertex.push_back(v);
+        sheet.body[v] = body;
     }
     for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
 }
@@ -177,7 +178,15 @@ CrackMesh::Change BreakableSheet::fail(std::span<const Edge> edges) {
     carry_over(change.opening);
     renumber(change.opening.faces);
     share_masses(change.opening);
+    lips.open(change.opening);
+    lips.write(mesh(), sheet);
     return change;
+}
+
+bool BreakableSheet::release_lips() {
+    if (!lips.release(mesh(), sheet, sheet.position)) return false;
+    lips.write(mesh(), sheet);
+    return true;
 }
 
 void BreakableSheet::remove_hinge(Edge edge) {

@@ -6,6 +6,7 @@
 
 #include "core/sheet.h"
 #include "fracture/crack_mesh.h"
+#include "fracture/lips.h"
 #include "fracture/strength.h"
 
 namespace sherd {
@@ -50,9 +51,12 @@ class BreakableSheet {
     /// Lets the hinges of `edges` fail, opens the mesh and carries all data over. Vertices are appended.
     CrackMesh::Change fail(std::span<const Edge> edges);
 
+    /// Leaves the lips of cracks that have moved apart to SheetContact. Whether there were any.
+    bool release_lips();
+
   private:
     Index sheet_of(Edge edge) const;
-    void add_vertices(const SheetInput& input, Index first_vertex);
+    void add_vertices(const SheetInput& input, Index body, Index first_vertex);
     void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_strengths(const std::vector<SheetInput>& inputs);
@@ -66,6 +70,7 @@ class BreakableSheet {
 
     CrackMesh crack_mesh;
     Sheet sheet;
+    Lips lips;
     std::vector<Index> original_vertex, sheet_of_face, edge_hinge;
     std::vector<Edge> hinge_edge;
     std::vector<Measure> measures;  ///< of each input

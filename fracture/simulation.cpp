@@ -30,6 +30,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.loads = options.loads;
     result.mirrors = options.mirrors;
     result.damping = options.damping;
+    result.sheet_contact = options.sheet_contact;
     result.newton.tolerance = options.tolerance * mean_edge_length(sheet);
     return result;
 }
@@ -156,6 +157,7 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
 void Simulation::finish(StepReport& report) {
     time_step.finish();
     if (report.stages > 0) update_fragments();
+    if (options.sheet_contact && breakable.release_lips()) time_step.stencils_changed();
     const PotentialEnergies potential = time_step.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
@@ -165,6 +167,7 @@ void Simulation::finish(StepReport& report) {
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     report.contacts = time_step.contacts();
+    report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();
 }
 

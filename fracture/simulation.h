@@ -25,8 +25,9 @@ struct SimulationOptions {
     std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
     std::vector<SlidingVertex> sliding;
     Damping damping;
-    int max_iterations = 50;  ///< of Newton's method, between two stages
-    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
+    bool sheet_contact = true;  ///< whether sheets and fragments meet each other, and themselves
+    int max_iterations = 50;    ///< of Newton's method, between two stages
+    double tolerance = 1e-6;    ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< of staged breaking in one step
 };

@@ -25,7 +25,8 @@ struct StepReport {
     bool converged = true;
     Index stages = 0;  ///< stages of breaking
     bool stage_cap_reached = false;
-    Index contacts = 0;  ///< vertices in contact
+    Index contacts = 0;      ///< vertices in contact
+    double lip_overlap = 0;  ///< m, largest of the lips of cracks that have not moved apart yet
     Index fragments = 0;
 
     // Largest of the unbroken hinges before anything broke in this step: see HingeMeasures.

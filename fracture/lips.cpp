@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/lips.h"
+
+#include <algorithm>
+
+#include "core/contact/lip.h"
+
+namespace sherd {
+namespace {
+
+Index number(Vertex vertex) {
+    return static_cast<Index>(vertex);
+}
+
+/// The halfedge of a boundary edge that its face has.
+Halfedge inner(const Mesh& mesh, Edge edge) {
+    const Halfedge h = mesh.halfedge(edge);
+    return mesh.is_border(h) ? mesh.opposite(h) : h;
+}
+
+double distance(PairKind kind, const Positions& x, const std::array<Vertex, 4>& vertices) {
+    PairPositions local;
+    for (int i = 0; i < 4; ++i) local.col(i) = x.col(number(vertices[i]));
+    return std::sqrt(squared_distance(closest_points(kind, local), local));
+}
+
+/// The distance of a vertex to the nearest face around another.
+double distance_to_faces(const Mesh& mesh, const Positions& x, Vertex vertex, Vertex other) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(other)))
+        if (!mesh.is_border(h))
+            nearest = std::min(nearest, distance(PairKind::vertex_triangle, x,
+                                                 {vertex, mesh.source(h), other, mesh.target(mesh.next(h))}));
+    return nearest;
+}
+
+}  // namespace
+
+void Lips::open(const Opening& opening) {
+    for (const auto& [vertex, created] : opening.vertices) {
+        const std::size_t known = twins.size();
+        for (std::size_t i = 0; i < known; ++i)
+            for (const int side : {0, 1})
+                if (twins[i][side] == vertex) twins.push_back({twins[i][1 - side], created});
+        twins.push_back({vertex, created});
+    }
+    for (const auto& [edge, created] : opening.edges) edges.push_back({edge, created});
+}
+
+bool Lips::are_twins(Vertex a, Vertex b) const {
+    return std::any_of(twins.begin(), twins.end(), [&](const Twins& pair) {
+        return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
+    });
+}
+
+bool Lips::has_twin(Vertex vertex) const {
+    return std::any_of(twins.begin(), twins.end(),
+                       [&](const Twins& pair) { return pair[0] == vertex || pair[1] == vertex; });
+}
+
+bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const {
+    const auto [v, w] = pair;
+    const double thickness = sheet.thickness[number(v)];
+    if ((x.col(number(v)) - x.col(number(w))).norm() <= thickness) return false;
+    if (distance_to_faces(mesh, x, v, w) <= thickness) return false;
+    if (distance_to_faces(mesh, x, w, v) <= thickness) return false;
+    for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
+        for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
+            const Vertex p = mesh.source(a), q = mesh.source(b);
+            if (p == q || are_twins(p, q)) continue;  // they hang together there, or are judged there
+            if (distance(PairKind::edge_edge, x, {p, v, q, w}) <= thickness) return false;
+        }
+    return true;
+}
+
+bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
+    std::vector<Twins> kept;
+    for (const Twins& pair : twins)
+        if (!apart(mesh, sheet, x, pair)) kept.push_back(pair);
+    if (kept.size() == twins.size()) return false;
+    twins = std::move(kept);
+    std::erase_if(edges, [&](const std::array<Edge, 2>& lips) {
+        return !has_twin(mesh.vertex(lips[0], 0)) && !has_twin(mesh.vertex(lips[0], 1));
+    });
+    return true;
+}
+
+void Lips::write(const Mesh& mesh, Sheet& sheet) const {
+    sheet.twins.clear();
+    for (const auto& [a, b] : twins) sheet.twins.push_back({number(a), number(b)});
+    sheet.lips.clear();
+    for (const std::array<Edge, 2>& lips : edges)
+        for (const int side : {0, 1}) {
+            const Halfedge h = inner(mesh, lips[side]), facing = inner(mesh, lips[1 - side]);
+            const Vertex a = mesh.source(h), b = mesh.target(h), apex = mesh.target(mesh.next(h));
+            const double length = (sheet.rest.col(number(a)) - sheet.rest.col(number(b))).norm();
+            for (const auto& [own, other] : {Twins{a, mesh.target(facing)}, Twins{b, mesh.source(facing)}})
+                if (are_twins(own, other))
+                    sheet.lips.push_back({{number(other), number(a), number(b), number(apex)},
+                                          length * sheet.young[number(a)] / 8});
+        }
+}
+
+}  // namespace sherd
