@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time_step.h"
 
+#include "core/contact/sheet_friction.h"
+
 namespace sherd {
 
 TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
@@ -24,6 +26,9 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
+    if (sheet_contact && options.sheet_friction > 0)
+        of_step.push_back(
+            std::make_unique<SheetFriction>(sheet, *sheet_contact, options.sheet_friction, step));
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const PlaneContact& plane : contact) energies.push_back(&plane);
     if (sheet_contact) {

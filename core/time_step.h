@@ -23,6 +23,7 @@ struct TimeStepOptions {
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
     bool sheet_contact = false;  ///< whether sheets meet each other, and themselves
+    double sheet_friction = 0;   ///< Coulomb coefficient of sheets on sheets
 };
 
 /// Potential energies of a sheet, J.

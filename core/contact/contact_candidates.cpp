@@ -53,8 +53,7 @@ void ContactCandidates::add(const ContactPair& candidate) {
     const PairPositions from = pair_positions(start, candidate.vertices);
     const double nearer = approach(candidate.kind, pair_positions(motion, candidate.vertices)) + 2 * margin;
     const double size = from.cwiseAbs().maxCoeff() + nearer;
-    if (distance(candidate, from) <= candidate.touching + nearer + rounding * size)
-        pair.push_back(candidate);
+    if (distance(candidate, from) <= candidate.touching + nearer + rounding * size) pair.push_back(candidate);
 }
 
 bool ContactCandidates::cover(const Positions& x) const {

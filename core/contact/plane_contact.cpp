@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/plane_contact.h"
 
+#include "core/contact/friction.h"
+
 namespace sherd {
-namespace {
-
-constexpr double smoothing_speed = 0.01;  // m/s
-
-}  // namespace
-
 PlaneContact::PlaneContact(const Sheet& sheet, const Plane& plane, double step)
     : sheet(sheet), plane(plane), smoothing(smoothing_speed * step) {}
 
@@ -48,10 +44,8 @@ Index PlaneContact::contacts(const Positions& x) const {
 double PlaneContact::value(const Positions& x) const {
     double sum = stored_energy(x);
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
-        const double limit = sliding_limit(v);
-        if (limit == 0) continue;
-        const double way = sliding(x, v).norm(), ratio = way / smoothing;
-        sum += limit * (ratio < 1 ? smoothing * (ratio * ratio - ratio * ratio * ratio / 3 + 1.0 / 3) : way);
+        const Friction friction{sliding_limit(v), smoothing};
+        if (friction.limit > 0) sum += friction.value(sliding(x, v));
     }
     return sum;
 }
@@ -60,11 +54,8 @@ void PlaneContact::add_gradient(const Positions& x, Positions& gradient) const {
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
         const double depth = overlap(x.col(v), v);
         if (depth > 0) gradient.col(v) -= stiffness(v) * depth * plane.normal;
-        const double limit = sliding_limit(v);
-        if (limit == 0) continue;
-        const Vector3d slip = sliding(x, v);
-        const double way = slip.norm(), ratio = way / smoothing;
-        gradient.col(v) += limit * slip * (ratio < 1 ? (2 - ratio) / smoothing : 1 / way);
+        const Friction friction{sliding_limit(v), smoothing};
+        if (friction.limit > 0) gradient.col(v) += friction.gradient(sliding(x, v));
     }
 }
 
@@ -73,16 +64,8 @@ void PlaneContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessi
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
         const Index vertex = static_cast<Index>(v);
         if (overlap(x.col(v), v) > 0) hessian.add(vertex, vertex, stiffness(v) * normal);
-        const double limit = sliding_limit(v);
-        if (limit == 0) continue;
-        const Vector3d slip = sliding(x, v);
-        const double way = slip.norm(), ratio = way / smoothing;
-        // d(f(w) u/w)/du = f/w (I - uu/w2) + f' uu/w2, both parts positive.
-        const double across = ratio < 1 ? (2 - ratio) / smoothing : 1 / way;
-        const double along = ratio < 1 ? 2 * (1 - ratio) / smoothing : 0;
-        Matrix3d block = across * tangent;
-        if (way > 0) block += (along - across) / (way * way) * slip * slip.transpose();
-        hessian.add(vertex, vertex, limit * block);
+        const Friction friction{sliding_limit(v), smoothing};
+        if (friction.limit > 0) hessian.add(vertex, vertex, friction.hessian(sliding(x, v), tangent));
     }
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Below this speed of sliding friction is smooth, m/s.
+constexpr double smoothing_speed = 0.01;
+
+/// Coulomb friction in one step, with a limit that is known at its beginning: a potential of the way slid
+/// since, whose slope rises smoothly from zero to the limit.
+struct Friction {
+    double limit;      ///< N, coefficient times normal force
+    double smoothing;  ///< m, the way from which on the force is the limit: smoothing_speed times the step
+
+    double value(const Vector3d& slip) const {  ///< J
+        const double way = slip.norm(), ratio = way / smoothing;
+        return limit * (ratio < 1 ? smoothing * (ratio * ratio - ratio * ratio * ratio / 3 + 1.0 / 3) : way);
+    }
+    Vector3d gradient(const Vector3d& slip) const {  ///< N
+        const double way = slip.norm(), ratio = way / smoothing;
+        return limit * slip * (ratio < 1 ? (2 - ratio) / smoothing : 1 / way);
+    }
+    /// N/m, positive semidefinite; `tangent` projects to the plane of sliding.
+    Matrix3d hessian(const Vector3d& slip, const Matrix3d& tangent) const {
+        const double way = slip.norm(), ratio = way / smoothing;
+        // d(f(w) u/w)/du = f/w (I - uu/w2) + f' uu/w2, both parts positive.
+        const double across = ratio < 1 ? (2 - ratio) / smoothing : 1 / way;
+        const double along = ratio < 1 ? 2 * (1 - ratio) / smoothing : 0;
+        Matrix3d block = across * tangent;
+        if (way > 0) block += (along - across) / (way * way) * slip * slip.transpose();
+        return limit * block;
+    }
+};
+
+}  // namespace sherd
