@@ -51,12 +51,12 @@ void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
     for (const Edge edge : mesh.edges())
         edges[std::minmax(number[mesh.vertex(edge, 0)], number[mesh.vertex(edge, 1)])].push_back(edge);
     std::mt19937 random(percent);
-    std::set<CornerRule::VertexPair> failed;
+    std::vector<CornerRule::VertexPair> failed;
     std::ofstream list(folder / "random.txt");
     for (const auto& [ends, same] : edges) {
         if (same.size() > 1 || mesh.is_border(same[0]) || random() % 100 >= percent) continue;
         list << ends.second << ' ' << ends.first << '\n';
-        failed.insert(CornerRule::ordered(static_cast<int>(mesh.vertex(same[0], 0).idx()),
+        failed.push_back(CornerRule::ordered(static_cast<int>(mesh.vertex(same[0], 0).idx()),
                                           static_cast<int>(mesh.vertex(same[0], 1).idx())));
     }
     list.close();
