@@ -35,20 +35,23 @@ inline std::string manifold_fault(const Mesh& mesh) {
 }
 
 /// Where the corners of the faces differ from the rule; empty: nowhere. Same faces in the same order, corners
-/// joined exactly where the rule joins them, each vertex's ancestor the one that stood at the corner before.
-inline std::string corner_fault(const std::vector<std::array<int, 3>>& before, CornerRule& rule,
-                                const CrackMesh& after) {
+/// joined exactly where the rule joins them, each vertex's ancestor the one that stood at the corner before,
+/// and each vertex where its ancestor is. old_faces: triangles_of(before).
+inline std::string corner_fault(const Mesh& before, const std::vector<std::array<int, 3>>& old_faces,
+                                CornerRule& rule, const CrackMesh& after) {
     const auto faces = triangles_of(after.mesh());
-    if (faces.size() != before.size()) return "number of faces";
+    if (faces.size() != old_faces.size()) return "number of faces";
     std::vector<int> vertex_of_root(3 * faces.size(), -1);
     for (int f = 0; f < static_cast<int>(faces.size()); ++f)
         for (int i = 0; i < 3; ++i) {
             int& vertex = vertex_of_root[rule.vertex(f, i)];
             if (vertex < 0) vertex = faces[f][i];
             if (vertex != faces[f][i]) return "corner " + std::to_string(i) + " of face " + std::to_string(f);
-            const Vertex now(static_cast<unsigned>(faces[f][i]));
-            if (static_cast<int>(after.original(now).idx()) != before[f][i]) return "ancestor of a vertex";
+            const Vertex ancestor = after.original(Vertex(static_cast<unsigned>(vertex)));
+            if (static_cast<int>(ancestor.idx()) != old_faces[f][i]) return "ancestor of a vertex";
         }
+    for (const Vertex vertex : after.mesh().vertices())
+        if (after.mesh().point(vertex) != before.point(after.original(vertex))) return "place of a vertex";
     const std::size_t count = after.mesh().number_of_vertices();
     return rule.vertex_count() == static_cast<int>(count) ? "" : "number of vertices";
 }
@@ -80,7 +83,7 @@ inline std::string disagreement(const Mesh& before, std::span<const Edge> failed
     for (const Edge edge : failed) pairs.push_back(vertex_pair(before, edge));
     const auto faces = triangles_of(before);
     CornerRule rule(faces, std::move(pairs));
-    std::string fault = corner_fault(faces, rule, after);
+    std::string fault = corner_fault(before, faces, rule, after);
     if (fault.empty()) fault = edge_fault(before, rule, failed, after);
     return fault.empty() ? manifold_fault(after.mesh()) : fault;
 }

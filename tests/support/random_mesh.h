@@ -103,6 +103,7 @@ inline void remove(Mesh& mesh, Face face) {
         CGAL::Euler::remove_face(mesh.halfedge(face), mesh);
 }
 
+/// A mesh to tell corners and vertices apart: a topology, each vertex at a place of its own.
 inline Mesh random_mesh(const MeshRecipe& recipe) {
     Mesh mesh = base_mesh(recipe);
     Random random(recipe.seed);
@@ -113,6 +114,7 @@ inline Mesh random_mesh(const MeshRecipe& recipe) {
         remove(mesh, Face(random.below(mesh.number_of_faces())));
         if (mesh.has_garbage()) mesh.collect_garbage();
     }
+    for (const Vertex vertex : mesh.vertices()) mesh.point(vertex) = Point(vertex.idx(), recipe.seed, 0.5);
     return mesh;
 }
 
