@@ -39,12 +39,22 @@ nlohmann::ordered_json summary(const Mesh& before, std::span<const Edge> edges, 
                  static_cast<std::int64_t>(mesh.number_of_edges())}};
 }
 
+void check_output(const CutOptions& options) {
+    const std::filesystem::path& output = options.output;
+    if (!can_write_mesh(output))
+        throw Error(fmt::format(
+            "'{}' ends in none of .obj, .ply and .off; name a file that does (STL would close every crack)",
+            output.string()));
+    std::error_code none;  // what is not there is nobody's input
+    for (const auto& input : {options.mesh, options.edges})
+        if (std::filesystem::equivalent(output, input, none))
+            throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",
+                                    output.string()));
+    check_free(output, options.force);
+}
+
 int cut(const CutOptions& options) {
-    const std::string ending = options.output.extension().string();
-    if (ending != ".obj" && ending != ".ply")
-        throw Error(
-            fmt::format("'{}' is neither .obj nor .ply; name a file that ends so", options.output.string()));
-    check_free(options.output, options.force);
+    check_output(options);
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(options.mesh, options.read, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
@@ -74,7 +84,7 @@ void add_cut(CLI::App& program, Command& chosen) {
                      "Text file, an edge a line: two 0-based vertex numbers of MESH")
         ->required()
         ->option_text("FILE");
-    command->add_option("-o,--output", options->output, "Mesh to write (.obj or .ply)")
+    command->add_option("-o,--output", options->output, "Mesh to write (.obj, .ply or .off)")
         ->required()
         ->option_text("OUT");
     command->add_flag("--repair", options->read.repair,

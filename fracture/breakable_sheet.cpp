@@ -84,7 +84,6 @@ void BreakableSheet::add_vertices(const SheetInput& input, Index body, Index fir
         sheet.rest.col(v) = sheet.position.col(v) = vector_of(input.mesh.point(vertex));
         sheet.thickness[v] = input.material.thickness;
         sheet.young[v] = mean_young(input.material);
-        original_vertex.push_back(v);
         sheet.body[v] = body;
     }
     for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
@@ -201,10 +200,8 @@ void BreakableSheet::remove_hinge(Edge edge) {
 
 void BreakableSheet::carry_over(const Opening& opening) {
     resize_vertices(sheet, number(mesh().number_of_vertices()));
-    for (const auto& [vertex, created] : opening.vertices) {
+    for (const auto& [vertex, created] : opening.vertices)
         copy_vertex(sheet, number(vertex), number(created));
-        original_vertex.push_back(original_vertex[vertex]);
-    }
 }
 
 void BreakableSheet::renumber(std::span<const Face> faces) {

@@ -36,7 +36,6 @@ class BreakableSheet {
     const Mesh& mesh() const { return crack_mesh.mesh(); }
     const Sheet& mechanics() const { return sheet; }
     Sheet& mechanics() { return sheet; }
-    std::span<const Index> original() const { return original_vertex; }  ///< [V] vertex of the unbroken mesh
     std::span<const Index> face_sheet() const { return sheet_of_face; }  ///< [F] number of the input
     Edge edge_of_hinge(std::size_t hinge) const { return hinge_edge[hinge]; }
     /// Number of the edge's hinge in mechanics().hinges, -1 when it has none.
@@ -71,7 +70,7 @@ class BreakableSheet {
     CrackMesh crack_mesh;
     Sheet sheet;
     Lips lips;
-    std::vector<Index> original_vertex, sheet_of_face, edge_hinge;
+    std::vector<Index> sheet_of_face, edge_hinge;
     std::vector<Edge> hinge_edge;
     std::vector<Measure> measures;  ///< of each input
     std::vector<double> crack_tip_factors;

@@ -12,8 +12,9 @@ CrackMesh::CrackMesh(Mesh mesh) : halfedges(std::move(mesh)) {
     states.reserve(halfedges.number_of_edges());
     for (const Edge edge : halfedges.edges()) {
         states.push_back(halfedges.is_border(edge) ? EdgeState::boundary : EdgeState::interior);
-        origin.push_back(edge);
+        edge_origin.push_back(edge);
     }
+    for (const Vertex vertex : halfedges.vertices()) vertex_origin.push_back(vertex);
 }
 
 bool CrackMesh::is_tip(Vertex vertex) const {
@@ -21,8 +22,8 @@ bool CrackMesh::is_tip(Vertex vertex) const {
     for (const Halfedge h : halfedges.halfedges_around_target(halfedges.halfedge(vertex))) {
         const Edge edge = halfedges.edge(h);
         if (states[edge] == EdgeState::interior) continue;
-        if (crack.is_valid() && origin[edge] != crack) return false;
-        crack = origin[edge];
+        if (crack.is_valid() && original(edge) != crack) return false;
+        crack = original(edge);
     }
     return crack.is_valid();
 }
@@ -60,8 +61,9 @@ CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
     states.resize(halfedges.number_of_edges(), EdgeState::boundary);
     for (const Opening::OpenedEdge& opened : change.opening.edges) {
         states[opened.edge] = EdgeState::boundary;
-        origin.push_back(origin[opened.edge]);
+        edge_origin.push_back(original(opened.edge));
     }
+    for (const auto& [vertex, created] : change.opening.vertices) vertex_origin.push_back(original(vertex));
     return change;
 }
 

@@ -20,6 +20,9 @@ class CrackMesh {
 
     const Mesh& mesh() const { return halfedges; }
     EdgeState state(Edge edge) const { return states[edge]; }
+    /// Ancestry: the vertex of the uncut mesh that `vertex` is, or came from; and the same of an edge.
+    Vertex original(Vertex vertex) const { return vertex_origin[vertex]; }
+    Edge original(Edge edge) const { return edge_origin[edge]; }
     /// Whether a crack ends at `vertex`, inside the sheet: a single failed edge leads there.
     bool is_tip(Vertex vertex) const;
 
@@ -39,7 +42,8 @@ class CrackMesh {
 
     Mesh halfedges;
     std::vector<EdgeState> states;
-    std::vector<Edge> origin;  ///< of each edge: itself, or the one that it was created from
+    std::vector<Vertex> vertex_origin;
+    std::vector<Edge> edge_origin;
 };
 
 }  // namespace sherd

@@ -12,13 +12,14 @@ Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_
     snapshot.position = mechanics.position;
     snapshot.velocity = mechanics.velocity;
     snapshot.mass = mechanics.mass;
-    snapshot.original.assign(sheet.original().begin(), sheet.original().end());
     for (const TriangleStencil& triangle : mechanics.triangles) snapshot.faces.push_back(triangle.vertices);
     snapshot.face_fragment.assign(face_fragment.begin(), face_fragment.end());
     snapshot.face_sheet.assign(sheet.face_sheet().begin(), sheet.face_sheet().end());
 
     const VectorXd strains = hinge_strains(sheet, mechanics.position);
     const Mesh& mesh = sheet.mesh();
+    for (const Vertex vertex : mesh.vertices())
+        snapshot.original.push_back(static_cast<Index>(sheet.cracks().original(vertex)));
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});

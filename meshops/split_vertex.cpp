@@ -77,7 +77,8 @@ void join_borders(Mesh& mesh, const Sector& sector, Vertex old, Vertex vertex, s
 }
 
 Vertex copy_vertex(Mesh& mesh, Vertex vertex) {
-    const Vertex copy = mesh.add_vertex(mesh.point(vertex));
+    const Point point = mesh.point(vertex);  // not by reference: adding a vertex may move all points
+    const Vertex copy = mesh.add_vertex(point);
     auto [number, found] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
     if (found) number[copy] = number[vertex];
     return copy;

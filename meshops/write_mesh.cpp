@@ -10,6 +10,7 @@
 #include <map>
 
 #include "meshops/error.h"
+#include "meshops/read_mesh.h"
 
 namespace sherd {
 namespace {
@@ -38,6 +39,24 @@ struct ObjCounts {
     std::size_t points = 0, texture = 0;
 };
 
+/// The lines that put the following faces into these groups and into none else. Only an object's name may be
+/// of several words; `has_objects` says that there are such among the names.
+void append_named_groups(std::string& text, const GroupNames& names, bool has_objects) {
+    std::string group = "g", object = "o";
+    if (names)
+        for (const std::string& name : *names)
+            append_all(name.find(' ') == name.npos ? group : object, " ", name.c_str());
+    append_all(text, group.c_str(), "\n");
+    if (has_objects) append_all(text, object.c_str(), "\n");
+}
+
+bool has_objects(const TriangleSheet& sheet) {
+    const auto is_long = [](const std::string& name) { return name.find(' ') != name.npos; };
+    return std::ranges::any_of(sheet.named_groups, [&](const GroupNames& names) {
+        return names && std::ranges::any_of(*names, is_long);
+    });
+}
+
 /// One object, complete in itself: its points, its texture points, its faces.
 void append_object(std::string& text, const TriangleSheet& sheet, const std::vector<std::size_t>& triangles,
                    const std::vector<std::size_t>& points, ObjCounts& counts) {
@@ -58,7 +77,13 @@ void append_object(std::string& text, const TriangleSheet& sheet, const std::vec
             texture_number[i][corner] = entry->second;
         }
     }
+    const bool objects = has_objects(sheet);
+    GroupNames names;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (!sheet.named_groups.empty() && sheet.named_groups[triangles[i]] != names) {
+            names = sheet.named_groups[triangles[i]];
+            append_named_groups(text, names, objects);
+        }
         text += 'f';
         for (int corner = 0; corner < 3; ++corner) {
             append_all(text, " ", point_number[sheet.triangles[triangles[i]][corner]]);
@@ -112,7 +137,15 @@ std::string ply_header(const TriangleSheet& sheet) {
     if (!sheet.group.empty()) text += "property int fragment\n";
     if (!sheet.quality.empty()) text += "property double quality\n";
     if (!sheet.texture.empty()) text += "property list uchar float texcoord\n";
+    if (!sheet.axis.empty())
+        text += "property double axis_x\nproperty double axis_y\nproperty double axis_z\n";
     return text + "end_header\n";
+}
+
+void append_texture(std::string& bytes, const FaceTexture& texture) {
+    append_bytes(bytes, std::uint8_t{6});
+    for (const auto& uv : texture)
+        for (const double coordinate : uv) append_bytes(bytes, static_cast<float>(coordinate));
 }
 
 std::string ply_bytes(const TriangleSheet& sheet) {
@@ -125,14 +158,20 @@ std::string ply_bytes(const TriangleSheet& sheet) {
         for (const std::int32_t point : sheet.triangles[t]) append_bytes(bytes, point);
         if (!sheet.group.empty()) append_bytes(bytes, sheet.group[t]);
         if (!sheet.quality.empty()) append_bytes(bytes, sheet.quality[t]);
-        if (sheet.texture.empty()) continue;
-        append_bytes(bytes, std::uint8_t{6});
-        for (const auto& uv : sheet.texture[t]) {
-            append_bytes(bytes, static_cast<float>(uv.x()));
-            append_bytes(bytes, static_cast<float>(uv.y()));
-        }
+        if (!sheet.texture.empty()) append_texture(bytes, sheet.texture[t]);
+        if (sheet.axis.empty()) continue;
+        for (const double coordinate : sheet.axis[t]) append_bytes(bytes, coordinate);
     }
     return bytes;
+}
+
+std::string off_text(const TriangleSheet& sheet) {
+    std::string text;
+    append_all(text, "OFF\n", sheet.points.size(), " ", sheet.triangles.size(), " 0\n");
+    for (const auto& p : sheet.points) append_all(text, p.x(), " ", p.y(), " ", p.z(), "\n");
+    for (const auto& [a, b, c] : sheet.triangles)
+        append_all(text, "3 ", std::size_t(a), " ", std::size_t(b), " ", std::size_t(c), "\n");
+    return text;
 }
 
 void check(const TriangleSheet& sheet, const std::string& file) {
@@ -141,8 +180,9 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     };
     const std::size_t count = sheet.triangles.size();
     const auto fits = [&](const auto& values) { return values.empty() || values.size() == count; };
-    require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality),
-            "group, texture and quality need one value a triangle");
+    require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality) && fits(sheet.named_groups) &&
+                fits(sheet.axis),
+            "group, texture, quality and axis need one value a triangle");
     for (const auto& triangle : sheet.triangles) {
         for (const std::int32_t point : triangle) {
             require(point >= 0 && static_cast<std::size_t>(point) < sheet.points.size(),
@@ -173,6 +213,12 @@ void replace_file(const fs::path& file, const std::string& bytes) {
     if (failure) fail(file, temporary, failure.message());
 }
 
+std::string lower_extension(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
 }  // namespace
 
 TriangleSheet triangle_sheet(const Mesh& mesh) {
@@ -185,26 +231,36 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         sheet.points.emplace_back(p.x(), p.y(), p.z());
     }
     const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [groups, has_groups] = mesh.property_map<Face, GroupNames>(property::groups);
+    const auto [axis, has_axis] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
     for (const Face face : mesh.faces()) {
         auto& triangle = sheet.triangles.emplace_back();
         auto corner = triangle.begin();
         for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face))) *corner++ = number[v.idx()];
         if (has_texture) sheet.texture.push_back(texture[face]);
+        if (has_groups) sheet.named_groups.push_back(groups[face]);
+        if (has_axis) sheet.axis.push_back(axis[face]);
     }
     return sheet;
 }
 
+bool can_write_mesh(const fs::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".obj" || extension == ".ply" || extension == ".off";
+}
+
 void write_mesh(const TriangleSheet& sheet, const fs::path& file) {
     check(sheet, file.string());
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = lower_extension(file);
     if (extension == ".obj") {
         replace_file(file, obj_text(sheet));
     } else if (extension == ".ply") {
         replace_file(file, ply_bytes(sheet));
+    } else if (extension == ".off") {
+        replace_file(file, off_text(sheet));
     } else {
         throw Error(file.string() + ": cannot be written: unknown kind of mesh file `" + extension +
-                        "`; known are .obj and .ply",
+                        "`; known are .obj, .ply and .off",
                     Fault::run);
     }
 }

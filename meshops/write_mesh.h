@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "meshops/face_groups.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -16,16 +17,22 @@ struct TriangleSheet {
     std::vector<std::array<std::int32_t, 3>> triangles;
     std::vector<std::int32_t> group;       ///< object of each triangle; empty: one object
     std::vector<std::string> group_names;  ///< name of each object
+    std::vector<GroupNames> named_groups;  ///< per triangle, as in the file read (OBJ); empty: none
+    std::vector<Eigen::Vector3d> axis;     ///< per triangle, first material axis (PLY); empty: none
     std::vector<FaceTexture> texture;      ///< per triangle; empty: none
     std::vector<double> quality;           ///< per triangle scalar (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
-/// Write `sheet` to `file`, as OBJ (an `o` for each group) or binary PLY (property `fragment` for the group),
-/// by its extension (.obj, .ply). Vertices and triangles keep their order (in OBJ the triangles of a group
-/// stand together, in order). The file appears under its name only when it is complete. Throws Error
-/// (Fault::run) when it cannot be written.
+/// Whether write_mesh() knows the file's extension: .obj, .ply or .off, in capitals or not.
+bool can_write_mesh(const std::filesystem::path& file);
+
+/// Write `sheet` to `file`, by its extension as OBJ (an `o` for each group, or `g` and `o` lines for the
+/// named groups), binary PLY (property `fragment` for the group) or OFF (points and triangles alone).
+/// Vertices and triangles keep their order (in OBJ the triangles of a group stand together, in order; those
+/// of named groups stay where they are). The file appears under its name only when it is complete. Throws
+/// Error (Fault::run) when it cannot be written.
 void write_mesh(const TriangleSheet& sheet, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "meshops/face_groups.h"
 #include "meshops/read_mesh.h"
 #include "meshops/write_mesh.h"
 #include "tests/support/corner_rule.h"
@@ -51,13 +53,13 @@ void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
     for (const Edge edge : mesh.edges())
         edges[std::minmax(number[mesh.vertex(edge, 0)], number[mesh.vertex(edge, 1)])].push_back(edge);
     std::mt19937 random(percent);
-    std::set<CornerRule::VertexPair> failed;
+    std::vector<CornerRule::VertexPair> failed;
     std::ofstream list(folder / "random.txt");
     for (const auto& [ends, same] : edges) {
         if (same.size() > 1 || mesh.is_border(same[0]) || random() % 100 >= percent) continue;
         list << ends.second << ' ' << ends.first << '\n';
-        failed.insert(CornerRule::ordered(static_cast<int>(mesh.vertex(same[0], 0).idx()),
-                                          static_cast<int>(mesh.vertex(same[0], 1).idx())));
+        failed.push_back(CornerRule::ordered(static_cast<int>(mesh.vertex(same[0], 0).idx()),
+                                             static_cast<int>(mesh.vertex(same[0], 1).idx())));
     }
     list.close();
     const auto result = test::run_sherd({"cut", mesh_file.string(), "--edges", "random.txt", "-o",
@@ -66,14 +68,17 @@ void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto json = nlohmann::json::parse(result.out);
 
-    const auto before = test::triangles_of(mesh), after = test::triangles_of(read(folder / "random.ply"));
+    const TriangleSheet old = triangle_sheet(mesh), now = triangle_sheet(read(folder / "random.ply"));
+    const auto &before = old.triangles, &after = now.triangles;
     CornerRule rule(before, failed);
     ASSERT_EQ(after.size(), before.size());
     std::map<int, int> vertex_of_root;
     for (std::size_t f = 0; f < after.size(); ++f)
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_EQ(now.points[after[f][i]], old.points[before[f][i]]);
             ASSERT_EQ(vertex_of_root.emplace(rule.vertex(static_cast<int>(f), i), after[f][i]).first->second,
                       after[f][i]);
+        }
     EXPECT_EQ(json["vertices_after"], rule.vertex_count());
     EXPECT_EQ(json["edges_requested"], failed.size());
     EXPECT_EQ(json["edges_opened"], rule.open_count());
@@ -102,6 +107,31 @@ TEST_F(Cut, FollowsTheCornerRuleOnAnySurface) {
         }
 }
 
+/// Every triangle cut into four at the middles of its sides, as often as it takes to have `faces`.
+TriangleSheet subdivided(const Mesh& mesh, std::size_t faces) {
+    TriangleSheet sheet;
+    sheet.points = triangle_sheet(mesh).points;
+    sheet.triangles = triangle_sheet(mesh).triangles;
+    while (sheet.triangles.size() < faces) {
+        std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+        const auto middle = [&](std::int32_t a, std::int32_t b) {
+            const auto [found, is_new] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::int32_t>(sheet.points.size()));
+            if (is_new) sheet.points.push_back((sheet.points[a] + sheet.points[b]) / 2);
+            return found->second;
+        };
+        std::vector<std::array<std::int32_t, 3>> finer;
+        for (const auto& [a, b, c] : sheet.triangles) {
+            const std::int32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            for (const auto& triangle : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c},
+                                         std::array{ab, bc, ca}})
+                finer.push_back(triangle);
+        }
+        sheet.triangles = std::move(finer);
+    }
+    return sheet;
+}
+
 // Meshes that nobody here made: they stand beside the project where there are any.
 TEST_F(Cut, FollowsTheCornerRuleOnRealMeshes) {
     const std::filesystem::path folder = std::filesystem::path(SHERD_SCENES) / "../../shared/data";
@@ -113,6 +143,12 @@ TEST_F(Cut, FollowsTheCornerRuleOnRealMeshes) {
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (entry.path().extension() == ".obj")
             for (const unsigned percent : {10u, 60u}) expect_rule_on(entry.path(), percent, directory.path);
+    // Large ones, 94,000 to 248,000 faces from three real meshes, must take seconds.
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".obj") continue;
+        write_mesh(subdivided(read(entry.path()), 90'000), directory.path / "large.obj");
+        expect_rule_on(directory.path / "large.obj", 40, directory.path);
+    }
 }
 
 TEST_F(Cut, AnswersEveryBadList) {
@@ -126,6 +162,108 @@ TEST_F(Cut, AnswersEveryBadList) {
     expect_refusal("1 x\n", "is not a vertex number");
     expect_refusal("1 4 5\n", "is one too many");
     expect_refusal("-1 4\n", "is not a vertex number");
+    expect_refusal("1\n", "write two 0-based numbers a line");
+    expect_refusal("1.0 4\n", "is not a vertex number");
+    expect_refusal("4294967297 4\n", "is not a vertex number");
+    expect_refusal("4 4\n", "edge 4 4 is not in the mesh");
+}
+
+TEST_F(Cut, TakesListsFromAnyEditor) {
+    write_mesh(triangle_sheet(test::grid(3, 1)), directory.path / "mesh.obj");
+    write("edges.txt", "\xEF\xBB\xBF# cracks\r\n\r\n  1\t5 \r\n6 2 # no line end");
+    const auto result = cut({"--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["edges_opened"], 2);
+}
+
+// What is not there, or is no file, has to be told from what is wrong in it.
+TEST_F(Cut, NamesAFileThatItCannotRead) {
+    const auto expect_named = [&](const std::string& name) {
+        const auto result = cut();
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_NE(result.err.find(name + ":"), std::string::npos) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(directory.path / "out.obj"));
+    };
+    expect_named("mesh.obj");
+    write_mesh(triangle_sheet(test::grid(2, 2)), directory.path / "mesh.obj");
+    expect_named("edges.txt");
+    std::filesystem::create_directory(directory.path / "edges.txt");
+    expect_named("edges.txt");
+}
+
+// --force is for old results, never for what the command reads.
+TEST_F(Cut, NeverReplacesWhatItReads) {
+    write_mesh(triangle_sheet(test::grid(2, 2)), directory.path / "mesh.obj");
+    write("edges.txt", "1 4\n");
+    std::filesystem::create_symlink("edges.txt", directory.path / "link.ply");
+    const auto before = directory.contents();
+    for (const char* output : {"mesh.obj", "./mesh.obj", "link.ply"}) {
+        const auto result = test::run_sherd(
+            {"cut", "mesh.obj", "--edges", "edges.txt", "-o", output, "--force"}, directory.path);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_NE(result.err.find("is read by this command"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(directory.contents(), before);
+}
+
+/// Reads the outcome of a cut for the tests of what it keeps.
+Mesh read_cut(const std::filesystem::path& file) {
+    std::vector<std::string> warnings;
+    Mesh mesh = read_mesh(file, {}, warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    return mesh;
+}
+
+// A textured mesh, with a seam, named parts and quads, must come out with all of it: same faces in the same
+// order, same first corners, each corner's point, texture and groups.
+TEST_F(Cut, KeepsTextureGroupsAndOrder) {
+    write("mesh.obj",
+          "o left wing\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0.1\nv 1 1 0\nv 2 1 0\n"
+          "vt 0 0\nvt 0.5 0\nvt 1 0.25\nvt 0 1\nvt 0.5 1\nvt 1 0.75\nvt 0.625 0.125\n"
+          "f 5/5 1/1 2/2\ng rim front\nf 1/1 5/5 4/4\no\ng\nf 2/7 3/3 6/6 5/5\n");
+    write("edges.txt", "1 4\n4 0\n");
+    ASSERT_EQ(cut({"--json"}).exit_code, 0);
+    const Mesh before = read_cut(directory.path / "mesh.obj"), after = read_cut(directory.path / "out.obj");
+    EXPECT_EQ(after.number_of_vertices(), 10U);
+    const TriangleSheet old = triangle_sheet(before), now = triangle_sheet(after);
+    ASSERT_EQ(old.texture.size(), 4U);
+    EXPECT_EQ(now.texture, old.texture);
+    ASSERT_EQ(now.triangles.size(), old.triangles.size());
+    for (std::size_t f = 0; f < old.triangles.size(); ++f) {
+        for (const int i : {0, 1, 2})
+            EXPECT_EQ(now.points[now.triangles[f][i]], old.points[old.triangles[f][i]]);
+        const auto groups = [f](const TriangleSheet& sheet) {
+            return sheet.named_groups[f] ? *sheet.named_groups[f] : std::vector<std::string>();
+        };
+        EXPECT_EQ(groups(now), groups(old));
+    }
+    EXPECT_EQ(group_names(after), (std::vector<std::string>{"front", "left wing", "rim"}));
+}
+
+TEST_F(Cut, KeepsMaterialAxesInPly) {
+    write("mesh.ply",
+          "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+          "element face 2\nproperty list uchar int vertex_indices\nproperty double axis_x\n"
+          "property double axis_y\nproperty double axis_z\nend_header\n"
+          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 1 0.5 0\n3 0 2 3 0 1 0\n");
+    write("edges.txt", "0 2\n");
+    const auto result =
+        test::run_sherd({"cut", "mesh.ply", "--edges", "edges.txt", "-o", "out.ply"}, directory.path);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const TriangleSheet now = triangle_sheet(read_cut(directory.path / "out.ply"));
+    EXPECT_EQ(now.points.size(), 6U);
+    EXPECT_EQ(now.axis, (std::vector<Eigen::Vector3d>{{1, 0.5, 0}, {0, 1, 0}}));
+}
+
+TEST_F(Cut, WritesOffAndTakesEndingsInCapitals) {
+    write_mesh(triangle_sheet(test::grid(3, 1)), directory.path / "mesh.obj");
+    write("edges.txt", "1 5\n");
+    for (const char* output : {"out.off", "OUT.PLY"}) {
+        const auto result =
+            test::run_sherd({"cut", "mesh.obj", "--edges", "edges.txt", "-o", output}, directory.path);
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(read_cut(directory.path / output).number_of_vertices(), 10U);
+    }
 }
 
 TEST_F(Cut, KeepsAFileThatExists) {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "app/recording.h"
 #include "app/scene.h"
@@ -62,7 +63,7 @@ void expect_corner_rule(const Snapshot& frame, const Snapshot& first) {
     for (std::size_t e = 0; e < first.edges.size(); ++e)
         if (frame.edge_state[e] != EdgeState::interior && first.edge_state[e] == EdgeState::interior)
             failed.insert(CornerRule::ordered(first.edges[e][0], first.edges[e][1]));
-    CornerRule rule(first.faces, failed);
+    CornerRule rule(first.faces, {failed.begin(), failed.end()});
     std::map<int, int> vertex_of_root;
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (int i = 0; i < 3; ++i)

@@ -64,8 +64,8 @@ RC_GTEST_PROP(BreakableSheet, CrackCarriesEverythingOver, ()) {
     RC_ASSERT(std::abs(after.mass.sum() - before.mass.sum()) <= 1e-14 * before.mass.sum());
     RC_ASSERT(std::abs(after.footprint.sum() - before.footprint.sum()) <= 1e-13 * before.footprint.sum());
     RC_ASSERT(after.mass.minCoeff() > 0);
-    for (std::size_t v = 0; v < sheet.original().size(); ++v) {
-        const Index origin = sheet.original()[v];
+    for (const Vertex v : sheet.mesh().vertices()) {
+        const Vertex origin = sheet.cracks().original(v);
         RC_ASSERT(after.rest.col(v) == before.rest.col(origin));
         RC_ASSERT(after.velocity.col(v) == before.velocity.col(origin));
         RC_ASSERT(after.fixed[v] == before.fixed[origin]);

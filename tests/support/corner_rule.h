@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,35 +16,41 @@ class CornerRule {
     using Triangle = std::array<int, 3>;
     using VertexPair = std::pair<int, int>;
 
-    /// failed: unordered pairs of vertices of `faces`.
-    CornerRule(const std::vector<Triangle>& faces, const std::set<VertexPair>& failed) : faces(faces) {
+    /// faces: a manifold, has to outlive the rule. failed: ordered() pairs of their vertices.
+    CornerRule(const std::vector<Triangle>& faces, std::vector<VertexPair> failed) : faces(faces) {
+        std::sort(failed.begin(), failed.end());
         parent.resize(3 * faces.size());
         std::iota(parent.begin(), parent.end(), 0);
-        std::map<VertexPair, std::vector<int>> sides;  // faces of each edge
-        for (std::size_t f = 0; f < faces.size(); ++f)
-            for (int i = 0; i < 3; ++i)
-                sides[ordered(faces[f][i], faces[f][(i + 1) % 3])].push_back(static_cast<int>(f));
-        for (const auto& [edge, around] : sides) {
-            if (around.size() != 2 || failed.count(edge)) continue;
-            for (const int end : {edge.first, edge.second})
-                join(corner(around[0], end), corner(around[1], end));
+        std::vector<std::pair<VertexPair, int>> sides;  // each face's three
+        sides.reserve(parent.size());
+        for (int c = 0; c < static_cast<int>(parent.size()); ++c)
+            sides.push_back({ordered(faces[c / 3][c % 3], faces[c / 3][(c + 1) % 3]), c / 3});
+        std::sort(sides.begin(), sides.end());
+        std::vector<std::pair<VertexPair, std::array<int, 2>>> cuts;
+        for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+            const auto [edge, face] = sides[i];
+            if (sides[i + 1].first != edge) continue;
+            const int other = sides[i + 1].second;
+            if (std::binary_search(failed.begin(), failed.end(), edge))
+                cuts.push_back({edge, {face, other}});
+            else
+                for (const int end : {edge.first, edge.second}) join(corner(face, end), corner(other, end));
         }
-        for (const VertexPair& edge : failed) {
-            const std::vector<int>& around = sides.at(edge);
+        for (const auto& [edge, around] : cuts)
             for (const int end : {edge.first, edge.second})
-                if (root(corner(around[0], end)) != root(corner(around[1], end))) open.insert(edge);
-        }
+                if (root(corner(around[0], end)) != root(corner(around[1], end))) open.push_back(edge);
+        open.erase(std::unique(open.begin(), open.end()), open.end());
     }
 
     static VertexPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-    /// Number that two corners share if and only if they are one vertex.
+    /// Number that two corners share if and only if they are one vertex; below 3 * faces.
     int vertex(int face, int place) { return root(3 * face + place); }
-    int vertex_count() {
-        std::set<int> roots;
-        for (std::size_t c = 0; c < parent.size(); ++c) roots.insert(root(static_cast<int>(c)));
-        return static_cast<int>(roots.size());
+    int vertex_count() const {
+        int count = 0;
+        for (std::size_t c = 0; c < parent.size(); ++c) count += parent[c] == static_cast<int>(c);
+        return count;
     }
-    bool is_open(int a, int b) const { return open.count(ordered(a, b)) > 0; }
+    bool is_open(int a, int b) const { return std::binary_search(open.begin(), open.end(), ordered(a, b)); }
     std::size_t open_count() const { return open.size(); }
 
   private:
@@ -57,9 +61,9 @@ class CornerRule {
     int root(int c) { return parent[c] == c ? c : parent[c] = root(parent[c]); }
     void join(int a, int b) { parent[root(a)] = root(b); }
 
-    std::vector<Triangle> faces;
+    const std::vector<Triangle>& faces;
     std::vector<int> parent;
-    std::set<VertexPair> open;
+    std::vector<VertexPair> open;  ///< ascending
 };
 
 }  // namespace sherd::test

@@ -17,6 +17,10 @@ class Random {
     double uniform(double low, double high) {
         return low + (high - low) * (static_cast<double>(generator()) + 0.5) / 4294967296.0;
     }
+    /// A whole number from 0 up to, but without, `count`.
+    unsigned below(std::size_t count) {
+        return static_cast<unsigned>(uniform(0, 1) * static_cast<double>(count));
+    }
     template <class Matrix>
     Matrix matrix(double amplitude) {
         Matrix m;
