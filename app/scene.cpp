@@ -62,6 +62,14 @@ BendingOptions read_bending(TomlTable& table) {
     return bending;
 }
 
+ContactSpec read_contact(TomlTable& table) {
+    ContactSpec contact;
+    contact.sheets = table.flag("sheets", contact.sheets);
+    contact.friction = table.number("friction", "", not_negative, contact.friction);
+    table.finish();
+    return contact;
+}
+
 SolverSpec read_solver(TomlTable& table) {
     SolverSpec solver;
     constexpr int most = std::numeric_limits<int>::max();
@@ -119,6 +127,7 @@ void read_root(TomlTable& root, Scene& scene) {
     read_sheets(root, scene);
     if (auto obstacles = root.table("obstacle"))
         for (auto& [name, table] : obstacles->entries()) scene.planes.push_back(read_obstacle(name, table));
+    if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
     root.finish();
 }

@@ -90,6 +90,12 @@ struct PlaneSpec {
     double young = 0;  ///< Pa, of what the plane is made of
 };
 
+/// `[contact]`: of sheets and fragments with each other and with themselves.
+struct ContactSpec {
+    bool sheets = true;   ///< whether they meet at all
+    double friction = 0;  ///< Coulomb coefficient
+};
+
 struct SolverSpec {
     double step = 1e-4;       ///< s
     BendingOptions bending;   ///< energy and Jacobian of the hinges
@@ -110,6 +116,7 @@ struct Scene {
     std::vector<PlaneSpec> planes;
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<LoadSpec> loads;
+    ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
 };

@@ -71,6 +71,8 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     options.rule = scene.solver.rule;
     options.max_stages = scene.solver.max_stages;
     options.damping = scene.solver.damping;
+    options.sheet_contact = scene.contact.sheets;
+    options.sheet_friction = scene.contact.friction;
     for (const PlaneSpec& plane : scene.planes)
         options.planes.push_back({plane.point, plane.normal.normalized(), plane.young, plane.friction});
     const BreakableSheet all(inputs);

@@ -31,6 +31,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.mirrors = options.mirrors;
     result.damping = options.damping;
     result.sheet_contact = options.sheet_contact;
+    result.sheet_friction = options.sheet_friction;
     result.newton.tolerance = options.tolerance * mean_edge_length(sheet);
     return result;
 }

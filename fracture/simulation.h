@@ -26,6 +26,7 @@ struct SimulationOptions {
     std::vector<SlidingVertex> sliding;
     Damping damping;
     bool sheet_contact = true;  ///< whether sheets and fragments meet each other, and themselves
+    double sheet_friction = 0;  ///< their Coulomb coefficient
     int max_iterations = 50;    ///< of Newton's method, between two stages
     double tolerance = 1e-6;    ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
