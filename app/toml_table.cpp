@@ -148,7 +148,7 @@ Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, con
     const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
     if (value && value->size() == 2 && range.contains((*value)[0]) && range.contains((*value)[1]))
         return *value;
-    reject(key, with_unit(fmt::format("{}, or an array of 2 of them", range.words), unit));
+    reject(key, with_unit(fmt::format("an array of 2, each {}", range.words), unit));
     return Eigen::Vector2d::Constant(not_a_number);
 }
 
