@@ -54,7 +54,7 @@ StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory) {
         if (table.has("grid")) grid.name = table.string("grid", "the name of a float grid");
         map.kind = grid;
     }
-    if (table.has("range")) map.range = table.pair("range", "", not_negative);
+    if (table.has("range")) map.range = table.pair("range", "", not_negative, false);
     table.finish();
     return map;
 }
