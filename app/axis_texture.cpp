@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/texture.h"
+
 namespace sherd {
 namespace {
 
@@ -26,28 +28,13 @@ Vector2d texel_direction(const Eigen::Vector3f& colour, AxisEncoding encoding) {
     return {2 * static_cast<double>(colour.x()) - 1, 2 * static_cast<double>(colour.y()) - 1};
 }
 
-/// The two texels beside a texture coordinate, and how near it is to the second.
-struct Neighbours {
-    int low, high;
-    double weight;
-};
-
-Neighbours neighbours(double coordinate, int count) {
-    const double at = (coordinate - std::floor(coordinate)) * count - 0.5, low = std::floor(at);
-    const auto wrapped = [count](double index) { return (static_cast<int>(index) + count) % count; };
-    return {wrapped(low), wrapped(low + 1), at - low};
-}
-
 }  // namespace
 
 Vector2d doubled_direction(const Image& image, AxisEncoding encoding, const Vector2d& uv) {
-    const Neighbours x = neighbours(uv.x(), image.width), y = neighbours(uv.y(), image.height);
-    const auto texel = [&](int column, int row) {
-        return texel_direction(image.colour(column, image.height - 1 - row), encoding);
-    };
-    const Vector2d lower = (1 - x.weight) * texel(x.low, y.low) + x.weight * texel(x.high, y.low);
-    const Vector2d upper = (1 - x.weight) * texel(x.low, y.high) + x.weight * texel(x.high, y.high);
-    return (1 - y.weight) * lower + y.weight * upper;
+    Vector2d mean = Vector2d::Zero();
+    for (const WeightedColour& texel : texels_around(image, uv))
+        mean += texel.weight * texel_direction(texel.colour, encoding);
+    return mean;
 }
 
 }  // namespace sherd

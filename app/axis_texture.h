@@ -21,9 +21,7 @@ struct AxisTexture {
 
 /// (cos, sin) of twice the angle at texture coordinates (u, v), up to a length of at most about one, and zero
 /// where there is no direction. Doubled, an axis is the same vector when it is turned over, so that the
-/// bilinear mean of four texels has no jump where the angle passes 180 degrees. (0, 0) is the lower left
-/// corner of the image, (1, 1) the upper right one, a texel's value holds at its centre, and the image
-/// repeats in both directions.
+/// bilinear mean of four texels (texels_around) has no jump where the angle passes 180 degrees.
 Eigen::Vector2d doubled_direction(const Image& image, AxisEncoding encoding, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

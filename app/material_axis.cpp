@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/texture.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
@@ -109,9 +110,7 @@ Vector3d axis_over_texture(const FaceShape& shape, const FaceTexture& corners, d
 std::vector<Vector3d> axes_of(const AxisTexture& axis, const Mesh& mesh, const Eigen::Isometry3d&,
                               std::vector<std::string>&) {
     const Image image = read_png(axis.path);
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
-    if (!exists)
-        throw Error("the mesh has no texture coordinates: give an OBJ file with vt lines, without remesh");
+    const auto texture = texture_coordinates(mesh);
     std::vector<Vector3d> axes;
     for (const Face face : mesh.faces()) {
         const FaceTexture& corners = texture[face];
@@ -153,16 +152,12 @@ std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::I
 
 std::vector<Vector3d> material_axes(const MaterialAxis& axis, const Mesh& placed,
                                     const Eigen::Isometry3d& place, std::vector<std::string>& warnings) {
-    try {
-        std::vector<std::string> found;
-        std::vector<Vector3d> axes =
-            std::visit([&](const auto& kind) { return axes_of(kind, placed, place, found); }, axis.kind);
-        for (const std::string& warning : found)
-            warnings.push_back(fmt::format("{}: {}", axis.where, warning));
-        return axes;
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", axis.where, error.what()), error.fault);
-    }
+    std::vector<std::string> found;
+    std::vector<Vector3d> axes = with_context(axis.where, [&] {
+        return std::visit([&](const auto& kind) { return axes_of(kind, placed, place, found); }, axis.kind);
+    });
+    for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", axis.where, warning));
+    return axes;
 }
 
 }  // namespace sherd

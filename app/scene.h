@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "app/material_axis.h"
+#include "app/score.h"
+#include "app/strength_map.h"
 #include "core/damping.h"
 #include "core/material.h"
 #include "core/sheet_energies.h"
@@ -66,6 +68,8 @@ struct LoadSpec {
 struct FractureSpec {
     Strength strength;                             ///< without factors
     double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
+    std::optional<StrengthMap> map;                ///< none: the same strength everywhere
+    std::vector<Score> scores;
 };
 
 struct SheetSpec {

@@ -43,9 +43,42 @@ Strength read_strength(TomlTable& table) {
     return strength;
 }
 
+StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory) {
+    StrengthMap map;
+    const bool texture = table.has("texture"), vdb = table.has("vdb");
+    if (texture == vdb) table.report("", "needs one of texture and vdb");
+    map.where = table.where(texture ? "texture" : "vdb");
+    if (texture) map.kind = StrengthTexture{directory / table.string("texture", "the name of a PNG file")};
+    if (vdb) {
+        StrengthGrid grid{directory / table.string("vdb", "the name of an OpenVDB file")};
+        if (table.has("grid")) grid.name = table.string("grid", "the name of a float grid");
+        map.kind = grid;
+    }
+    if (table.has("range")) map.range = table.pair("range", "", not_negative, false);
+    table.finish();
+    return map;
+}
+
+Score read_score(TomlTable& table, const std::filesystem::path& directory) {
+    Score score;
+    const bool edges = table.has("edges"), line = table.has("line");
+    if (edges && line) table.report("line", "conflicts with edges: give one of them");
+    if (!edges && !line) table.report("", "needs one of edges and line");
+    score.where = table.where(edges ? "edges" : "line");
+    if (edges) score.kind = ScoreFile{directory / table.string("edges", "the name of a list of edges")};
+    if (line) {
+        ScoreLine polyline;
+        for (const Eigen::VectorXd& point : table.rows("line", "m", 2, 3)) polyline.points.push_back(point);
+        score.kind = polyline;
+    }
+    score.factor = table.number("factor", "", positive);
+    table.finish();
+    return score;
+}
+
 }  // namespace
 
-FractureSpec read_fracture(TomlTable& table) {
+FractureSpec read_fracture(TomlTable& table, const std::filesystem::path& directory) {
     FractureSpec fracture;
     fracture.strength = read_strength(table);
     if (table.has("weibull")) fracture.weibull_modulus = table.number("weibull", "", positive);
@@ -53,6 +86,8 @@ FractureSpec read_fracture(TomlTable& table) {
         if (!table.has("weibull")) table.report("weibull_area", "needs weibull, the modulus of the scatter");
         fracture.weibull_area = table.number("weibull_area", "m^2", positive);
     }
+    if (auto map = table.table("map")) fracture.map = read_map(*map, directory);
+    for (TomlTable& score : table.tables("score")) fracture.scores.push_back(read_score(score, directory));
     table.finish();
     return fracture;
 }

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads [sheet.NAME.fracture] of a scene file.
-FractureSpec read_fracture(TomlTable& table);
+/// Reads [sheet.NAME.fracture] of a scene file. `directory` is where the names of files are understood from.
+FractureSpec read_fracture(TomlTable& table, const std::filesystem::path& directory);
 
 }  // namespace sherd

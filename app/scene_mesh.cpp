@@ -51,16 +51,13 @@ Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings
 }  // namespace
 
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
-    try {
-        std::vector<std::string> found;
-        Mesh mesh = std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
-        for (const std::string& warning : found)
-            warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
-        transform(mesh, Eigen::Affine3d(sheet.place));
-        return mesh;
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", sheet.where, error.what()), error.fault);
-    }
+    std::vector<std::string> found;
+    Mesh mesh = with_context(sheet.where, [&] {
+        return std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
+    });
+    for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
+    transform(mesh, Eigen::Affine3d(sheet.place));
+    return mesh;
 }
 
 bool selects(const Selection& selection, const Mesh& mesh, Vertex v) {

@@ -77,7 +77,7 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");
     }
-    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture);
+    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory);
     read_supports(table, sheet);
     table.finish();
     return sheet;

@@ -143,12 +143,15 @@ Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
     return Eigen::Vector3d::Constant(not_a_number);
 }
 
-Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, const Range& range) {
+Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, const Range& range,
+                                bool or_one) {
     const toml::node* node = find(key);
     const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
     if (value && value->size() == 2 && range.contains((*value)[0]) && range.contains((*value)[1]))
         return *value;
-    reject(key, with_unit(fmt::format("{}, or an array of 2 of them", range.words), unit));
+    const std::string words = or_one ? fmt::format("{}, or an array of 2 of them", range.words)
+                                     : fmt::format("an array of 2, each {}", range.words);
+    reject(key, with_unit(words, unit));
     return Eigen::Vector2d::Constant(not_a_number);
 }
 

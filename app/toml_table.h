@@ -44,7 +44,8 @@ class TomlTable {
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
-    Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range);
+    /// `or_one`: the user is told that a single number would do as well.
+    Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
     /// An array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
                                       std::size_t columns);

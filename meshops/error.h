@@ -19,4 +19,14 @@ class Error : public std::runtime_error {
     Fault fault;
 };
 
+/// Calls `work`; its errors get "where: " in front of what they say.
+template <class Work>
+auto with_context(const std::string& where, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        throw Error(where + ": " + error.what(), error.fault);
+    }
+}
+
 }  // namespace sherd

@@ -12,14 +12,16 @@
 
 namespace sherd::test {
 
-/// Writes a PNG file of 16 bits a channel, all of one colour (red, green, blue).
+using Colour16 = std::array<std::uint16_t, 3>;  ///< red, green, blue, to 65535
+
+/// Writes a PNG file of 16 bits a channel; `colours`: row by row from the top left.
 inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_uint_32 height,
-                      const std::array<std::uint16_t, 3>& colour) {
-    std::vector<png_byte> row;
-    for (png_uint_32 x = 0; x < width; ++x)
+                      const std::vector<Colour16>& colours) {
+    std::vector<png_byte> bytes;
+    for (const Colour16& colour : colours)
         for (const std::uint16_t channel : colour) {
-            row.push_back(static_cast<png_byte>(channel >> 8));
-            row.push_back(static_cast<png_byte>(channel & 255));
+            bytes.push_back(static_cast<png_byte>(channel >> 8));
+            bytes.push_back(static_cast<png_byte>(channel & 255));
         }
     std::FILE* stream = std::fopen(file.c_str(), "wb");
     if (!stream) throw std::runtime_error("cannot write " + file.string());
@@ -29,10 +31,16 @@ inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_
     png_set_IHDR(png, info, width, height, 16, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, row.data());
+    for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, &bytes[6 * width * y]);
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     std::fclose(stream);
+}
+
+/// All of one colour.
+inline void write_png(const std::filesystem::path& file, png_uint_32 width, png_uint_32 height,
+                      const Colour16& colour) {
+    write_png(file, width, height, std::vector<Colour16>(width * height, colour));
 }
 
 }  // namespace sherd::test
