@@ -65,7 +65,7 @@ void SheetContact::add_hessian(const Positions& x, Curvature curvature, BlockMat
 void SheetContact::add_contacts(const Positions& x, bool ahead,
                                 std::vector<std::pair<Index, Index>>& pairs) const {
     for (const ContactPair& pair : ahead ? candidates(x) : touching(x))
-        if (!ahead || within(1.5 * pair.touching, pair, x)) add_pairs(pairs, pair.vertices);
+        if (!ahead || within(1.15 * pair.touching, pair, x)) add_pairs(pairs, pair.vertices);
 }
 
 double SheetContact::safe_fraction(const Positions& x, const Positions& motion) const {
