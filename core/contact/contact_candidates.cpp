@@ -27,7 +27,7 @@ std::vector<Box> vertex_boxes(const ContactSurface& surface, const Positions& x,
 double margin_of(const ContactSurface& surface) {
     double thinnest = std::numeric_limits<double>::infinity();
     for (Index v = 0; v < surface.vertices(); ++v) thinnest = std::min(thinnest, surface.half_thickness(v));
-    return 0.5 * thinnest;
+    return 0.25 * thinnest;
 }
 
 }  // namespace

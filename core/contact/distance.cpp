@@ -38,15 +38,26 @@ Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
     return {-r.dot(u) / u.squaredNorm() - t * projection, t};
 }
 
-/// Replaces `best` by `other` if that is closer.
-void improve(Closest& best, const Closest& other, const PairPositions& x) {
-    if (squared_distance(other, x) < squared_distance(best, x)) best = other;
-}
+/// The closest of the candidates it has been shown.
+struct Best {
+    const PairPositions& x;
+    Closest closest;
+    double distance;  ///< squared, m^2
+
+    Best(const Closest& first, const PairPositions& x)
+        : x(x), closest(first), distance(squared_distance(first, x)) {}
+    void improve(const Closest& other) {
+        const double its_distance = squared_distance(other, x);
+        if (!(its_distance < distance)) return;
+        closest = other;
+        distance = its_distance;
+    }
+};
 
 /// The pair as if both elements went on for ever: start + s first + t second in the weights.
 Closest both_inside(const PairPositions& x, const Direction& start, const Direction& first,
                     const Direction& second) {
-    const Vector2d parameter = minimising(x * start, x * first, x * second);
+    const Vector2d parameter = minimising(x.lazyProduct(start), x.lazyProduct(first), x.lazyProduct(second));
     Closest closest;
     closest.directions << first, second;
     closest.weights = start + closest.directions * parameter;
@@ -58,28 +69,28 @@ Closest both_inside(const PairPositions& x, const Direction& start, const Direct
 
 double squared_distance(const Closest& closest, const PairPositions& x) {
     // Differences first, which keeps digits far from the origin.
-    const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
-    return (edges * closest.weights.tail<3>()).squaredNorm();
+    const auto part = [&](int i) { return closest.weights[i] * (x.col(i) - x.col(0)); };
+    return Vector3d(part(1) + part(2) + part(3)).squaredNorm();
 }
 
 Closest closest_points(PairKind kind, const PairPositions& x) {
     const bool edges = kind == PairKind::edge_edge;
-    Closest best = edges ? vertex_edge(x, 0, 2, 3) : vertex_edge(x, 0, 1, 2);
+    Best best(edges ? vertex_edge(x, 0, 2, 3) : vertex_edge(x, 0, 1, 2), x);
     if (edges) {
-        improve(best, vertex_edge(x, 1, 2, 3), x);
-        improve(best, vertex_edge(x, 2, 0, 1), x);
-        improve(best, vertex_edge(x, 3, 0, 1), x);
+        best.improve(vertex_edge(x, 1, 2, 3));
+        best.improve(vertex_edge(x, 2, 0, 1));
+        best.improve(vertex_edge(x, 3, 0, 1));
     } else {
-        improve(best, vertex_edge(x, 0, 2, 3), x);
-        improve(best, vertex_edge(x, 0, 3, 1), x);
+        best.improve(vertex_edge(x, 0, 2, 3));
+        best.improve(vertex_edge(x, 0, 3, 1));
     }
     const PairPositions local = x.colwise() - x.col(0);
     const Closest inside = edges ? both_inside(local, {1, 0, -1, 0}, {-1, 1, 0, 0}, {0, 0, 1, -1})
                                  : both_inside(local, {1, -1, 0, 0}, {0, 1, -1, 0}, {0, 1, 0, -1});
     const Direction w = edges ? Direction(inside.weights.cwiseProduct(Direction(1, 1, -1, -1)))
                               : Direction(inside.weights.cwiseProduct(Direction(1, -1, -1, -1)));
-    if ((w.array() > 0).all()) improve(best, inside, x);  // not so for NaN, of parallel directions
-    return best;
+    if ((w.array() > 0).all()) best.improve(inside);  // not so for NaN, of parallel directions
+    return best.closest;
 }
 
 PairPositions squared_distance_gradient(const Closest& closest, const PairPositions& x) {

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/sheet_contact.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "core/contact/continuous_collision.h"
 
 namespace sherd {
+namespace {
+
+/// A distance that the pair is not nearer than, m: that of boxes around the elements.
+double distance_of_boxes(PairKind kind, const PairPositions& x) {
+    const int first = kind == PairKind::edge_edge ? 2 : 1;
+    const auto one = x.leftCols(first), other = x.rightCols(4 - first);
+    const Vector3d above = one.rowwise().minCoeff() - other.rowwise().maxCoeff();
+    const Vector3d below = other.rowwise().minCoeff() - one.rowwise().maxCoeff();
+    return std::max(above.maxCoeff(), below.maxCoeff());
+}
+
+/// Whether the pair is nearer than `limit`, m.
+bool within(double limit, const ContactPair& pair, const Positions& x) {
+    const PairPositions local = pair_positions(x, pair.vertices);
+    return distance_of_boxes(pair.kind, local) < limit && distance(pair, local) < limit;
+}
+
+}  // namespace
 
 void SheetContact::surface_changed() {
     surface = ContactSurface(sheet);
     found = {};
+    last.resize(3, 0);
 }
 
 const std::vector<ContactPair>& SheetContact::candidates(const Positions& x, const Positions& motion) const {
@@ -25,12 +45,12 @@ const std::vector<ContactPair>& SheetContact::candidates(const Positions& x) con
 
 double SheetContact::value(const Positions& x) const {
     double sum = 0;
-    for (const ContactPair& pair : candidates(x)) sum += sherd::value(pair, pair_positions(x, pair.vertices));
+    for (const ContactPair& pair : touching(x)) sum += sherd::value(pair, pair_positions(x, pair.vertices));
     return sum;
 }
 
 void SheetContact::add_gradient(const Positions& x, Positions& gradient) const {
-    for (const ContactPair& pair : candidates(x)) {
+    for (const ContactPair& pair : touching(x)) {
         const PairPositions local = sherd::gradient(pair, pair_positions(x, pair.vertices));
         for (int i = 0; i < 4; ++i) gradient.col(pair.vertices[i]) += local.col(i);
     }
@@ -44,27 +64,29 @@ void SheetContact::add_hessian(const Positions& x, Curvature curvature, BlockMat
 
 void SheetContact::add_contacts(const Positions& x, bool ahead,
                                 std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const ContactPair& pair : candidates(x)) {
-        const double near = ahead ? 1.5 * pair.touching : pair.touching;
-        if (distance(pair, pair_positions(x, pair.vertices)) < near) add_pairs(pairs, pair.vertices);
-    }
+    for (const ContactPair& pair : ahead ? candidates(x) : touching(x))
+        if (!ahead || within(1.15 * pair.touching, pair, x)) add_pairs(pairs, pair.vertices);
 }
 
 double SheetContact::safe_fraction(const Positions& x, const Positions& motion) const {
     double fraction = 1;
     for (const ContactPair& pair : candidates(x, motion)) {
-        const PairPositions local = pair_positions(motion, pair.vertices);
-        fraction *= sherd::safe_fraction(pair.kind, pair_positions(x, pair.vertices), fraction * local,
-                                         pair.minimum(), 0.5 * pair.barrier().range);
+        const PairPositions from = pair_positions(x, pair.vertices);
+        const PairPositions way = fraction * pair_positions(motion, pair.vertices);
+        const double clearance = 0.5 * pair.barrier().range, kept = pair.minimum() + clearance;
+        if (distance_of_boxes(pair.kind, from) < kept + approach(pair.kind, way))
+            fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance);
     }
     return fraction;
 }
 
-std::vector<ContactPair> SheetContact::touching(const Positions& x) const {
-    std::vector<ContactPair> pairs;
+const std::vector<ContactPair>& SheetContact::touching(const Positions& x) const {
+    if (last.cols() == x.cols() && last == x) return active;
+    active.clear();
     for (const ContactPair& pair : candidates(x))
-        if (distance(pair, pair_positions(x, pair.vertices)) < pair.touching) pairs.push_back(pair);
-    return pairs;
+        if (within(pair.touching, pair, x)) active.push_back(pair);
+    last = x;
+    return active;
 }
 
 void SheetContact::require_apart(const Positions& x) const {

@@ -25,8 +25,8 @@ class SheetContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
-    /// The pairs that push at x, vertices with triangles first, ascending.
-    std::vector<ContactPair> touching(const Positions& x) const;
+    /// The pairs that push at x, vertices with triangles first, ascending. Valid until the next call.
+    const std::vector<ContactPair>& touching(const Positions& x) const;
     /// Throws std::runtime_error, with the vertices of the first pair, if any is nearer than its minimum at
     /// x.
     void require_apart(const Positions& x) const;
@@ -38,7 +38,10 @@ class SheetContact : public Energy {
 
     const Sheet& sheet;
     ContactSurface surface;
-    mutable ContactCandidates found;  ///< kept to save time; no result depends on it
+    // Kept to save time; no result depends on them.
+    mutable ContactCandidates found;
+    mutable Positions last;                   ///< where the touching pairs were last asked for, m
+    mutable std::vector<ContactPair> active;  ///< the answer
 };
 
 }  // namespace sherd

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "core/contact/sheet_contact.h"
+#include "core/time_step.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
+const Material rubber{.density = 1000, .thickness = 1e-3, .young = 2e6, .poisson = 0.4};
+
+TimeStepOptions with_contact(double step) {
+    TimeStepOptions options;
+    options.step = step;
+    options.sheet_contact = true;
+    options.newton.tolerance = 1e-8;
+    return options;
+}
+
+void advance(TimeStep& time_step) {
+    time_step.begin();
+    EXPECT_TRUE(time_step.solve(200).converged);
+    time_step.finish();
+}
+
+// A kilometre a second at a step in which the plate would be far behind the other one: thrown back, not
+// through.
+TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
+    Sheet sheet = test::stacked_plates(2, 4, 0.05, ceramic);
+    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
+    sheet.velocity.rightCols(half).row(2).setConstant(-1000);
+    TimeStepOptions options = with_contact(1e-4);
+    options.gravity.setZero();
+    const Vector3d momentum = linear_momentum(sheet);
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < 5; ++i) {
+        advance(time_step);
+        EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
+        EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * ceramic.thickness);
+        EXPECT_GT(sheet.position.rightCols(half).row(2).mean(), sheet.position.leftCols(half).row(2).mean());
+    }
+    EXPECT_LT(sheet.velocity.leftCols(half).row(2).mean(), -400);
+    EXPECT_LT((linear_momentum(sheet) - momentum).norm(), 1e-8 * momentum.norm());
+}
+
+// A sheet that claps shut meets itself, and folds no flatter than it is thick.
+TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
+    Sheet sheet = test::stacked_plates(1, 12, 0, rubber);
+    for (Index v = 0; v < sheet.position.cols(); ++v) {
+        const double x = sheet.position(0, v);
+        sheet.velocity.col(v) = Vector3d(-100 * x, 0, 400 * std::abs(x));
+    }
+    TimeStepOptions options = with_contact(2e-4);
+    options.gravity.setZero();
+    TimeStep time_step(sheet, options);
+    const SheetContact contact(sheet);
+    std::size_t most = 0;
+    for (int i = 0; i < 50; ++i) {
+        advance(time_step);
+        most = std::max(most, contact.touching(sheet.position).size());
+        EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
+    }
+    EXPECT_GT(most, 20u);
+}
+
+// A stack comes to rest, stays there, and each contact carries what lies on it, to 1 %.
+TEST(SheetContact, AStackRestsOnItself) {
+    const int plates = 4;
+    Sheet sheet = test::stacked_plates(plates, 4, 1.02 * ceramic.thickness, ceramic);
+    const Index each = static_cast<Index>(sheet.position.cols()) / plates;
+    std::fill_n(sheet.fixed.begin(), each, 1);
+    TimeStepOptions options = with_contact(2e-4);
+    options.sheet_friction = 0.3;
+    options.newton.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < 150; ++i) advance(time_step);
+    const Positions before = sheet.position;
+    for (int i = 0; i < 50; ++i) advance(time_step);
+    EXPECT_LT((sheet.position - before).cwiseAbs().maxCoeff(), 1e-7);
+    Positions forces = Positions::Zero(3, sheet.position.cols());
+    SheetContact(sheet).add_gradient(sheet.position, forces);
+    const double weight = sheet.mass.tail((plates - 1) * each).sum() * 9.81;
+    EXPECT_NEAR(forces.leftCols(each).row(2).sum(), weight, 0.01 * weight);
+}
+
+/// Cuts the triangle off its sheet: copies of its corners, at the same places, are its own.
+void cut_off(Sheet& sheet, std::size_t triangle, TimeStep& time_step) {
+    for (Index& corner : sheet.triangles[triangle].vertices) {
+        const Index copy = static_cast<Index>(sheet.mass.size());
+        resize_vertices(sheet, copy + 1);
+        copy_vertex(sheet, corner, copy);
+        time_step.position.conservativeResize(3, copy + 1);
+        time_step.position.col(copy) = time_step.position.col(corner);
+        for (VectorXd* shared : {&sheet.mass, &sheet.footprint})
+            (*shared)[corner] = (*shared)[copy] = 0.5 * (*shared)[copy];
+        sheet.twins.push_back({corner, copy});
+        corner = copy;
+    }
+    time_step.stencils_changed();
+}
+
+// A crack opens in the middle of a step, in contact: lips that lie on each other neither push nor stop the
+// step, and all the rest goes on as before.
+TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
+    Sheet sheet = test::stacked_plates(2, 4, 1.1 * ceramic.thickness, ceramic);
+    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
+    sheet.hinges.clear();  // which would have to be cut as well
+    sheet.velocity.rightCols(half).row(2).setConstant(-3);
+    TimeStepOptions options = with_contact(1e-4);
+    options.gravity.setZero();
+    const Vector3d momentum = linear_momentum(sheet);
+    TimeStep time_step(sheet, options);
+    time_step.begin();
+    time_step.solve(3);
+    EXPECT_GT(SheetContact(sheet).touching(time_step.position).size(), 0u);
+    cut_off(sheet, 50, time_step);
+    EXPECT_TRUE(time_step.solve(200).converged);
+    time_step.finish();
+    for (int i = 0; i < 5; ++i) advance(time_step);
+    EXPECT_LT((linear_momentum(sheet) - momentum).norm(), 1e-8 * momentum.norm());
+    EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * ceramic.thickness);
+}
+
+}  // namespace
+}  // namespace sherd
