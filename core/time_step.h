@@ -65,7 +65,7 @@ class TimeStep {
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
     std::vector<PlaneContact> contact;
-    std::unique_ptr<SheetContact> sheet_contact;   ///< none if not asked for
+    std::unique_ptr<SheetContact> sheet_contact;  ///< none if not asked for
     LipContact lips;
     std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;

@@ -49,6 +49,31 @@ PairPositions lip_opening_gradient(const PairPositions& x) {
     return gradient;
 }
 
+PairHessian lip_opening_hessian(const PairPositions& x) {
+    using PairVector = Eigen::Matrix<double, 12, 1>;
+    const LipFrame frame = lip_frame(x);
+    const Vector3d gap = x.col(0) - x.col(1);
+    const double across = gap.dot(frame.out) / 2, along = gap.dot(frame.along), above = gap.dot(frame.normal);
+    const double l = frame.length, h = frame.height;
+    // Components in the frame of the motion of the vertex, of the lip's end and of the apex against the
+    // points of the triangle that they are measured from, as linear forms of the motion of the vertices.
+    const auto form = [](const Eigen::Vector4d& weights, const Vector3d& direction) -> PairVector {
+        return (direction * weights.transpose()).reshaped();
+    };
+    const Eigen::Vector4d of_gap(1, -1, 0, 0), of_edge(0, -1, 1, 0),
+        of_apex(0, frame.foot - 1, -frame.foot, 1);
+    const PairVector edge_out = form(of_edge, frame.out), edge_normal = form(of_edge, frame.normal);
+    const PairVector apex_normal = form(of_apex, frame.normal);
+    const PairVector with_edge = -form(of_gap, frame.along) / l -
+                                 (across * edge_out - along * form(of_edge, frame.along)) / (l * l) -
+                                 above / (l * l) * edge_normal;
+    const PairVector with_apex = -form(of_gap, frame.normal) / h + along / (l * h) * edge_normal -
+                                 (across * apex_normal + above * form(of_apex, frame.out)) / (h * h);
+    const PairHessian half = edge_out * with_edge.transpose() + apex_normal * with_apex.transpose() +
+                             above / (l * h) * edge_normal * form(of_apex, frame.along).transpose();
+    return half + half.transpose();
+}
+
 double LipContact::value(const Positions& x) const {
     double sum = 0;
     for (const LipStencil& lip : lips) {
@@ -68,13 +93,15 @@ void LipContact::add_gradient(const Positions& x, Positions& gradient) const {
     }
 }
 
-void LipContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
+void LipContact::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     for (const LipStencil& lip : lips) {
         const PairPositions local = pair_positions(x, lip.vertices);
-        if (lip_opening(local) >= 0) continue;
+        const double opening = lip_opening(local);
+        if (opening >= 0) continue;
         const PairPositions slope = lip_opening_gradient(local);
-        const PairHessian block = lip.stiffness * slope.reshaped() * slope.reshaped().transpose();
-        add_element(hessian, lip.vertices, block);
+        PairHessian block = slope.reshaped() * slope.reshaped().transpose();
+        if (curvature == Curvature::exact) block += opening * lip_opening_hessian(local);
+        add_element(hessian, lip.vertices, lip.stiffness * block);
     }
 }
 

@@ -19,9 +19,11 @@ struct LipStencil {
 double lip_opening(const PairPositions& x);
 /// d(opening)/dx, [3, 4]; without sum and without torque.
 PairPositions lip_opening_gradient(const PairPositions& x);
+/// d2(opening)/dx2, 1/m.
+PairHessian lip_opening_hessian(const PairPositions& x);
 
 /// What holds the lips of a crack apart as long as they are too near for SheetContact: a spring against
-/// overlap, none against opening or sliding. The Hessian is the Gauss-Newton one, positive semidefinite.
+/// overlap, none against opening or sliding. The convex Hessian is the Gauss-Newton one.
 class LipContact : public Energy {
   public:
     /// The stencils must outlive it.

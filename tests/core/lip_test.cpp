@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/lip.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "tests/support/finite_differences.h"
+#include "tests/support/random_shapes.h"
+#include "tests/support/small_sheet.h"
+
+namespace sherd {
+namespace {
+
+/// Triangles that are not needles, and a vertex in front of them, behind, above or beside.
+std::vector<PairPositions> lips() {
+    test::Random random(11);
+    std::vector<PairPositions> shapes;
+    while (shapes.size() < 200) {
+        const PairPositions x = random.matrix<PairPositions>(1);
+        const Vector3d edge = x.col(2) - x.col(1), side = x.col(3) - x.col(1);
+        if (edge.cross(side).norm() > 0.3 * edge.squaredNorm() && edge.norm() > 0.3) shapes.push_back(x);
+    }
+    return shapes;
+}
+
+// A vertex at a known place before a lip that lies in the plane: a sign the wrong way round would pull lips
+// together.
+TEST(Lip, OpeningIsTheDistanceInFrontOfTheLipInItsPlane) {
+    PairPositions x;
+    x << 0.3, 0, 1, 0.4,  //
+        -0.2, 0, 0, 0.7,  //
+        0.5, 0, 0, 0;
+    EXPECT_DOUBLE_EQ(lip_opening(x), 0.2);
+    x(1, 0) = 0.1;
+    EXPECT_DOUBLE_EQ(lip_opening(x), -0.1);
+}
+
+TEST(Lip, GradientAndHessianAreDerivativesWithoutForceAndTorque) {
+    for (const PairPositions& x : lips()) {
+        const PairPositions gradient = lip_opening_gradient(x);
+        const PairHessian hessian = lip_opening_hessian(x);
+        EXPECT_LT((test::difference_gradient(lip_opening, x, 1e-4) - gradient).norm(),
+                  1e-8 * gradient.norm());
+        EXPECT_LT((test::difference_hessian(lip_opening_gradient, x, 1e-4) - hessian).norm(),
+                  1e-8 * (1 + hessian.norm()));
+        EXPECT_EQ(hessian, PairHessian(hessian.transpose()));
+        Vector3d torque = Vector3d::Zero();
+        for (int i = 0; i < 4; ++i) torque += Vector3d(x.col(i)).cross(Vector3d(gradient.col(i)));
+        EXPECT_LT(gradient.rowwise().sum().norm(), 1e-13 * gradient.norm());
+        EXPECT_LT(torque.norm(), 1e-13 * gradient.norm());
+    }
+}
+
+// The sum over stencils, and that open lips do not stick; what the solver falls back to must not be
+// indefinite.
+TEST(Lip, OverlapPushesAndOpenLipsAreFree) {
+    const std::vector<LipStencil> stencils{{{0, 1, 2, 3}, 5e3}};
+    const LipContact contact(stencils);
+    for (const PairPositions& x : lips()) {
+        const double opening = lip_opening(x);
+        const Positions positions = x;
+        EXPECT_EQ(contact.largest_overlap(positions), std::max(0.0, -opening));
+        EXPECT_DOUBLE_EQ(contact.value(positions), opening < 0 ? 0.5 * 5e3 * opening * opening : 0);
+        if (opening > -1e-3) continue;  // differences across the kink
+        test::expect_derivatives(contact, positions, 1e-6, 1e-7);
+        BlockMatrix convex(4, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}, std::vector<char>(4, 0));
+        contact.add_hessian(positions, Curvature::convex, convex);
+        const Eigen::MatrixXd matrix = test::dense(convex);
+        EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0],
+                  -1e-12 * matrix.norm());
+    }
+}
+
+}  // namespace
+}  // namespace sherd
