@@ -49,6 +49,9 @@ material = { density = 1000, thickness = 0.5, young = 1e6 }
 plane = { point = [1, 0, 0], normal = [2, 0, 0] }
 friction = 0.4
 young = 2e9
+[contact]
+sheets = false
+friction = 0.3
 [force]
 gravity = [0, 1, 0]
 [solver]
@@ -90,6 +93,8 @@ every = 0.25
     EXPECT_EQ(scene.planes[0].normal, Vector3d(1, 0, 0)) << "made a unit vector";
     EXPECT_EQ(scene.planes[0].friction, 0.4);
     EXPECT_EQ(scene.planes[0].young, 2e9);
+    EXPECT_FALSE(scene.contact.sheets);
+    EXPECT_EQ(scene.contact.friction, 0.3);
     EXPECT_EQ(scene.gravity, Vector3d(0, 1, 0));
     EXPECT_EQ(scene.solver.step, 1e-3);
     EXPECT_EQ(scene.solver.max_iterations, 9);
@@ -105,6 +110,8 @@ TEST(Scene, DefaultsAreThoseOfTheReference) {
     EXPECT_EQ(scene.solver.step, 1e-4);
     EXPECT_DOUBLE_EQ(scene.frame_interval, 0.005);
     EXPECT_TRUE(scene.planes.empty());
+    EXPECT_TRUE(scene.contact.sheets);
+    EXPECT_EQ(scene.contact.friction, 0);
     EXPECT_EQ(scene.sheets[0].velocity, Vector3d(0, 0, 0));
     EXPECT_TRUE(scene.sheets[0].place.isApprox(Eigen::Isometry3d::Identity()));
 }

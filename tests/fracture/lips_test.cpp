@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A strip broken in the middle, whose halves are pushed together again: nothing may pass through the crack.
+#include "fracture/lips.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/time_step.h"
+#include "fracture/breakable_sheet.h"
+#include "meshops/generate.h"
+#include "meshops/self_intersections.h"
+
+namespace sherd {
+namespace {
+
+constexpr double length = 0.12, width = 0.04, middle = length / 2;
+const Material glass{2500, 0.004, 7e10, 0.2};
+
+/// The halves of a strip, which lie as they were; each vertex moves with a velocity of its own.
+class BrokenStrip {
+  public:
+    /// step: s.
+    BrokenStrip(Layout layout, double step) : sheet({input(layout)}) {
+        sheet.fail(rim_of_left_half());
+        TimeStepOptions options;
+        options.step = step;
+        options.gravity.setZero();
+        options.sheet_contact = true;
+        time_step = std::make_unique<TimeStep>(sheet.mechanics(), options);
+        on_left.resize(sheet.mesh().number_of_vertices());
+        for (const Face face : sheet.mesh().faces())
+            for (const Vertex v : sheet.mesh().vertices_around_face(sheet.mesh().halfedge(face)))
+                on_left[v] = left(face);
+    }
+
+    template <class Velocity>
+    void set_velocity(const Velocity& of_vertex) {
+        Sheet& mechanics = sheet.mechanics();
+        for (Index v = 0; v < static_cast<Index>(mechanics.position.cols()); ++v)
+            mechanics.velocity.col(v) = of_vertex(on_left[v], Vector3d(mechanics.position.col(v)));
+    }
+
+    /// One step; what must be true after each.
+    void advance() {
+        time_step->begin();
+        const NewtonResult result = time_step->solve(50);
+        EXPECT_TRUE(result.converged);
+        time_step->finish();
+        largest_overlap = std::max(largest_overlap, time_step->lip_overlap());
+        if (sheet.release_lips()) time_step->stencils_changed();
+        expect_no_intersection();
+    }
+
+    /// Mean of the positions or velocities of one half, by mass.
+    Vector3d mean(const Positions& x, bool of_left) const {
+        Vector3d sum = Vector3d::Zero();
+        double mass = 0;
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) {
+            if (on_left[v] != of_left) continue;
+            sum += sheet.mechanics().mass[v] * x.col(v);
+            mass += sheet.mechanics().mass[v];
+        }
+        return sum / mass;
+    }
+
+    BreakableSheet sheet;
+    double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
+
+  private:
+    static SheetInput input(Layout layout) {
+        SheetInput strip;
+        strip.mesh = generate_rectangle(length, width, {0.01, layout, 3});
+        strip.material = glass;
+        return strip;
+    }
+    bool left(Face face) const {
+        double x = 0;
+        for (const Vertex v : sheet.mesh().vertices_around_face(sheet.mesh().halfedge(face)))
+            x += sheet.mesh().point(v).x() / 3;
+        return x < middle;
+    }
+    /// Edges between a face of the left half and one of the right.
+    std::vector<Edge> rim_of_left_half() const {
+        const Mesh& mesh = sheet.mesh();
+        std::vector<Edge> edges;
+        for (const Edge edge : mesh.edges())
+            if (!mesh.is_border(edge) &&
+                left(mesh.face(mesh.halfedge(edge, 0))) != left(mesh.face(mesh.halfedge(edge, 1))))
+                edges.push_back(edge);
+        return edges;
+    }
+    void expect_no_intersection() const {
+        Mesh mesh = sheet.mesh();
+        for (const Vertex v : mesh.vertices()) {
+            const Vector3d at = sheet.mechanics().position.col(static_cast<Index>(v));
+            mesh.point(v) = Point(at.x(), at.y(), at.z());
+        }
+        for (const auto& [a, b] : self_intersections(mesh)) {
+            bool twins = false;
+            for (const Vertex p : mesh.vertices_around_face(mesh.halfedge(a)))
+                for (const Vertex q : mesh.vertices_around_face(mesh.halfedge(b)))
+                    twins |= sheet.cracks().original(p) == sheet.cracks().original(q);
+            EXPECT_TRUE(twins) << "faces " << a.idx() << " and " << b.idx() << " pass through each other";
+        }
+    }
+
+    std::unique_ptr<TimeStep> time_step;
+    std::vector<char> on_left;
+};
+
+class BrokenStrips : public ::testing::TestWithParam<Layout> {};
+
+// Pushed together in plane at 1 m/s: the halves bounce off each other, and their momentum stays.
+TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
+    BrokenStrip strip(GetParam(), 2e-6);
+    strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? 0.5 : -0.5, 0, 0); });
+    const Sheet& mechanics = strip.sheet.mechanics();
+    const Vector3d momentum = mechanics.velocity * mechanics.mass;
+    for (int i = 0; i < 50; ++i) strip.advance();
+    EXPECT_LT(strip.mean(mechanics.velocity, true).x(), -0.1);
+    EXPECT_GT(strip.mean(mechanics.velocity, false).x(), 0.1);
+    EXPECT_GT(strip.largest_overlap, 0);
+    EXPECT_LT(strip.largest_overlap, 0.01 * glass.thickness);
+    EXPECT_LT((mechanics.velocity * mechanics.mass - momentum).norm(), 1e-9 * 0.5 * mechanics.mass.sum());
+}
+
+// Moved apart and together again: the barrier takes over for good, and keeps them a thickness apart.
+TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
+    BrokenStrip strip(GetParam(), 1e-4);
+    strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? -5 : 5, 0, 0); });
+    for (int i = 0; i < 10; ++i) strip.advance();
+    EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
+    EXPECT_TRUE(strip.sheet.mechanics().lips.empty());
+    strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? 5 : -5, 0, 0); });
+    for (int i = 0; i < 30; ++i) strip.advance();
+    EXPECT_EQ(strip.largest_overlap, 0);
+    const Positions& x = strip.sheet.mechanics().position;
+    EXPECT_GT(strip.mean(x, false).x() - strip.mean(x, true).x(), 0.5 * length + 0.75 * glass.thickness);
+    EXPECT_LT(strip.mean(strip.sheet.mechanics().velocity, true).x(), 0);
+}
+
+// Folded like a book about the crack, 180 degrees and on: the lips turn on each other, then the pages meet.
+TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
+    BrokenStrip strip(GetParam(), 1e-4);
+    strip.set_velocity([](bool left, const Vector3d& x) {
+        const double arm = x.x() - middle;
+        return Vector3d(left ? 0.1 : -0.1, 0, 100 * std::abs(arm));
+    });
+    for (int i = 0; i < 300; ++i) strip.advance();
+    EXPECT_LT(strip.largest_overlap, 0.1 * glass.thickness);
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, BrokenStrips, ::testing::Values(Layout::structured, Layout::delaunay),
+                         [](const auto& layout) {
+                             return layout.param == Layout::structured ? "Straight" : "Zigzag";
+                         });
+
+}  // namespace
+}  // namespace sherd
