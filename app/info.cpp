@@ -83,7 +83,7 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     if (!steps.empty()) info.last = steps.back();
     for (const StepReport& step : steps) {
         info.newton_iterations += step.newton_iterations;
-        info.unconverged_steps += !step.converged;
+        info.halvings += step.halvings;
         info.capped_steps += step.stage_cap_reached;
         info.most_stages = std::max(info.most_stages, step.stages);
         raise_peaks(info.peaks, step);
@@ -131,10 +131,9 @@ void add_last_step(std::string& text, const RunInfo& info) {
                    last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),
                    last.angular_momentum.x(), last.angular_momentum.y(), last.angular_momentum.z());
     fmt::format_to(out,
-                   "solver       {} Newton iterations, at most {} stages of breaking a step, {} steps not "
-                   "converged, {} out "
-                   "of stages\n",
-                   info.newton_iterations, info.most_stages, info.unconverged_steps, info.capped_steps);
+                   "solver       {} Newton iterations, at most {} stages of breaking a step, {} times halved "
+                   "the step, {} steps out of stages\n",
+                   info.newton_iterations, info.most_stages, info.halvings, info.capped_steps);
     fmt::format_to(out, "peaks        strain {:.5g} 1/m, bending strain {:.5g} 1/m, stress {:.5g} Pa",
                    info.peaks.peak_strain, info.peaks.peak_bending_strain, info.peaks.peak_stress);
     if (info.peaks.peak_overload > 0)
@@ -208,7 +207,7 @@ std::string run_info_json(const RunInfo& info) {
     if (const auto& largest = info.membrane_strain)
         json["membrane_strain"] = {{"strain", largest->strain}, {"face", largest->face}};
     json["newton_iterations"] = info.newton_iterations;
-    json["unconverged_steps"] = info.unconverged_steps;
+    json["halvings"] = info.halvings;
     json["most_stages"] = info.most_stages;
     json["wall_seconds"] = info.wall_seconds;
     json["end"] = info.end;

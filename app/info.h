@@ -43,7 +43,8 @@ struct RunInfo {
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
     std::optional<StepReport> last;                     ///< the last step, if there was one
     std::int64_t newton_iterations = 0;                 ///< of all steps
-    std::size_t unconverged_steps = 0, capped_steps = 0;
+    std::size_t capped_steps = 0;
+    Index halvings = 0;
     Index most_stages = 0;  ///< of breaking in one step
     StepReport peaks;       ///< only its peaks: the largest of the whole run
 };

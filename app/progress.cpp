@@ -31,14 +31,16 @@ double Progress::wall_seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::string Progress::status(const StepReport& report, std::size_t cracks) const {
+std::string Progress::status(const StepReport& report, std::size_t cracks, std::int64_t halvings) const {
     const double done = std::min(1.0, report.time / duration);
-    return fmt::format("step {}  {:.4g} of {:.4g} s  ETA {}  cracks {}  fragments {}", report.step,
+    const std::string halved =
+        halvings == 0 ? "" : fmt::format("  halved {} times, now {:.3g} s", halvings, report.step_size);
+    return fmt::format("step {}  {:.4g} of {:.4g} s  ETA {}  cracks {}  fragments {}{}", report.step,
                        report.time, duration, clock(wall_seconds() * (1 - done) / done), cracks,
-                       report.fragments);
+                       report.fragments, halved);
 }
 
-void Progress::update(const StepReport& report, std::size_t cracks) {
+void Progress::update(const StepReport& report, std::size_t cracks, std::int64_t halvings) {
     const double done = std::min(1.0, report.time / duration);
     if (terminal) {
         const auto now = std::chrono::steady_clock::now();
@@ -46,11 +48,11 @@ void Progress::update(const StepReport& report, std::size_t cracks) {
         last_shown = now;
         const int filled = static_cast<int>(done * bar_width);
         fmt::print(stderr, "\r\x1b[K[{:#>{}}{:.>{}}] {}", "", filled, "", bar_width - filled,
-                   status(report, cracks));
+                   status(report, cracks, halvings));
         std::fflush(stderr);
     } else if (static_cast<int>(done * 10 + 1e-9) > tenths) {
         tenths = static_cast<int>(done * 10 + 1e-9);
-        fmt::print(stderr, "{:3}%  {}\n", tenths * 10, status(report, cracks));
+        fmt::print(stderr, "{:3}%  {}\n", tenths * 10, status(report, cracks, halvings));
     }
 }
 

@@ -15,14 +15,15 @@ class Progress {
     /// duration: s of simulated time.
     explicit Progress(double duration);
 
-    void update(const StepReport& report, std::size_t cracks);
+    /// cracks, halvings: until then.
+    void update(const StepReport& report, std::size_t cracks, std::int64_t halvings);
     /// Ends the bar's line.
     void finish();
 
     double wall_seconds() const;
 
   private:
-    std::string status(const StepReport& report, std::size_t cracks) const;
+    std::string status(const StepReport& report, std::size_t cracks, std::int64_t halvings) const;
 
     double duration;
     bool terminal;

@@ -54,7 +54,7 @@ struct Table<StepReport> {
         visit("linear_momentum", {"kg m/s"}, &R::linear_momentum);
         visit("angular_momentum", {"kg m^2/s", "about the origin"}, &R::angular_momentum);
         visit("newton_iterations", {"1", "over all stages"}, &R::newton_iterations);
-        visit("converged", {"1", "0 no, 1 yes"}, &R::converged);
+        visit("halvings", {"1", "of this step, because longer ones could not be solved"}, &R::halvings);
         visit("stages", {"1", "stages of breaking"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <limits>
 #include <memory>
 
 #include "app/commands.h"
@@ -27,8 +28,9 @@ void interrupt(int) {
 
 /// What the run adds up over its steps.
 struct Totals {
-    std::size_t cracks = 0, unconverged = 0, capped = 0;
-    std::int64_t newton_iterations = 0;
+    std::size_t cracks = 0, capped = 0;
+    std::int64_t newton_iterations = 0, halvings = 0;
+    double smallest_step = std::numeric_limits<double>::infinity();
     StepReport peaks;
     StepReport last;
 };
@@ -61,14 +63,15 @@ void Runner::step() {
     const StepReport report = simulation.step();
     CrackEvents events = simulation.take_events();
     totals.cracks += events.failures.size();
-    totals.unconverged += !report.converged;
+    totals.halvings += report.halvings;
+    totals.smallest_step = std::min(totals.smallest_step, report.step_size);
     totals.capped += report.stage_cap_reached;
     totals.newton_iterations += report.newton_iterations;
     raise_peaks(totals.peaks, report);
     totals.last = report;
     unrecorded.push_back(report);
     append(unrecorded_events, events);
-    progress.update(report, totals.cracks);
+    progress.update(report, totals.cracks, totals.halvings);
 }
 
 void Runner::record() {
@@ -84,11 +87,11 @@ std::string Runner::run() {
     };
     record();
     for (std::int64_t i = 1; i <= steps && !interrupted; ++i) {
-        step();
+        while (simulation.time() < static_cast<double>(i) * scene.solver.step && !interrupted) step();
         if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted) record();
     }
     progress.finish();
-    return totals.last.step == steps ? "complete" : "interrupted";
+    return simulation.time() == static_cast<double>(steps) * scene.solver.step ? "complete" : "interrupted";
 }
 
 void Runner::print_summary(const std::string& end, const std::filesystem::path& output) const {
@@ -112,7 +115,8 @@ void Runner::print_summary(const std::string& end, const std::filesystem::path& 
     if (totals.peaks.peak_overload > 0)
         row("peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
     if (totals.cracks == 0) row("", "no hinge broke; to break it, try half of a peak as its strength");
-    if (totals.unconverged > 0) row("unconverged steps", fmt::format("{}", totals.unconverged));
+    if (totals.halvings > 0)
+        row("steps halved", fmt::format("{} times, down to {:g} s", totals.halvings, totals.smallest_step));
     if (totals.capped > 0) row("steps out of stages", fmt::format("{}", totals.capped));
 }
 

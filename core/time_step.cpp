@@ -9,17 +9,18 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
     : position(sheet.position),
       sheet(sheet),
       options(options),
+      step(options.step),
       bending(sheet.hinges, options.bending),
       membrane(sheet.triangles),
       mirrors(sheet, this->options.mirrors),
       lips(sheet.lips) {
-    for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
     if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
 
 void TimeStep::prepare() {
-    const double step = options.step;
     of_step.clear();
+    contact.clear();
+    for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, step);
     if (!options.loads.empty())
         of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, time + step));
     if (options.damping.stiffness > 0)
@@ -39,7 +40,8 @@ void TimeStep::prepare() {
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity);
 }
 
-void TimeStep::begin() {
+void TimeStep::begin(double length) {
+    step = length;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const Positions motion = potential->predicted() - sheet.position;
@@ -61,9 +63,9 @@ void TimeStep::stencils_changed() {
 }
 
 void TimeStep::finish() {
-    sheet.velocity = (position - sheet.position) / options.step;
+    sheet.velocity = (position - sheet.position) / step;
     sheet.position = position;
-    time += options.step;
+    time += step;
 }
 
 PotentialEnergies TimeStep::energies() const {

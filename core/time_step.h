@@ -38,9 +38,11 @@ class TimeStep {
     /// The sheet must outlive it.
     TimeStep(Sheet& sheet, const TimeStepOptions& options);
 
-    /// Starts a step from the sheet's positions and velocities; `position` is the inertial prediction, or as
-    /// much of the way there as is free. Throws std::runtime_error if sheets overlap.
-    void begin();
+    /// Starts a step of TimeStepOptions::step, or of `length` s, from the sheet's positions and velocities;
+    /// `position` is the inertial prediction, or as much of the way there as is free. A step that is open is
+    /// given up. Throws std::runtime_error if sheets overlap.
+    void begin() { begin(options.step); }
+    void begin(double length);
     /// Advances `position` towards the minimum by at most `max_iterations` of Newton's method.
     NewtonResult solve(int max_iterations);
     /// To be called when vertices were added or stencils changed. New vertices of the sheet get their
@@ -61,6 +63,7 @@ class TimeStep {
     Sheet& sheet;
     TimeStepOptions options;
     double time = 0;  ///< s, at the beginning of the step
+    double step;      ///< s, its length
     BendingEnergy bending;
     MembraneEnergy membrane;
     MirrorEnergy mirrors;

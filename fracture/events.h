@@ -54,6 +54,9 @@ struct CrackEvents {
     std::vector<FragmentBirth> births;
 };
 
+/// Sets the time of the events of the step `step`, the last ones.
+void set_time(CrackEvents& events, std::int64_t step, double time);
+
 /// Appends later events.
 void append(CrackEvents& events, const CrackEvents& later);
 

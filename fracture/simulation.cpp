@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "fracture/hinge_measures.h"
@@ -55,27 +58,37 @@ Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOp
     : options(options),
       breakable(inputs),
       time_step(breakable.mechanics(), time_step_options(options, breakable.mechanics())),
-      fragments(breakable.mesh(), breakable.face_areas()) {
+      fragments(breakable.mesh(), breakable.face_areas()),
+      step_size(options.step) {
     set_guides(breakable.mechanics(), options.sliding);
 }
 
 StepReport Simulation::step() {
     StepReport report;
     report.step = ++steps;
-    report.time = time();
-    report.step_size = options.step;
+    while (!attempt(report)) {
+        if (!step_size.halve())
+            throw std::runtime_error(fmt::format(
+                "step {}, at {:g} s: the smallest step, {:g} s, cannot be solved within {} "
+                "iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help",
+                steps, time(), step_size.size(), options.max_iterations));
+        ++report.halvings;
+    }
+    finish(report);
+    return report;
+}
 
-    time_step.begin();
+bool Simulation::attempt(StepReport& report) {
+    time_step.begin(step_size.size());
     NewtonResult newton = solve_stage(report, options.max_iterations);
+    if (!newton.converged) return false;
     const HingeMeasures measures = hinge_measures(breakable, time_step.position);
     report_peaks(report, measures);
     if (options.rule == BreakingRule::staged)
         newton = break_in_stages(report, newton, measures);
     else if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
-    report.converged = newton.converged;
-    finish(report);
-    return report;
+    return newton.converged;
 }
 
 NewtonResult Simulation::break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures) {
@@ -114,7 +127,6 @@ void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasure
     const Mesh& mesh = breakable.mesh();
     for (const Edge edge : edges) {
         EdgeFailure failure;
-        failure.time = time();
         failure.step = steps;
         failure.stage = stage;
         failure.edge = static_cast<Index>(edge);
@@ -133,22 +145,23 @@ void Simulation::record_change(const CrackMesh::Change& change) {
     for (std::size_t i = 0; i < change.boundary_vertices.size(); ++i)
         events.failures[first + i].boundary_vertices = change.boundary_vertices[i];
     for (const auto& [edge, created] : change.opening.edges)
-        events.openings.push_back({time(), steps, static_cast<Index>(edge), static_cast<Index>(created)});
+        events.openings.push_back({0, steps, static_cast<Index>(edge), static_cast<Index>(created)});
     for (const auto& [vertex, created] : change.opening.vertices)
-        events.splits.push_back({time(), steps, static_cast<Index>(vertex), static_cast<Index>(created)});
+        events.splits.push_back({0, steps, static_cast<Index>(vertex), static_cast<Index>(created)});
 }
 
 void Simulation::update_fragments() {
     const Index before = fragments.count();
     fragments.update(breakable.mesh(), breakable.face_areas());
     for (Index fragment = before; fragment < fragments.count(); ++fragment)
-        events.births.push_back({time(), steps, fragment, fragments.parents()[fragment]});
+        events.births.push_back({0, steps, fragment, fragments.parents()[fragment]});
 }
 
 void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
     report.peak_strain = largest(measures.strain);
     report.peak_stress = largest(measures.stress);
     report.peak_bending_strain = largest(measures.bending);
+    report.peak_overload = 0;
     for (std::size_t i = 0; i < breakable.mechanics().hinges.size(); ++i)
         report.peak_overload = std::max(
             report.peak_overload,
@@ -156,8 +169,12 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
 }
 
 void Simulation::finish(StepReport& report) {
+    report.step_size = step_size.size();
     time_step.finish();
+    step_size.advance();
+    report.time = time();
     if (report.stages > 0) update_fragments();
+    set_time(events, steps, time());
     if (options.sheet_contact && breakable.release_lips()) time_step.stencils_changed();
     const PotentialEnergies potential = time_step.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());

@@ -7,6 +7,7 @@
 #include "fracture/fragments.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
+#include "fracture/step_size.h"
 
 namespace sherd {
 
@@ -17,7 +18,7 @@ struct SlidingVertex {
 };
 
 struct SimulationOptions {
-    double step = 1e-4;             ///< s
+    double step = 1e-4;             ///< s; one that cannot be solved is halved
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<Plane> planes;      ///< obstacles
     BendingOptions bending;         ///< energy and Jacobian of the hinges
@@ -42,15 +43,19 @@ class Simulation {
 
     /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
     /// again until none is over its strength (or, by the paper's rule, break all overloaded ones at its end).
+    /// A step that cannot be solved is halved and tried again; what broke in it was judged on a solution, and
+    /// stays broken. Throws std::runtime_error when the smallest step cannot be solved.
     StepReport step();
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
     /// The crack events since the last call.
     CrackEvents take_events();
-    double time() const { return static_cast<double>(steps) * options.step; }  ///< s
+    double time() const { return step_size.time(); }  ///< s
 
   private:
+    /// Solves a step from its beginning, with what breaks in it; whether it could be solved.
+    bool attempt(StepReport& report);
     /// Breaks and solves again until nothing is overloaded; returns the last solution's result.
     NewtonResult break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures);
     NewtonResult solve_stage(StepReport& report, int max_iterations);
@@ -66,6 +71,7 @@ class Simulation {
     TimeStep time_step;
     Fragments fragments;
     CrackEvents events;
+    StepSize step_size;
     std::int64_t steps = 0;
 };
 

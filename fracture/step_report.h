@@ -21,9 +21,9 @@ struct StepReport {
     Vector3d linear_momentum = Vector3d::Zero();   ///< kg m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the origin
 
-    Index newton_iterations = 0;  ///< over all stages
-    bool converged = true;
-    Index stages = 0;  ///< stages of breaking
+    Index newton_iterations = 0;  ///< over all stages, and attempts at longer steps
+    Index halvings = 0;           ///< of this step, because longer ones could not be solved
+    Index stages = 0;             ///< stages of breaking
     bool stage_cap_reached = false;
     Index contacts = 0;      ///< vertices in contact
     double lip_overlap = 0;  ///< m, largest of the lips of cracks that have not moved apart yet

@@ -66,7 +66,7 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_NEAR(info["peak_overload"], 1.5, 0.1);
     EXPECT_EQ(info["capped_steps"], 1) << "step 11";
     EXPECT_EQ(info["newton_iterations"], iterations);
-    EXPECT_EQ(info["unconverged_steps"], 2);
+    EXPECT_EQ(info["halvings"], 2);
     EXPECT_EQ(info["most_stages"], 3);
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/step_size.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace sherd {
+namespace {
+
+// A clock that drifts would take frames at other times than the scene asked for, to the last bit.
+TEST(StepSize, KeepsTheNominalStepAndItsExactTimes) {
+    StepSize step(1e-4);
+    for (int i = 1; i <= 1000; ++i) {
+        EXPECT_EQ(step.size(), 1e-4);
+        step.advance();
+        EXPECT_EQ(step.time(), i * 1e-4);
+    }
+}
+
+TEST(StepSize, HalvesToASmallestStepAndGrowsBack) {
+    StepSize step(1024);
+    for (int i = 0; i < StepSize::most_halvings; ++i) EXPECT_TRUE(step.halve());
+    EXPECT_EQ(step.size(), 1);
+    EXPECT_FALSE(step.halve());
+    int steps = 0;
+    for (; step.size() < 1024; ++steps) step.advance();
+    EXPECT_LE(steps, 6 * StepSize::most_halvings) << "it grows back within a few steps of each size";
+    EXPECT_GE(steps, 4 * StepSize::most_halvings) << "not at once: it would fail again";
+    EXPECT_EQ(step.time(), 1024) << "where a whole step begins";
+}
+
+// Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
+RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
+    StepSize step(1024);
+    for (int i = 0; i < 300; ++i) {
+        if (*rc::gen::inRange(0, 3) == 0) step.halve();
+        const double before = step.time(), size = step.size();
+        RC_ASSERT(std::floor(before / 1024) == std::floor((before + size - 0.5) / 1024));
+        step.advance();
+        RC_ASSERT(step.time() == before + size);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
