@@ -8,6 +8,7 @@
 #include "app/scene_force.h"
 #include "app/scene_mesh.h"
 #include "app/scene_support.h"
+#include "app/sheet_start.h"
 #include "app/sheet_strength.h"
 #include "core/stability.h"
 #include "meshops/error.h"
@@ -76,6 +77,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     for (const PlaneSpec& plane : scene.planes)
         options.planes.push_back({plane.point, plane.normal.normalized(), plane.young, plane.friction});
     const BreakableSheet all(inputs);
+    if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);
     add_loads(scene, inputs, all.mechanics(), options);
     return options;

@@ -15,7 +15,7 @@ namespace sherd {
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 /// inputs: of all sheets, in the scene's order. Throws Error naming the scene's line and key of a load or
-/// support that reaches nothing.
+/// support that reaches nothing, or the faces of sheets that do not start apart.
 SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 /// The head of the recording of a simulation that has not made a step yet.

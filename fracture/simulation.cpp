@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/simulation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -67,15 +66,19 @@ StepReport Simulation::step() {
     StepReport report;
     report.step = ++steps;
     while (!attempt(report)) {
-        if (!step_size.halve())
-            throw std::runtime_error(fmt::format(
-                "step {}, at {:g} s: the smallest step, {:g} s, cannot be solved within {} "
-                "iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help",
-                steps, time(), step_size.size(), options.max_iterations));
+        if (!step_size.halve()) give_up(report);
         ++report.halvings;
     }
     finish(report);
     return report;
+}
+
+void Simulation::give_up(const StepReport& report) const {
+    std::ostringstream text;
+    text << "step " << report.step << ", at " << time() << " s: even a step of " << step_size.size()
+         << " s cannot be solved within " << options.max_iterations
+         << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
+    throw std::runtime_error(text.str());
 }
 
 bool Simulation::attempt(StepReport& report) {

@@ -54,6 +54,7 @@ class Simulation {
     double time() const { return step_size.time(); }  ///< s
 
   private:
+    [[noreturn]] void give_up(const StepReport& report) const;
     /// Solves a step from its beginning, with what breaks in it; whether it could be solved.
     bool attempt(StepReport& report);
     /// Breaks and solves again until nothing is overloaded; returns the last solution's result.

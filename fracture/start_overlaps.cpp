@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/start_overlaps.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/contact/sheet_contact.h"
+#include "meshops/self_intersections.h"
+
+namespace sherd {
+namespace {
+
+constexpr double nearest = 0.99;  // of the distance from which elements push; less would fling them apart
+
+using FacePair = std::array<Index, 2>;
+
+FacePair ascending(Face a, Face b) {
+    return {static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b))};
+}
+
+/// A face that has all of these vertices, which are one, two or three.
+Face face_with(const Mesh& mesh, std::span<const Index> vertices) {
+    const Vertex first(vertices.front());
+    for (const Face face : mesh.faces_around_target(mesh.halfedge(first))) {
+        if (face == Mesh::null_face()) continue;
+        const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
+        if (std::all_of(vertices.begin(), vertices.end(), [&](Index vertex) {
+                return std::find(corners.begin(), corners.end(), Vertex(vertex)) != corners.end();
+            }))
+            return face;
+    }
+    return Mesh::null_face();
+}
+
+FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
+    const std::span<const Index> vertices(pair.vertices);
+    const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;
+    return ascending(face_with(mesh, vertices.first(first)), face_with(mesh, vertices.subspan(first)));
+}
+
+}  // namespace
+
+std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
+    std::vector<StartOverlap> overlaps;
+    std::map<FacePair, StartOverlap> near;
+    const Sheet& mechanics = sheet.mechanics();
+    const SheetContact contact(mechanics);
+    for (const ContactPair& pair : contact.touching(mechanics.position)) {
+        const double apart = distance(pair, pair_positions(mechanics.position, pair.vertices));
+        if (apart >= nearest * pair.touching) continue;
+        const FacePair faces = faces_of(sheet.mesh(), pair);
+        const auto known = near.emplace(faces, StartOverlap{faces, false, apart, pair.touching}).first;
+        if (apart < known->second.distance) known->second = {faces, false, apart, pair.touching};
+    }
+    for (const auto& [a, b] : self_intersections(sheet.mesh())) {
+        overlaps.push_back({ascending(a, b), true, 0, 0});
+        near.erase(ascending(a, b));
+    }
+    for (const auto& [faces, overlap] : near) overlaps.push_back(overlap);
+    return overlaps;
+}
+
+}  // namespace sherd
