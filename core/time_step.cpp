@@ -13,7 +13,6 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       membrane(sheet.triangles),
       mirrors(sheet, this->options.mirrors),
       lips(sheet.lips) {
-    for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, options.step);
     if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
 
@@ -21,7 +20,7 @@ void TimeStep::prepare() {
     const double step = options.step;
     of_step.clear();
     if (!options.loads.empty())
-        of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, time + step));
+        of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
     if (options.damping.stiffness > 0)
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
@@ -29,8 +28,11 @@ void TimeStep::prepare() {
     if (sheet_contact && options.sheet_friction > 0)
         of_step.push_back(
             std::make_unique<SheetFriction>(sheet, *sheet_contact, options.sheet_friction, step));
+    obstacle_contact.clear();
+    for (const Obstacle& obstacle : options.obstacles)
+        obstacle_contact.emplace_back(sheet, obstacle, start, step);
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
-    for (const PlaneContact& plane : contact) energies.push_back(&plane);
+    for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
     if (sheet_contact) {
         energies.push_back(sheet_contact.get());
         energies.push_back(&lips);
@@ -40,6 +42,7 @@ void TimeStep::prepare() {
 }
 
 void TimeStep::begin() {
+    start = time;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const Positions motion = potential->predicted() - sheet.position;
@@ -63,7 +66,7 @@ void TimeStep::stencils_changed() {
 void TimeStep::finish() {
     sheet.velocity = (position - sheet.position) / options.step;
     sheet.position = position;
-    time += options.step;
+    time = start + options.step;
 }
 
 PotentialEnergies TimeStep::energies() const {
@@ -71,14 +74,14 @@ PotentialEnergies TimeStep::energies() const {
     sum.bending = bending.value(position) + mirrors.value(position);
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
-    for (const PlaneContact& plane : contact) sum.contact += plane.stored_energy(position);
+    for (const ObstacleContact& contact : obstacle_contact) sum.contact += contact.stored_energy(position);
     if (sheet_contact) sum.contact += sheet_contact->value(position) + lips.value(position);
     return sum;
 }
 
 Index TimeStep::contacts() const {
     Index count = 0;
-    for (const PlaneContact& plane : contact) count += plane.contacts(position);
+    for (const ObstacleContact& contact : obstacle_contact) count += contact.contacts(position);
     return count;
 }
 
