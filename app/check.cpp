@@ -23,12 +23,7 @@ double slowest_period(const Material& m, double area) {
     return 2 * std::numbers::pi / frequency;
 }
 
-std::size_t count_behind(const Mesh& mesh, const PlaneSpec& plane) {
-    const auto behind = [&](Vertex v) { return (position(mesh, v) - plane.point).dot(plane.normal) < 0; };
-    return std::count_if(mesh.vertices().begin(), mesh.vertices().end(), behind);
-}
-
-void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, const MeshMeasures& measures,
+void add_hints(const SheetSpec& sheet, const Scene& scene, const MeshMeasures& measures,
                std::vector<std::string>& warnings) {
     if (measures.smallest_edge < measures.mean_edge / 50)
         warnings.push_back(fmt::format("the shortest edge, {:.3g} m, is far below the mean, {:.3g} m: remesh",
@@ -40,10 +35,6 @@ void add_hints(const SheetSpec& sheet, const Scene& scene, const Mesh& mesh, con
             fmt::format("solver.step of {:.2g} s is long for this sheet: peaks of strain come out "
                         "low; use {:.1g} s or less",
                         scene.solver.step, step));
-    for (const PlaneSpec& plane : scene.planes)
-        if (const std::size_t count = count_behind(mesh, plane))
-            warnings.push_back(
-                fmt::format("{} vertices start behind obstacle.{}: move the sheet", count, plane.name));
 }
 
 void print_strength(const SheetSpec& sheet, const Strength& strength) {
@@ -72,7 +63,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
     const SheetInput input = make_sheet(sheet, scene, warnings);
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
-    add_hints(sheet, scene, mesh, m, warnings);
+    add_hints(sheet, scene, m, warnings);
     fmt::print("sheet {}\n", sheet.name);
     fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}\n",
                mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
@@ -102,7 +93,9 @@ int check(const SceneOptions& options) {
         }
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
-    simulation_options(scene, inputs);  // throws where a load or a support reaches nothing
+    std::vector<std::string> warnings;
+    simulation_options(scene, inputs, warnings);  // throws where a load or a support reaches nothing
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     return 0;
 }
 

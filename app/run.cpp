@@ -130,8 +130,9 @@ int run(RunOptions options) {
     std::vector<std::string> warnings;
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
+    const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
-    Simulation simulation(sheets, simulation_options(scene, sheets));
+    Simulation simulation(sheets, simulated);
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
 
     std::signal(SIGINT, interrupt);

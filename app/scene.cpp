@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "app/scene_force.h"
+#include "app/scene_obstacle.h"
 #include "app/scene_override.h"
 #include "app/scene_sheet.h"
 #include "app/toml_file.h"
@@ -18,27 +19,7 @@
 namespace sherd {
 namespace {
 
-constexpr double most_steps = 1e9;       // decades of computing: a mistyped step, not a wish
-constexpr double concrete_young = 3e10;  // Pa, C20/25 of EN 1992-1-1: what most floors are made of
-
-PlaneSpec read_obstacle(const std::string& name, TomlTable& table) {
-    PlaneSpec plane;
-    plane.name = name;
-    if (auto geometry = table.table("plane")) {
-        plane.point = geometry->vector("point", "m", Vector3d::Zero());
-        plane.normal = geometry->vector("normal", "", Vector3d::UnitZ());
-        if (plane.normal.isZero(0))
-            geometry->report("normal", "must not be zero: give a direction, such as [0, 0, 1]");
-        plane.normal = plane.normal.stableNormalized();
-        geometry->finish();
-    } else if (!table.has("plane")) {
-        table.report("plane", "is missing: give plane = { point = [0, 0, 0], normal = [0, 0, 1] }");
-    }
-    plane.friction = table.number("friction", "", not_negative, 0);
-    plane.young = table.number("young", "Pa", positive, concrete_young);
-    table.finish();
-    return plane;
-}
+constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
 
 BendingOptions read_bending(TomlTable& table) {
     constexpr std::array<std::string_view, 3> models{"cubic", "cubic-2007", "nonlinear"};
@@ -126,7 +107,8 @@ void read_root(TomlTable& root, Scene& scene) {
     scene.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), scene.seed);
     read_sheets(root, scene);
     if (auto obstacles = root.table("obstacle"))
-        for (auto& [name, table] : obstacles->entries()) scene.planes.push_back(read_obstacle(name, table));
+        for (auto& [name, table] : obstacles->entries())
+            scene.obstacles.push_back(read_obstacle(name, table));
     if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
     root.finish();

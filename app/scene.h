@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/material_axis.h"
+#include "app/obstacle_spec.h"
 #include "app/score.h"
 #include "app/strength_map.h"
 #include "core/damping.h"
@@ -86,14 +87,6 @@ struct SheetSpec {
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 };
 
-struct PlaneSpec {
-    std::string name;
-    Vector3d point = Vector3d::Zero();
-    Vector3d normal = Vector3d::UnitZ();
-    double friction = 0;
-    double young = 0;  ///< Pa, of what the plane is made of
-};
-
 /// `[contact]`: of sheets and fragments with each other and with themselves.
 struct ContactSpec {
     bool sheets = true;   ///< whether they meet at all
@@ -117,7 +110,7 @@ struct Scene {
     double duration = 0;  ///< s
     std::int64_t seed = 1;
     std::vector<SheetSpec> sheets;
-    std::vector<PlaneSpec> planes;
+    std::vector<ObstacleSpec> obstacles;
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<LoadSpec> loads;
     ContactSpec contact;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_sheet.h"
 
-#include <numbers>
-
 #include "app/scene_fracture.h"
 #include "app/scene_material.h"
+#include "app/scene_place.h"
 #include "app/scene_shape.h"
 #include "app/scene_support.h"
 
@@ -42,22 +41,6 @@ std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
     if (generated == from_file) return GeneratedMesh{};
     if (generated) return read_shape(*table);
     return read_mesh_file(*table, directory);
-}
-
-Eigen::Isometry3d read_place(TomlTable& table) {
-    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    for (TomlTable& rotation : table.tables("rotate")) {
-        const Vector3d axis = rotation.vector("axis", "");
-        const double degrees = rotation.number("degrees", "degrees", any_number);
-        if (axis.isZero(0)) rotation.report("axis", "must not be zero: give a direction, such as [1, 0, 0]");
-        // stableNormalized, since the squares of tiny or huge components leave the range of double.
-        const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, axis.stableNormalized());
-        place.prerotate(turn.toRotationMatrix());
-        rotation.finish();
-    }
-    place.pretranslate(table.vector("translate", "m", Vector3d::Zero()));
-    table.finish();
-    return place;
 }
 
 }  // namespace

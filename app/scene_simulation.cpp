@@ -7,6 +7,8 @@
 
 #include "app/scene_force.h"
 #include "app/scene_mesh.h"
+#include "app/scene_obstacle.h"
+#include "app/scene_start.h"
 #include "app/scene_support.h"
 #include "app/sheet_start.h"
 #include "app/sheet_strength.h"
@@ -62,7 +64,8 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     return input;
 }
 
-SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs) {
+SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     std::vector<std::string>& warnings) {
     SimulationOptions options;
     options.step = scene.solver.step;
     options.gravity = scene.gravity;
@@ -74,8 +77,8 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     options.damping = scene.solver.damping;
     options.sheet_contact = scene.contact.sheets;
     options.sheet_friction = scene.contact.friction;
-    for (const PlaneSpec& plane : scene.planes)
-        options.planes.push_back({plane.point, plane.normal.normalized(), plane.young, plane.friction});
+    options.obstacles = make_obstacles(scene);
+    require_free_start(scene, inputs, options.obstacles, warnings);
     const BreakableSheet all(inputs);
     if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);

@@ -15,8 +15,10 @@ namespace sherd {
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 /// inputs: of all sheets, in the scene's order. Throws Error naming the scene's line and key of a load or
-/// support that reaches nothing, or the faces of sheets that do not start apart.
-SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs);
+/// support that reaches nothing, of an obstacle that cannot be made, and of one that a sheet starts in, or
+/// naming the faces of sheets that do not start apart.
+SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     std::vector<std::string>& warnings);
 
 /// The head of the recording of a simulation that has not made a step yet.
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);

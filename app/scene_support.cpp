@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/scene_mesh.h"
+#include "app/scene_place.h"
 #include "core/orthotropy.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
@@ -31,10 +32,7 @@ SymmetrySpec read_symmetry(TomlTable& table) {
     SymmetrySpec plane;
     plane.where = table.where("");
     plane.point = table.vector("point", "m", Vector3d::Zero());
-    plane.normal = table.vector("normal", "");
-    if (plane.normal.isZero(0))
-        table.report("normal", "must not be zero: give a direction, such as [1, 0, 0]");
-    plane.normal = plane.normal.stableNormalized();
+    plane.normal = read_direction(table, "normal");
     table.finish();
     return plane;
 }

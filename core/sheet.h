@@ -37,7 +37,7 @@ struct Sheet {
     VectorXd thickness;  ///< [V] m
     VectorXd young;      ///< [V] Pa
     VectorXd
-        footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/plane_contact.h
+        footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/obstacle_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
     std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
     std::vector<Index> body;  ///< [V] number of the sheet that the vertex is of, whatever broke off it since

@@ -19,10 +19,8 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
 
 void TimeStep::prepare() {
     of_step.clear();
-    contact.clear();
-    for (const Plane& plane : options.planes) contact.emplace_back(sheet, plane, step);
     if (!options.loads.empty())
-        of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, time + step));
+        of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
     if (options.damping.stiffness > 0)
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
@@ -30,8 +28,11 @@ void TimeStep::prepare() {
     if (sheet_contact && options.sheet_friction > 0)
         of_step.push_back(
             std::make_unique<SheetFriction>(sheet, *sheet_contact, options.sheet_friction, step));
+    obstacle_contact.clear();
+    for (const Obstacle& obstacle : options.obstacles)
+        obstacle_contact.emplace_back(sheet, obstacle, start, step);
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
-    for (const PlaneContact& plane : contact) energies.push_back(&plane);
+    for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
     if (sheet_contact) {
         energies.push_back(sheet_contact.get());
         energies.push_back(&lips);
@@ -42,6 +43,7 @@ void TimeStep::prepare() {
 
 void TimeStep::begin(double length) {
     step = length;
+    start = time;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const Positions motion = potential->predicted() - sheet.position;
@@ -65,7 +67,7 @@ void TimeStep::stencils_changed() {
 void TimeStep::finish() {
     sheet.velocity = (position - sheet.position) / step;
     sheet.position = position;
-    time += step;
+    time = start + step;
 }
 
 PotentialEnergies TimeStep::energies() const {
@@ -73,14 +75,14 @@ PotentialEnergies TimeStep::energies() const {
     sum.bending = bending.value(position) + mirrors.value(position);
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
-    for (const PlaneContact& plane : contact) sum.contact += plane.stored_energy(position);
+    for (const ObstacleContact& contact : obstacle_contact) sum.contact += contact.stored_energy(position);
     if (sheet_contact) sum.contact += sheet_contact->value(position) + lips.value(position);
     return sum;
 }
 
 Index TimeStep::contacts() const {
     Index count = 0;
-    for (const PlaneContact& plane : contact) count += plane.contacts(position);
+    for (const ObstacleContact& contact : obstacle_contact) count += contact.contacts(position);
     return count;
 }
 

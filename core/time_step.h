@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/contact/plane_contact.h"
+#include "core/contact/obstacle_contact.h"
 #include "core/contact/sheet_contact.h"
 #include "core/damping.h"
 #include "core/loads.h"
@@ -18,7 +18,7 @@ struct TimeStepOptions {
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     BendingOptions bending;         ///< energy and Jacobian of the hinges
     NewtonOptions newton;
-    std::vector<Plane> planes;  ///< obstacles
+    std::vector<Obstacle> obstacles;
     std::vector<Load> loads;
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
@@ -62,13 +62,14 @@ class TimeStep {
 
     Sheet& sheet;
     TimeStepOptions options;
-    double time = 0;  ///< s, at the beginning of the step
-    double step;      ///< s, its length
+    double time = 0;   ///< s, up to which steps are finished
+    double start = 0;  ///< s, at the beginning of the open step, or the last one
+    double step;       ///< s, its length
     BendingEnergy bending;
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
-    std::vector<PlaneContact> contact;
-    std::unique_ptr<SheetContact> sheet_contact;  ///< none if not asked for
+    std::vector<ObstacleContact> obstacle_contact;  ///< of the open step, or the last one
+    std::unique_ptr<SheetContact> sheet_contact;    ///< none if not asked for
     LipContact lips;
     std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;

@@ -27,7 +27,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     TimeStepOptions result;
     result.step = options.step;
     result.gravity = options.gravity;
-    result.planes = options.planes;
+    result.obstacles = options.obstacles;
     result.bending = options.bending;
     result.loads = options.loads;
     result.mirrors = options.mirrors;

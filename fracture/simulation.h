@@ -20,9 +20,9 @@ struct SlidingVertex {
 struct SimulationOptions {
     double step = 1e-4;             ///< s; one that cannot be solved is halved
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
-    std::vector<Plane> planes;      ///< obstacles
-    BendingOptions bending;         ///< energy and Jacobian of the hinges
-    std::vector<Load> loads;        ///< on the triangles of all sheets, numbered in the order of the inputs
+    std::vector<Obstacle> obstacles;
+    BendingOptions bending;   ///< energy and Jacobian of the hinges
+    std::vector<Load> loads;  ///< on the triangles of all sheets, numbered in the order of the inputs
     std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
     std::vector<SlidingVertex> sliding;
     Damping damping;

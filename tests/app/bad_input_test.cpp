@@ -82,7 +82,7 @@ const std::vector<BadInput> bad_scenes{
     change("unknown_preset", "\"stoneware\"", "\"stonewear\"",
            {"scene.toml:7: sheet.plate.material.preset", "did you mean \"stoneware\"?"}),
     change("unknown_obstacle", "plane = { normal = [0, 0, 1] }", "cube = 1",
-           {"obstacle.floor.plane: is missing", "obstacle.floor.cube: unknown key"}),
+           {"scene.toml:8: obstacle.floor: needs one of plane,", "obstacle.floor.cube: unknown key"}),
     change("key_of_another_shape", radius, "radius = 0.1, width = 2",
            {"scene.toml:4: sheet.plate.mesh.width: unknown key"}),
     change("two_meshes", radius, "radius = 0.1, file = \"a.obj\"", {"mesh.file: conflicts with generate"}),

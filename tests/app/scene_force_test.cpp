@@ -33,7 +33,7 @@ Prepared prepare(const std::string& text) {
     std::vector<std::string> warnings;
     for (const SheetSpec& sheet : result.scene.sheets)
         result.inputs.push_back(make_sheet(sheet, result.scene, warnings));
-    result.options = simulation_options(result.scene, result.inputs);
+    result.options = simulation_options(result.scene, result.inputs, warnings);
     return result;
 }
 

@@ -44,7 +44,8 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
     const Scene paper = scene_of("strain = 0.4\nmeasure = \"bending\"", "rule = \"paper\"");
     EXPECT_EQ(fracture_of(paper).strength.measure, Measure::bending);
     EXPECT_EQ(paper.solver.rule, BreakingRule::paper);
-    EXPECT_EQ(simulation_options(paper, {input_of(paper)}).rule, BreakingRule::paper);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(simulation_options(paper, {input_of(paper)}, warnings).rule, BreakingRule::paper);
 }
 
 // Glass is the same in all directions, its strength need not be.

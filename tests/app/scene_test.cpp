@@ -88,11 +88,13 @@ every = 0.25
     EXPECT_EQ(cylinder.height, 2);
     EXPECT_TRUE(cylinder.structured);
     EXPECT_FALSE(scene.sheets[1].fracture) << "without [fracture] a sheet does not break";
-    ASSERT_EQ(scene.planes.size(), 1u);
-    EXPECT_EQ(scene.planes[0].name, "wall");
-    EXPECT_EQ(scene.planes[0].normal, Vector3d(1, 0, 0)) << "made a unit vector";
-    EXPECT_EQ(scene.planes[0].friction, 0.4);
-    EXPECT_EQ(scene.planes[0].young, 2e9);
+    ASSERT_EQ(scene.obstacles.size(), 1u);
+    EXPECT_EQ(scene.obstacles[0].name, "wall");
+    const PlaneShape& plane = std::get<PlaneShape>(scene.obstacles[0].shape);
+    EXPECT_EQ(plane.point, Vector3d(1, 0, 0));
+    EXPECT_EQ(plane.normal, Vector3d(1, 0, 0)) << "made a unit vector";
+    EXPECT_EQ(scene.obstacles[0].friction, 0.4);
+    EXPECT_EQ(scene.obstacles[0].young, 2e9);
     EXPECT_FALSE(scene.contact.sheets);
     EXPECT_EQ(scene.contact.friction, 0.3);
     EXPECT_EQ(scene.gravity, Vector3d(0, 1, 0));
@@ -109,7 +111,7 @@ TEST(Scene, DefaultsAreThoseOfTheReference) {
     EXPECT_EQ(scene.gravity, Vector3d(0, 0, -9.81));
     EXPECT_EQ(scene.solver.step, 1e-4);
     EXPECT_DOUBLE_EQ(scene.frame_interval, 0.005);
-    EXPECT_TRUE(scene.planes.empty());
+    EXPECT_TRUE(scene.obstacles.empty());
     EXPECT_TRUE(scene.contact.sheets);
     EXPECT_EQ(scene.contact.friction, 0);
     EXPECT_EQ(scene.sheets[0].velocity, Vector3d(0, 0, 0));

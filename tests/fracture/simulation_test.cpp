@@ -10,6 +10,7 @@
 #include "fracture/hinge_measures.h"
 #include "meshops/generate.h"
 #include "tests/support/mesh_shapes.h"
+#include "tests/support/obstacles.h"
 
 namespace sherd {
 namespace {
@@ -88,7 +89,7 @@ Simulation falling_disc(double strain_threshold) {
     }
     plate.velocity = Vector3d(0, 0, -4);
     SimulationOptions options;
-    options.planes = {Plane{}};
+    options.obstacles = {test::floor()};
     return Simulation({plate}, options);
 }
 
@@ -140,7 +141,7 @@ Simulation landing_disc(int max_iterations, double tolerance) {
     }
     plate.velocity = Vector3d(0, 0, -20);
     SimulationOptions options;
-    options.planes = {Plane{}};
+    options.obstacles = {test::floor()};
     options.step = 1e-3;
     options.max_iterations = max_iterations;
     options.tolerance = tolerance;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/contact/motion.h"
+#include "core/contact/shape.h"
+
+namespace sherd {
+
+/// What sheets cannot pass through and do not push away.
+struct Obstacle {
+    std::shared_ptr<const Shape> shape;
+    Motion motion;
+    double young = 3e10;  ///< Pa, of what it is made of
+    double friction = 0;  ///< Coulomb coefficient
+
+    bool moves() const { return !motion.keys.empty(); }
+};
+
+/// How far a point with a skin is inside a shape.
+struct Overlap {
+    double depth = 0;  ///< m, positive when they touch
+    Vector3d normal = Vector3d::Zero();
+    Matrix3d curvature = Matrix3d::Zero();  ///< 1/m, Hessian of the shape's distance
+};
+
+/// `x` in space, with a skin of `half` (m) around it, against a shape that stands as `pose` says.
+Overlap overlap(const Shape& shape, const Eigen::Isometry3d& pose, const Vector3d& x, double half);
+
+/// Stiffness, N/m, of a column of sheet (footprint, m^2; thickness, m; young, Pa) against a material:
+/// footprint / thickness / (1 / Y_sheet + 1 / Y_obstacle).
+inline double column_stiffness(double footprint, double thickness, double young, double obstacle_young) {
+    return footprint / thickness / (1 / young + 1 / obstacle_young);
+}
+
+}  // namespace sherd

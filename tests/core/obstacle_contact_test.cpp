@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/obstacle_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/time_step.h"
+#include "tests/support/finite_differences.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+#include "tests/support/random_shapes.h"
+
+namespace sherd::test {
+namespace {
+
+/// Advances `seconds` in steps of `step`.
+void simulate(Sheet& sheet, TimeStepOptions options, double step, double seconds) {
+    options.step = step;
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / step)); ++i) {
+        time_step.begin();
+        time_step.solve(20);
+        time_step.finish();
+    }
+}
+
+// Sticking, sliding, touching and free: forces and their derivatives, friction and motion included.
+TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
+    Random random(1);
+    Motion turning;
+    turning.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
+                    {1, Vector3d(1e-3, 2e-3, 0), Vector3d::UnitX(), 2e-3}};
+    const Vector3d tilted = Vector3d(0.1, 0.2, 1).normalized();
+    std::vector<Obstacle> obstacles{
+        obstacle(PlaneShape(Vector3d::Zero(), tilted), 1e7, 0.4),
+        obstacle(SphereShape(Vector3d(0, 0, -0.02), 0.02), 1e7, 0.4),
+        obstacle(BoxShape(Vector3d(-1, 0, -1), Vector3d(1, 1, 1)), 1e7, 0.4),
+        obstacle(CylinderShape(Vector3d(0, 0, -0.5), Vector3d::UnitX(), 0.5, 1), 1e7, 0.4)};
+    for (Obstacle& obstacle : obstacles) {
+        const Sheet sheet = lone_vertex(Vector3d(0.0001, 0, 0.0049));
+        for (const bool moves : {false, true}) {
+            if (moves) obstacle.motion = turning;
+            const ObstacleContact contact(sheet, obstacle, 0.5, 1e-3);
+            EXPECT_EQ(contact.contacts(sheet.position), 1);
+            for (int i = 0; i < 50; ++i) {
+                const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and below the smoothing
+                const Vector3d moved = Vector3d(sheet.position.col(0)) + random.matrix<Vector3d>(way);
+                expect_derivatives(contact, Positions(moved), 1e-9, 1e-4);
+            }
+        }
+    }
+}
+
+// The spring of a resting vertex is the two materials in series over the footprint.
+TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
+    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005));
+    TimeStepOptions options;
+    options.obstacles = {floor(1e7)};
+    options.newton.tolerance = 1e-14;
+    simulate(sheet, options, 1e-3, 4);
+    const double stiffness = 1e-4 / 0.01 / (2 / 1e7);
+    EXPECT_NEAR(0.005 - sheet.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
+}
+
+// Coulomb: a = mu g, until it stops after v^2 / (2 mu g).
+TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
+    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
+    sheet.velocity(0, 0) = 1;
+    TimeStepOptions options;
+    options.obstacles = {floor(1e7, 0.5)};
+    options.newton.tolerance = 1e-13;
+    simulate(sheet, options, 1e-4, 0.4);
+    const double distance = 1 / (2 * 0.5 * 9.81);
+    EXPECT_NEAR(sheet.position(0, 0), distance, 0.01 * distance);
+    EXPECT_LT(sheet.velocity.col(0).norm(), 1e-3);
+}
+
+// On a slope of 30 degrees it slides at g (sin a - mu cos a), whatever holds the slope.
+TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
+    const double slope = std::numbers::pi / 6, friction = 0.3, gravity = 9.81, seconds = 0.2;
+    Obstacle tilted_box = obstacle(BoxShape(Vector3d(0, 0, -1), Vector3d(3, 1, 1)), 1e7, friction);
+    tilted_box.motion.place = Eigen::AngleAxisd(slope, Vector3d::UnitY());
+    const Vector3d normal(std::sin(slope), 0, std::cos(slope)),
+        downhill(std::cos(slope), 0, -std::sin(slope));
+    const double sinking = 0.1 * gravity * std::cos(slope) / 5e4;
+    for (const Obstacle& ramp : {obstacle(PlaneShape(Vector3d::Zero(), normal), 1e7, friction), tilted_box}) {
+        Sheet sheet = lone_vertex((0.005 - sinking) * normal);
+        TimeStepOptions options;
+        options.obstacles = {ramp};
+        options.newton.tolerance = 1e-13;
+        simulate(sheet, options, 1e-4, seconds);
+        const double way = 0.5 * gravity * (std::sin(slope) - friction * std::cos(slope)) * seconds * seconds;
+        EXPECT_NEAR(sheet.position.col(0).dot(downhill), way, 0.01 * way);
+        EXPECT_NEAR(sheet.position.col(0).dot(normal), 0.005 - sinking, 1e-6);
+    }
+}
+
+// A tray that starts gently takes along what lies on it; one that starts too fast slips away below.
+TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
+    const double gravity = 9.81, friction = 0.4, seconds = 0.5;
+    const auto way_on_tray = [&](double acceleration) {
+        Obstacle tray = obstacle(BoxShape(Vector3d(0, 0, -0.1), Vector3d(1, 1, 0.1)), 1e7, friction);
+        // Of 3 s^2 - 2 s^3, the acceleration falls from 6 D / T^2 at its start to nothing at the middle.
+        const double way = acceleration * seconds * seconds / 6;
+        tray.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
+                            {seconds, Vector3d(0, way, 0), Vector3d::UnitZ(), 0}};
+        Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * gravity / 5e4));
+        TimeStepOptions options;
+        options.obstacles = {tray};
+        options.newton.tolerance = 1e-13;
+        simulate(sheet, options, 1e-3, 0.5 * seconds);
+        return sheet.position(1, 0) / (0.5 * way);
+    };
+    EXPECT_NEAR(way_on_tray(0.9 * friction * gravity), 1, 0.02) << "carried";
+    // Sliding all the time, it gains friction times g: at half time 1/2 mu g T^2/4 of the tray's way/2.
+    EXPECT_NEAR(way_on_tray(10 * friction * gravity), 0.5 * 0.25 / (0.5 * 10.0 / 6), 0.02) << "left behind";
+}
+
+// A soft plate on the top of a ball hangs over it and stays.
+TEST(ObstacleContact, APlateRestsOnTheTopOfASphere) {
+    Material material;
+    material.density = 1000, material.thickness = 0.002, material.young = 1e6;
+    Sheet sheet = stacked_plates(1, 8, 0, material);
+    TimeStepOptions options;
+    options.obstacles = {obstacle(SphereShape(Vector3d(0, 0, -0.101), 0.1), 1e9, 0.5)};
+    options.damping.mass = 20;
+    simulate(sheet, options, 2e-3, 1);
+    const Positions before = sheet.position;
+    const double height = (before * sheet.mass).z() / sheet.mass.sum();
+    EXPECT_LT(height, -0.002) << "its corners hang";
+    options.damping.mass = 0;
+    simulate(sheet, options, 2e-3, 1);
+    EXPECT_LT((sheet.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
+}
+
+}  // namespace
+}  // namespace sherd::test
