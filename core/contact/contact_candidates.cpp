@@ -9,59 +9,155 @@
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-12;  // relative, far above that of any sum made here
-
 /// Boxes around what each vertex can reach, half of its sheet's thickness included.
-std::vector<Box> vertex_boxes(const ContactSurface& surface, const Positions& x, const Positions& motion,
-                              double margin) {
-    std::vector<Box> boxes(x.cols());
+std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within) {
+    std::vector<Box> boxes(surface.vertices());
     for (Index v = 0; v < surface.vertices(); ++v) {
-        const Eigen::Array3d from = x.col(v), to = x.col(v) + motion.col(v);
-        const double size = from.abs().maxCoeff() + to.abs().maxCoeff();
-        const double inflation = surface.half_thickness(v) + margin + rounding * size;
+        const Eigen::Array3d from = within.start.col(v), to = from + within.motion.col(v).array();
+        const double inflation =
+            ContactCandidates::nearness * surface.half_thickness(v) + within.margin + within.round_off;
         boxes[v] = {from.min(to) - inflation, from.max(to) + inflation};
     }
     return boxes;
 }
 
-double margin_of(const ContactSurface& surface) {
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (Index v = 0; v < surface.vertices(); ++v) thinnest = std::min(thinnest, surface.half_thickness(v));
-    return 0.25 * thinnest;
+template <std::size_t N>
+struct Elements {
+    std::vector<std::array<Index, N>> vertices;
+    BoxTree tree;
+};
+
+/// Elements that have a vertex that has changed, or (`whether` false) that have none.
+template <std::size_t N>
+Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<char>& changed,
+                  bool whether, const std::vector<Box>& boxes) {
+    std::vector<std::array<Index, N>> found;
+    for (const auto& element : elements)
+        if (std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; }) == whether)
+            found.push_back(element);
+    BoxTree tree(element_boxes(boxes, found));
+    return {std::move(found), std::move(tree)};
+}
+
+std::array<Index, 4> both(const std::array<Index, 1>& vertex, const std::array<Index, 3>& triangle) {
+    return {vertex[0], triangle[0], triangle[1], triangle[2]};
+}
+
+std::array<Index, 4> both(const std::array<Index, 2>& one, const std::array<Index, 2>& other) {
+    const auto& [first, second] = std::minmax(one, other);
+    return {first[0], first[1], second[0], second[1]};
+}
+
+/// From the middle of the second element to that of the first, of length 1.
+Vector3d between_middles(PairKind kind, const PairPositions& x) {
+    const Vector3d middle = kind == PairKind::edge_edge
+                                ? Vector3d(0.5 * (x.col(0) + x.col(1)) - 0.5 * (x.col(2) + x.col(3)))
+                                : Vector3d(x.col(0) - (x.col(1) + x.col(2) + x.col(3)) / 3);
+    return middle.normalized();
+}
+
+/// Vertices that have come to or gone from corners of triangles, or whose twins have.
+std::vector<char> changed_vertices(const ContactSurface& before, const ContactSurface& after) {
+    std::vector<char> changed(std::max(before.vertices(), after.vertices()), 0);
+    for (std::size_t f = 0; f < after.triangles().size(); ++f)
+        for (int i = 0; i < 3; ++i) {
+            const Index old = before.triangles()[f][i], now = after.triangles()[f][i];
+            if (old != now) changed[old] = changed[now] = 1;
+        }
+    std::vector<std::array<Index, 2>> twins;
+    std::set_symmetric_difference(before.twins().begin(), before.twins().end(), after.twins().begin(),
+                                  after.twins().end(), std::back_inserter(twins));
+    for (const auto& [a, b] : twins) changed[a] = changed[b] = 1;
+    return changed;
 }
 
 }  // namespace
 
-ContactCandidates::ContactCandidates(const ContactSurface& surface, const Positions& x,
-                                     const Positions& motion)
-    : start(x), motion(motion), margin(margin_of(surface)) {
-    const std::vector<Box> vertices = vertex_boxes(surface, x, motion, margin);
-    const BoxTree tree(vertices), triangles(element_boxes(vertices, surface.triangles()));
-    const BoxTree edges(element_boxes(vertices, surface.edges()));
-    tree.meet(triangles, [&](Index vertex, Index triangle) {
-        if (!surface.apart(vertex, triangle)) add(surface.vertex_triangle(vertex, triangle));
+ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood)
+    : within(std::move(neighbourhood)) {
+    find(surface, std::vector<char>(surface.vertices(), 1));
+}
+
+void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed) {
+    const std::vector<Box> boxes = vertex_boxes(surface, within);
+    const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
+        some.tree.meet(others.tree, [&](Index i, Index j) {
+            look_at(surface, kind, both(some.vertices[i], others.vertices[j]));
+        });
+    };
+    std::vector<std::array<Index, 1>> points(surface.vertices());
+    for (Index v = 0; v < surface.vertices(); ++v) points[v] = {v};
+    const auto vertices = those(points, changed, true, boxes),
+               other_vertices = those(points, changed, false, boxes);
+    const auto triangles = those(surface.triangles(), changed, true, boxes);
+    const auto other_triangles = those(surface.triangles(), changed, false, boxes);
+    meet(PairKind::vertex_triangle, vertices, triangles);
+    meet(PairKind::vertex_triangle, vertices, other_triangles);
+    meet(PairKind::vertex_triangle, other_vertices, triangles);
+    const auto edges = those(surface.edges(), changed, true, boxes);
+    meet(PairKind::edge_edge, edges, those(surface.edges(), changed, false, boxes));
+    edges.tree.meet_itself([&](Index i, Index j) {
+        look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
     });
-    edges.meet_itself([&](Index a, Index b) {
-        if (!surface.edges_apart(a, b)) add(surface.edge_edge(std::min(a, b), std::max(a, b)));
-    });
-    std::sort(pair.begin(), pair.end(), [](const ContactPair& a, const ContactPair& b) {
+}
+
+void ContactCandidates::look_at(const ContactSurface& surface, PairKind kind,
+                                const std::array<Index, 4>& vertices) {
+    if (surface.apart(kind, vertices)) return;
+    const PairPositions x = pair_positions(within.start, vertices);
+    const double way =
+        approach(kind, pair_positions(within.motion, vertices)) + 2 * within.margin + within.round_off;
+    const double farthest = nearness * surface.thickness(kind, vertices) + way;
+    if (separation(kind, x, between_middles(kind, x)) > farthest) return;
+    const Closest closest = closest_points(kind, x);
+    const double distance = std::sqrt(squared_distance(closest, x));
+    if (distance > farthest) return;
+    const double touching = surface.touching(kind, vertices);
+    if (distance <= nearness * touching + way)
+        candidates.push_back({kind, vertices, touching, (x * closest.weights).normalized()});
+}
+
+std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
+                                                 const Neighbourhood& smaller) {
+    std::vector<ContactPair> picked;
+    const double around = 2 * smaller.margin + smaller.round_off;
+    for (auto& [kind, vertices, touching, direction] : candidates) {
+        const PairPositions from = pair_positions(smaller.start, vertices);
+        const PairPositions to = from + pair_positions(smaller.motion, vertices);
+        const double far = nearness * touching + around;
+        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
+        direction = (from * closest_points(kind, from).weights).normalized();
+        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
+        picked.push_back(surface.pair(kind, vertices, touching));
+    }
+    std::sort(picked.begin(), picked.end(), [](const ContactPair& a, const ContactPair& b) {
         return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
     });
+    return picked;
 }
 
-void ContactCandidates::add(const ContactPair& candidate) {
-    const PairPositions from = pair_positions(start, candidate.vertices);
-    const double nearer = approach(candidate.kind, pair_positions(motion, candidate.vertices)) + 2 * margin;
-    const double size = from.cwiseAbs().maxCoeff() + nearer;
-    if (distance(candidate, from) <= candidate.touching + nearer + rounding * size) pair.push_back(candidate);
-}
-
-bool ContactCandidates::cover(const Positions& x) const {
-    if (x.cols() != start.cols()) return false;
-    const double way = motion.squaredNorm();
-    const double time = way > 0 ? std::clamp((x - start).cwiseProduct(motion).sum() / way, 0.0, 1.0) : 0;
-    // Each vertex within the margin of the same moment of the motion.
-    return ((x - start - time * motion).colwise().squaredNorm().array() <= margin * margin).all();
+void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after) {
+    const Index known = static_cast<Index>(within.start.cols());
+    if (known != before.vertices() || before.triangles().size() != after.triangles().size()) {
+        *this = {};
+        return;
+    }
+    for (Positions* x : {&within.start, &within.motion}) {
+        const Positions old = *x;
+        *x = Positions::Zero(3, after.vertices());
+        x->leftCols(known) = old;
+        for (std::size_t f = 0; f < after.triangles().size(); ++f)
+            for (int i = 0; i < 3; ++i) {
+                const Index now = after.triangles()[f][i];
+                if (now >= known) x->col(now) = old.col(before.triangles()[f][i]);
+            }
+    }
+    const std::vector<char> changed = changed_vertices(before, after);
+    std::erase_if(candidates, [&](const Candidate& candidate) {
+        return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
+                           [&](Index v) { return changed[v]; });
+    });
+    find(after, changed);
 }
 
 }  // namespace sherd

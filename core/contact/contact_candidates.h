@@ -4,29 +4,43 @@
 #include <vector>
 
 #include "core/contact/contact_surface.h"
+#include "core/contact/neighbourhood.h"
 
 namespace sherd {
 
-/// The pairs of a surface's elements that may touch somewhere along a straight motion, or a little beside it.
-/// They say the same about every position that they cover, however they were found: pairs come in ascending
-/// order, and those too many have no energy.
+/// The pairs of a surface's elements that come near touching somewhere in a neighbourhood. To find them costs
+/// most of what contact costs. To pick those for a smaller neighbourhood costs little, as most show in
+/// passing that they are apart: along a direction in which they were when they were last looked at closely.
 class ContactCandidates {
   public:
-    ContactCandidates() = default;
-    /// x, motion: [3, V] m.
-    ContactCandidates(const ContactSurface& surface, const Positions& x, const Positions& motion);
+    /// Times the touching distance is near.
+    static constexpr double nearness = 1.15;
 
-    /// Whether all pairs that touch at x are among them. If it is so for both ends of a motion, then all
-    /// along it.
-    bool cover(const Positions& x) const;
-    const std::vector<ContactPair>& pairs() const { return pair; }
+    ContactCandidates() = default;
+    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood);
+
+    const Neighbourhood& neighbourhood() const { return within; }
+    /// Pairs among which are all that come near touching somewhere in `smaller`, which has to be in the
+    /// neighbourhood; ascending, vertices with triangles first.
+    std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller);
+    /// Looks for pairs anew where triangles have got other vertices, or vertices got or lost twins. A vertex
+    /// that is new has the start and the motion of the one it replaced.
+    void follow(const ContactSurface& before, const ContactSurface& after);
 
   private:
-    void add(const ContactPair& candidate);
+    struct Candidate {
+        PairKind kind;
+        std::array<Index, 4> vertices;  ///< in the order of PairPositions
+        double touching;                ///< m
+        Vector3d direction;             ///< from the second element to the first, of length 1
+    };
 
-    Positions start, motion;
-    double margin = 0;  ///< m, by which every vertex may depart from the motion
-    std::vector<ContactPair> pair;
+    /// Looks at all pairs with a vertex that has changed.
+    void find(const ContactSurface& surface, const std::vector<char>& changed);
+    void look_at(const ContactSurface& surface, PairKind kind, const std::array<Index, 4>& vertices);
+
+    Neighbourhood within;
+    std::vector<Candidate> candidates;
 };
 
 }  // namespace sherd

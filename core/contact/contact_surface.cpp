@@ -30,7 +30,7 @@ std::vector<Side> sorted_sides(const Sheet& sheet) {
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Sheet& sheet) : sheet(&sheet) {
+ContactSurface::ContactSurface(const Sheet& sheet) : sheet(&sheet), has_twin(sheet.rest.cols(), 0) {
     for (const TriangleStencil& stencil : sheet.triangles) triangle.push_back(stencil.vertices);
     const std::vector<Side> sides = sorted_sides(sheet);
     for (std::size_t i = 0; i < sides.size();) {
@@ -43,52 +43,53 @@ ContactSurface::ContactSurface(const Sheet& sheet) : sheet(&sheet) {
                         (count == 1 ? sheet.thickness[a] : 0));
     }
     for (const auto& [a, b] : sheet.twins) {
-        twins.push_back({a, b});
-        twins.push_back({b, a});
+        twin.push_back({a, b});
+        twin.push_back({b, a});
+        has_twin[a] = has_twin[b] = 1;
     }
-    std::sort(twins.begin(), twins.end());
+    std::sort(twin.begin(), twin.end());
 }
 
 bool ContactSurface::joined(Index a, Index b) const {
-    return a == b || std::binary_search(twins.begin(), twins.end(), std::array{a, b});
+    return a == b ||
+           (has_twin[a] && has_twin[b] && std::binary_search(twin.begin(), twin.end(), std::array{a, b}));
 }
 
-bool ContactSurface::apart(Index vertex, Index face) const {
-    const auto& corners = triangle[face];
-    return std::any_of(corners.begin(), corners.end(), [&](Index corner) { return joined(vertex, corner); });
-}
-
-bool ContactSurface::edges_apart(Index edge0, Index edge1) const {
-    for (const Index a : edge[edge0])
-        for (const Index b : edge[edge1])
-            if (joined(a, b)) return true;
+bool ContactSurface::apart(PairKind kind, const std::array<Index, 4>& vertices) const {
+    const int first = vertices_of_first(kind);
+    for (int i = 0; i < first; ++i)
+        for (int j = first; j < 4; ++j)
+            if (joined(vertices[i], vertices[j])) return true;
     return false;
 }
 
-ContactPair ContactSurface::vertex_triangle(Index vertex, Index face) const {
-    const auto [a, b, c] = triangle[face];
-    ContactPair pair{PairKind::vertex_triangle, {vertex, a, b, c}, 0, 0, {}};
-    fill(pair, vertex, a, sheet->footprint[vertex]);
-    return pair;
+double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vertices) const {
+    return half_thickness(vertices[0]) + half_thickness(vertices[vertices_of_first(kind)]);
 }
 
-ContactPair ContactSurface::edge_edge(Index edge0, Index edge1) const {
-    const auto [a, b] = edge[edge0];
-    const auto [c, d] = edge[edge1];
-    const auto length = [&](Index i, Index j) { return (sheet->rest.col(i) - sheet->rest.col(j)).norm(); };
-    ContactPair pair{PairKind::edge_edge, {a, b, c, d}, 0, 0, edge_mollifier(length(a, b), length(c, d))};
-    fill(pair, a, c, std::numbers::pi / 2 * width[edge0] * width[edge1]);
-    return pair;
-}
-
-void ContactSurface::fill(ContactPair& pair, Index a, Index b, double area) const {
-    const double column = half_thickness(a) / sheet->young[a] + half_thickness(b) / sheet->young[b];
-    pair.stiffness = share * area / column;
-    pair.touching = half_thickness(a) + half_thickness(b);
-    if (sheet->body[a] != sheet->body[b]) return;
-    const double at_rest = distance(pair, pair_positions(sheet->rest, pair.vertices));
+double ContactSurface::touching(PairKind kind, const std::array<Index, 4>& vertices) const {
+    const double together = thickness(kind, vertices);
+    if (sheet->body[vertices[0]] != sheet->body[vertices[vertices_of_first(kind)]]) return together;
+    const PairPositions rest = pair_positions(sheet->rest, vertices);
+    const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
     // Lips of a crack have no distance at rest; they have been left to the barrier by whoever opened it.
-    if (at_rest > 0) pair.touching = std::min(pair.touching, share_of_rest * at_rest);
+    return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
+}
+
+double ContactSurface::edge_width(Index a, Index b) const {
+    const auto found = std::lower_bound(edge.begin(), edge.end(), std::array{a, b});
+    return width[found - edge.begin()];
+}
+
+ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices, double touching) const {
+    const auto [a, b, c, d] = vertices;
+    const bool edges = kind == PairKind::edge_edge;
+    const double area =
+        edges ? std::numbers::pi / 2 * edge_width(a, b) * edge_width(c, d) : sheet->footprint[a];
+    const Index other = vertices[vertices_of_first(kind)];
+    const double column = half_thickness(a) / sheet->young[a] + half_thickness(other) / sheet->young[other];
+    return {kind, vertices, share * area / column, touching,
+            edges ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{}};
 }
 
 }  // namespace sherd

@@ -26,26 +26,32 @@ class ContactSurface {
     explicit ContactSurface(const Sheet& sheet);
 
     const std::vector<std::array<Index, 3>>& triangles() const { return triangle; }
-    const std::vector<std::array<Index, 2>>& edges() const { return edge; }
-    Index vertices() const { return static_cast<Index>(sheet->rest.cols()); }
+    const std::vector<std::array<Index, 2>>& edges() const { return edge; }  ///< ascending
+    /// Both ways round, ascending.
+    const std::vector<std::array<Index, 2>>& twins() const { return twin; }
+    Index vertices() const { return static_cast<Index>(has_twin.size()); }
     double half_thickness(Index vertex) const { return 0.5 * sheet->thickness[vertex]; }
 
-    /// Whether elements never touch: they share a vertex, or have twins.
-    bool apart(Index vertex, Index triangle) const;
-    bool edges_apart(Index edge0, Index edge1) const;
-    ContactPair vertex_triangle(Index vertex, Index triangle) const;
-    ContactPair edge_edge(Index edge0, Index edge1) const;
+    // Of two elements, given by their vertices in the order of PairPositions, edges in that of edges():
+
+    /// Whether they never touch: they share a vertex, or have twins.
+    bool apart(PairKind kind, const std::array<Index, 4>& vertices) const;
+    /// Half the sum of their thicknesses, m.
+    double thickness(PairKind kind, const std::array<Index, 4>& vertices) const;
+    /// The distance from which on they push, m.
+    double touching(PairKind kind, const std::array<Index, 4>& vertices) const;
+    ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double touching) const;
 
   private:
     bool joined(Index a, Index b) const;  ///< the same vertex, or twins
-    /// What both kinds have in common; a and b are vertices of one element and the other.
-    void fill(ContactPair& pair, Index a, Index b, double area) const;
+    double edge_width(Index a, Index b) const;
+    double rest_length(Index a, Index b) const { return (sheet->rest.col(a) - sheet->rest.col(b)).norm(); }
 
     const Sheet* sheet;
     std::vector<std::array<Index, 3>> triangle;
-    std::vector<std::array<Index, 2>> edge;   ///< ascending
-    std::vector<double> width;                ///< of each edge, m
-    std::vector<std::array<Index, 2>> twins;  ///< both ways round, ascending
+    std::vector<std::array<Index, 2>> edge, twin;
+    std::vector<double> width;   ///< of each edge, m
+    std::vector<char> has_twin;  ///< of each vertex
 };
 
 }  // namespace sherd

@@ -15,7 +15,7 @@ constexpr int max_iterations = 500;
 
 double approach(PairKind kind, const PairPositions& displacement) {
     // The elements' mean motions against each other, and how far their vertices depart from the means.
-    const int first = kind == PairKind::edge_edge ? 2 : 1;
+    const int first = vertices_of_first(kind);
     const auto bound = [](const auto& motion, const Vector3d& mean) {
         return std::sqrt((motion.colwise() - mean).colwise().squaredNorm().maxCoeff());
     };
@@ -37,8 +37,10 @@ double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions&
     const double bound = approach(kind, displacement) * (1 + 1e-12);  // rounded up
     if (!(gap > 0) || !std::isfinite(bound)) return 0;
     const double target = std::min(kept * gap, clearance), enough = slack * target;
+    // Those more let every pair through that stays twice the clearance away, however far it goes.
+    const double most = std::min(max_iterations + bound / clearance, 1e6);
     double time = 0;
-    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most; ++iteration) {
         const double way = gap - target;
         if (bound * (1 - time) <= way) return 1;
         if (iteration > 0 && way <= enough) break;

@@ -67,6 +67,12 @@ Closest both_inside(const PairPositions& x, const Direction& start, const Direct
 
 }  // namespace
 
+double separation(PairKind kind, const PairPositions& x, const Vector3d& direction) {
+    const Eigen::RowVector4d height = direction.transpose() * x;
+    return kind == PairKind::edge_edge ? std::min(height[0], height[1]) - std::max(height[2], height[3])
+                                       : height[0] - std::max({height[1], height[2], height[3]});
+}
+
 double squared_distance(const Closest& closest, const PairPositions& x) {
     // Differences first, which keeps digits far from the origin.
     const auto part = [&](int i) { return closest.weights[i] * (x.col(i) - x.col(0)); };

@@ -14,6 +14,11 @@ using PairHessian = Eigen::Matrix<double, 12, 12>;
 /// Which two elements.
 enum class PairKind { vertex_triangle, edge_edge };
 
+/// How many of the four vertices are the first element's.
+inline int vertices_of_first(PairKind kind) {
+    return kind == PairKind::edge_edge ? 2 : 1;
+}
+
 /// Where two elements come closest: the vector from the second's point to the first's is x weights. Where the
 /// closest points may slide along their elements, the weights do so along `directions`; which vertices have a
 /// weight tells the case that the pair falls into.
@@ -27,6 +32,10 @@ struct Closest {
 /// points) and parallel; the points found always lie on them, and are the closest up to round-off. Of
 /// parallel edges, which have many closest points, they are at an end.
 Closest closest_points(PairKind kind, const PairPositions& x);
+
+/// How far apart the elements are along a unit vector from the second to the first, m; negative if they
+/// overlap there. Whatever the direction, no more than their distance, and along x weights just that.
+double separation(PairKind kind, const PairPositions& x, const Vector3d& direction);
 
 /// Squared distance, m^2.
 double squared_distance(const Closest& closest, const PairPositions& x);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/contact/continuous_collision.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 /// A distance that the pair is not nearer than, m: that of boxes around the elements.
 double distance_of_boxes(PairKind kind, const PairPositions& x) {
-    const int first = kind == PairKind::edge_edge ? 2 : 1;
+    const int first = vertices_of_first(kind);
     const auto one = x.leftCols(first), other = x.rightCols(4 - first);
     const Vector3d above = one.rowwise().minCoeff() - other.rowwise().maxCoeff();
     const Vector3d below = other.rowwise().minCoeff() - one.rowwise().maxCoeff();
@@ -25,22 +26,41 @@ bool within(double limit, const ContactPair& pair, const Positions& x) {
     return distance_of_boxes(pair.kind, local) < limit && distance(pair, local) < limit;
 }
 
+/// By which vertices may depart from the motion until candidates are looked for again, in half thicknesses of
+/// the thinnest sheet: where the sheet is going to be for some time, and in one step.
+constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
+
+/// The first motion of a step says where the next steps are going to lead, which are taken in, but for those
+/// that would lead far.
+double lookahead(const Positions& motion, double unit) {
+    const double most = (motion.colwise() - motion.rowwise().mean()).colwise().norm().maxCoeff();
+    return std::max(1.0, std::min(10.0, 12 * unit / most));
+}
+
+double thinnest_half(const ContactSurface& surface) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (Index v = 0; v < surface.vertices(); ++v) thinnest = std::min(thinnest, surface.half_thickness(v));
+    return thinnest;
+}
+
 }  // namespace
 
 void SheetContact::surface_changed() {
-    surface = ContactSurface(sheet);
-    found = {};
+    const ContactSurface before = std::exchange(surface, ContactSurface(sheet));
+    found.follow(before, surface);
+    near = {};
     last.resize(3, 0);
 }
 
 const std::vector<ContactPair>& SheetContact::candidates(const Positions& x, const Positions& motion) const {
-    if (!found.cover(x) || !found.cover(x + motion)) found = ContactCandidates(surface, x, motion);
-    return found.pairs();
-}
-
-const std::vector<ContactPair>& SheetContact::candidates(const Positions& x) const {
-    if (!found.cover(x)) found = ContactCandidates(surface, x, Positions::Zero(3, x.cols()));
-    return found.pairs();
+    if (near.contains(x) && near.contains(x + motion)) return pairs;
+    const double unit = thinnest_half(surface);
+    near = Neighbourhood(x, motion, margin_of_step * unit);
+    if (!found.neighbourhood().contains(near))
+        found = ContactCandidates(surface,
+                                  Neighbourhood(x, lookahead(motion, unit) * motion, margin_of_all * unit));
+    pairs = found.pick(surface, near);
+    return pairs;
 }
 
 double SheetContact::value(const Positions& x) const {
@@ -64,8 +84,9 @@ void SheetContact::add_hessian(const Positions& x, Curvature curvature, BlockMat
 
 void SheetContact::add_contacts(const Positions& x, bool ahead,
                                 std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const ContactPair& pair : ahead ? candidates(x) : touching(x))
-        if (!ahead || within(1.15 * pair.touching, pair, x)) add_pairs(pairs, pair.vertices);
+    for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : touching(x))
+        if (!ahead || within(ContactCandidates::nearness * pair.touching, pair, x))
+            add_pairs(pairs, pair.vertices);
 }
 
 double SheetContact::safe_fraction(const Positions& x, const Positions& motion) const {
@@ -83,7 +104,7 @@ double SheetContact::safe_fraction(const Positions& x, const Positions& motion) 
 const std::vector<ContactPair>& SheetContact::touching(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return active;
     active.clear();
-    for (const ContactPair& pair : candidates(x))
+    for (const ContactPair& pair : candidates(x, Positions::Zero(3, x.cols())))
         if (within(pair.touching, pair, x)) active.push_back(pair);
     last = x;
     return active;

@@ -34,12 +34,13 @@ class SheetContact : public Energy {
   private:
     /// Pairs among which are all that touch between x and x + motion.
     const std::vector<ContactPair>& candidates(const Positions& x, const Positions& motion) const;
-    const std::vector<ContactPair>& candidates(const Positions& x) const;
 
     const Sheet& sheet;
     ContactSurface surface;
     // Kept to save time; no result depends on them.
-    mutable ContactCandidates found;
+    mutable ContactCandidates found;          ///< for some time to come
+    mutable Neighbourhood near;               ///< where the step is about
+    mutable std::vector<ContactPair> pairs;   ///< that may touch there
     mutable Positions last;                   ///< where the touching pairs were last asked for, m
     mutable std::vector<ContactPair> active;  ///< the answer
 };

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/neighbourhood.h"
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+// Relative, of any distance: a bound, and what is granted here, so that positions may grow.
+constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
+
+Positions less_mean(const Positions& motion) {
+    return motion.colwise() - motion.rowwise().mean();
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin)
+    : start(x), motion(less_mean(motion)), margin(margin) {
+    round_off = rounding * ((start.cwiseAbs() + this->motion.cwiseAbs()).maxCoeff() + margin);
+}
+
+bool Neighbourhood::contains(const Positions& x, double spare) const {
+    if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
+    const Positions moved = less_mean(x - start);
+    const double way = motion.squaredNorm(), along = moved.cwiseProduct(motion).sum();
+    const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;
+    const double limit = std::max(0.0, margin - spare);
+    return ((moved - time * motion).colwise().squaredNorm().array() <= limit * limit).all();
+}
+
+bool Neighbourhood::contains(const Neighbourhood& other) const {
+    return contains(other.start, other.margin) && contains(other.start + other.motion, other.margin);
+}
+
+}  // namespace sherd

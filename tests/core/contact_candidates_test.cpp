@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/contact_candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/contact_pairs.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+using test::Random;
+
+const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
+
+/// Kind and vertices.
+using Name = std::pair<PairKind, std::array<Index, 4>>;
+
+double distance_at(const Name& name, const Positions& x) {
+    const PairPositions local = pair_positions(x, name.second);
+    return std::sqrt(squared_distance(closest_points(name.first, local), local));
+}
+
+/// All pairs that are nearer than `nearness` times where they touch at x, by looking at all there are.
+std::vector<Name> near_pairs(const ContactSurface& surface, const Positions& x) {
+    std::vector<Name> names;
+    const auto look = [&](const Name& name) {
+        const auto& [kind, vertices] = name;
+        if (!surface.apart(kind, vertices) &&
+            distance_at(name, x) < ContactCandidates::nearness * surface.touching(kind, vertices))
+            names.push_back(name);
+    };
+    for (Index v = 0; v < surface.vertices(); ++v)
+        for (const auto& [a, b, c] : surface.triangles()) look({PairKind::vertex_triangle, {v, a, b, c}});
+    for (const auto& first : surface.edges())
+        for (const auto& second : surface.edges())
+            if (first < second) look({PairKind::edge_edge, {first[0], first[1], second[0], second[1]}});
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::vector<Name> names_of(const std::vector<ContactPair>& pairs) {
+    std::vector<Name> names;
+    for (const ContactPair& pair : pairs) names.emplace_back(pair.kind, pair.vertices);
+    return names;
+}
+
+void expect_all_near(const ContactSurface& surface, const std::vector<ContactPair>& picked,
+                     const Positions& x) {
+    const std::vector<Name> names = names_of(picked), near = near_pairs(surface, x);
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+    EXPECT_TRUE(std::includes(names.begin(), names.end(), near.begin(), near.end()));
+}
+
+/// Every coordinate moved by up to `amplitude`.
+Positions noise(Random& random, Index vertices, double amplitude) {
+    Positions moved(3, vertices);
+    for (double& entry : moved.reshaped()) entry = random.uniform(-amplitude, amplitude);
+    return moved;
+}
+
+/// The bodies fly apart and turn, each its own way.
+Positions flight(Random& random, const Sheet& sheet, double speed, double spin) {
+    Positions motion(3, sheet.position.cols());
+    std::vector<Vector3d> velocity, rotation;
+    for (int body = 0; body < 4; ++body) {
+        velocity.push_back(random.matrix<Vector3d>(speed));
+        rotation.push_back(random.matrix<Vector3d>(spin));
+    }
+    for (Index v = 0; v < motion.cols(); ++v) {
+        const Index body = sheet.body[v];
+        motion.col(v) = velocity[body] + rotation[body].cross(Vector3d(sheet.position.col(v)));
+    }
+    return motion;
+}
+
+// A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
+// neighbourhood, however often and in whatever order the candidates were asked before.
+TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
+    const Sheet sheet = test::stacked_plates(3, 3, 2.1e-3, ceramic);
+    const ContactSurface surface(sheet);
+    const Index count = surface.vertices();
+    Random random(3);
+    std::size_t found = 0, asked = 0;
+    for (const double speed : {0.0, 1e-3, 0.01})
+        for (const double spin : {0.0, 0.3})
+            for (const double common : {0.0, 10.0}) {
+                Positions motion = flight(random, sheet, speed, spin);
+                motion.colwise() += common * Vector3d(1, -2, 3);
+                ContactCandidates candidates(surface, {sheet.position, motion, 1e-3});
+                for (int sample = 0; sample < 12; ++sample) {
+                    const Positions x =
+                        sheet.position + random.uniform(0, 1) * motion + noise(random, count, 4e-4);
+                    const Neighbourhood near(x, 0.3 * noise(random, count, 4e-4), 1e-4);
+                    if (!candidates.neighbourhood().contains(near)) continue;
+                    ++asked;
+                    const std::vector<ContactPair> picked = candidates.pick(surface, near);
+                    for (const double time : {0.0, 0.4, 1.0}) {
+                        Positions at = x + time * near.motion + noise(random, count, 5e-5);
+                        at.colwise() += random.matrix<Vector3d>(1);
+                        EXPECT_TRUE(near.contains(at));
+                        expect_all_near(surface, picked, at);
+                        found += near_pairs(surface, at).size();
+                    }
+                }
+            }
+    EXPECT_GT(asked, 50u);
+    EXPECT_GT(found, 10000u);
+}
+
+// Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
+TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
+    Sheet sheet = test::stacked_plates(2, 4, 2.1e-3, ceramic);
+    ContactSurface surface(sheet);
+    const Positions still = Positions::Zero(3, sheet.position.cols());
+    ContactCandidates candidates(surface, {sheet.position, still, 1e-3});
+    for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
+        const Index corner = sheet.triangles[triangle].vertices[1],
+                    copy = static_cast<Index>(sheet.mass.size());
+        resize_vertices(sheet, copy + 1);
+        copy_vertex(sheet, corner, copy);
+        sheet.triangles[triangle].vertices[1] = copy;
+        sheet.twins.push_back({corner, copy});
+        if (triangle == 3) sheet.twins.erase(sheet.twins.begin());
+        const ContactSurface before = std::exchange(surface, ContactSurface(sheet));
+        candidates.follow(before, surface);
+        const Neighbourhood here(sheet.position, Positions::Zero(3, copy + 1), 1e-4);
+        ASSERT_TRUE(candidates.neighbourhood().contains(here));
+        const std::vector<ContactPair> picked = candidates.pick(surface, here);
+        expect_all_near(surface, picked, sheet.position);
+        ContactCandidates anew(surface, here);
+        const std::vector<ContactPair> expected = anew.pick(surface, here);
+        EXPECT_EQ(names_of(picked), names_of(expected));
+        for (std::size_t i = 0; i < picked.size(); ++i) {
+            EXPECT_EQ(picked[i].stiffness, expected[i].stiffness);
+            EXPECT_EQ(picked[i].touching, expected[i].touching);
+        }
+    }
+}
+
+// A direction that claims more room than there is would let elements pass.
+TEST(ContactCandidates, SeparationIsNeverMoreThanTheDistance) {
+    Random random(5);
+    for (const PairKind kind : {PairKind::vertex_triangle, PairKind::edge_edge})
+        for (const PairPositions& x : test::adversarial_pairs(400)) {
+            const Closest closest = closest_points(kind, x);
+            const double apart = std::sqrt(squared_distance(closest, x)), size = x.cwiseAbs().maxCoeff();
+            for (int i = 0; i < 20; ++i)
+                EXPECT_LE(separation(kind, x, random.matrix<Vector3d>(1).normalized()), apart + 1e-14 * size);
+            const Vector3d direction = (x * closest.weights).normalized();
+            EXPECT_LE(separation(kind, x, direction), apart + 1e-14 * size);
+            if (apart > 1e-6 * size) {
+                EXPECT_NEAR(separation(kind, x, direction), apart, 1e-8 * size);
+            }
+        }
+}
+
+}  // namespace
+}  // namespace sherd
