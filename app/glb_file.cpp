@@ -10,7 +10,6 @@
 
 #include "meshops/error.h"
 
-
 namespace sherd {
 
 namespace {

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "meshops/error.h"
+#include "meshops/float_grid.h"
 
 namespace sherd {
 
@@ -18,6 +19,7 @@ namespace {
 
 /// In voxels, what a level set knows of its outside.
 constexpr float band = 3;
+constexpr const char* grid_name = "surface";
 
 using Triangles = std::vector<openvdb::Vec3I>;
 
@@ -48,8 +50,18 @@ void replace_random_name(const std::filesystem::path& file) {
     constexpr std::streamoff place = 8 + 3 * 4 + 1;
     std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
     stream.seekp(place);
-    stream << "00000000-0000-4000-8000-000000000000";
-    if (!stream.flush()) throw Error(file.string() + ": cannot be written", Fault::run);
+    stream << "00000000-0000-4000-8000-000000000000" << std::flush;
+}
+
+/// OpenVDB does not notice a full disk: whether the file can be read shows whether it is complete.
+void check_complete(const std::filesystem::path& file) {
+    try {
+        sample_float_grid(file, grid_name, {});
+    } catch (const Error&) {
+        throw Error(
+            file.string() + ": cannot be written: no room on the disk, or a limit on the size of files",
+            Fault::run);
+    }
 }
 
 }  // namespace
@@ -78,11 +90,12 @@ void write_level_set(const TriangleSheet& sheet, std::span<const double> thickne
         else
             whole = part;
     }
-    whole->setName("surface");
+    whole->setName(grid_name);
     whole->setGridClass(openvdb::GRID_LEVEL_SET);
     whole->setSaveFloatAsHalf(false);
     openvdb::io::File(file.string()).write({whole});
     replace_random_name(file);
+    check_complete(file);
 } catch (const openvdb::Exception& error) {
     throw Error(file.string() + ": cannot be written: " + error.what(), Fault::run);
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/export_fixture.h"
+#include "tests/support/program.h"
 
 namespace sherd::test {
 namespace {
@@ -292,6 +293,28 @@ TEST_F(Export, VdbIsTheSheetWithItsThickness) {
         return wanted;
     }());
     EXPECT_EQ(bytes("out.vdb"), bytes("again.vdb"));
+}
+
+// OpenVDB itself writes half a file and says nothing.
+TEST_F(Export, VdbThatFindsNoRoomIsAnError) {
+    const ProgramResult result =
+        run_sherd({"export", "run.h5", "--to", "vdb"}, folder.path, {.file_bytes = 5000});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_NE(result.err.find("no room"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb.part"));
+}
+
+TEST_F(Export, EveryFormatRefusesARunWithoutFrames) {
+    run.frames.clear();
+    record(run, folder.path / "empty.h5");
+    const auto before = folder.contents();
+    for (const std::string format : {"obj", "ply", "stl", "vdb", "pvd", "pc2", "mdd", "glb"}) {
+        ExportOptions wanted = options(format, "out." + format);
+        wanted.recording = folder.path / "empty.h5";
+        EXPECT_NE(error_of(wanted).find("no frame yet"), std::string::npos) << format;
+    }
+    EXPECT_EQ(folder.contents(), before);
 }
 
 TEST_F(Export, RefusesVoxelsThatMakeNoSense) {
