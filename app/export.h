@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,21 +10,33 @@ namespace sherd {
 
 struct ExportOptions {
     std::filesystem::path recording;
-    std::string format = "obj";    ///< obj, ply
+    std::string format = "obj";    ///< a name of export_formats()
     std::filesystem::path output;  ///< file (NAME.obj) or folder; empty: beside the recording, named like it
-    std::string frames = "last";   ///< last, all, or numbers and ranges START:STOP:STEP as in Python
-    bool fragments = false;        ///< one object (OBJ) or one file (PLY) for each fragment
-    bool force = false;            ///< replace files that exist
+    std::string frames;            ///< last, all, numbers, ranges START:STOP:STEP; empty: the format's own
+    bool fragments = false;        ///< one object (obj) or one file (ply, stl) for each fragment
+    bool solid = false;            ///< bodies of the sheets' thickness (obj, ply, stl, glb)
+    std::optional<double> thickness;  ///< m, instead of the recording's
+    std::string quality = "strain";   ///< main scalar of ply: strain, speed, fragment
+    std::string animate = "rigid";    ///< how glb moves: rigid, morph
+    std::optional<double> voxel;      ///< m, of vdb; a quarter of the smallest thickness
+    bool force = false;               ///< replace files that exist
 };
 
 /// The frames that `text` selects out of `count`, ascending, each once. Throws Error (input) on a text that
 /// is none of those above, a frame that does not exist, and a selection of nothing.
 std::vector<std::size_t> selected_frames(const std::string& text, std::size_t count);
 
-/// Writes meshes of the frames of a recording and returns their files. One frame and an output NAME.obj make
-/// that file, several make NAME_000000.obj and so on, numbered by frame, and so does a folder. Throws Error:
-/// (input) before anything is written, on a bad recording, selection or output and on files that exist, and
-/// (run) when a file cannot be written, telling which are complete.
-std::vector<std::filesystem::path> export_recording(const ExportOptions& options);
+/// What an export has written, and what a user should know of it.
+struct ExportReport {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> warnings;
+};
+
+/// Writes meshes of the frames of a recording. One frame and an output NAME.obj make that file, several make
+/// NAME_000000.obj and so on, numbered by frame, and so does a folder. Every file appears under its name when
+/// it is complete. Throws Error: (input) before anything is written, on a bad recording, selection or output
+/// and on files that exist, and (run) when a file cannot be written or on interrupted(), telling which are
+/// complete.
+ExportReport export_recording(const ExportOptions& options);
 
 }  // namespace sherd

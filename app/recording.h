@@ -22,6 +22,7 @@ struct RecordingHeader {
     Positions rest_position;                       ///< [3, V0] of the unbroken mesh, m
     std::vector<std::array<Index, 3>> rest_faces;  ///< [F]
     std::vector<double> rest_area;                 ///< [F] m^2
+    std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
 };
 
 /// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf

@@ -69,6 +69,8 @@ RecordingHeader Recording::header() const {
         read_array(opened, "rest/position", header.rest_position);
         read_array(opened, "rest/faces", header.rest_faces);
         read_array(opened, "rest/area", header.rest_area);
+        if (hdf5::contains(opened, "rest/thickness"))
+            read_array(opened, "rest/thickness", header.rest_thickness);
         if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
         return header;
     });

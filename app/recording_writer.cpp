@@ -45,6 +45,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     write_array(file, "rest/position", {"m"}, header.rest_position);
     write_array(file, "rest/faces", {"1", "the three corners, as rows of /rest/position"}, header.rest_faces);
     write_array(file, "rest/area", {"m^2", "of each face"}, header.rest_area);
+    write_array(file, "rest/thickness", {"m", "of each face"}, header.rest_thickness);
     hdf5::create_group(file, "frames");
     create_table<StepReport>(file);
     create_table<EdgeFailure>(file);
@@ -115,7 +116,7 @@ std::size_t append_bytes(const Snapshot& snapshot, std::span<const StepReport> s
 }
 
 std::size_t head_bytes(const RecordingHeader& header) {
-    return 32 * header.rest_position.cols() + 24 * header.rest_faces.size() + header.scene_text.size() +
+    return 32 * header.rest_position.cols() + 32 * header.rest_faces.size() + header.scene_text.size() +
            head_overhead;
 }
 

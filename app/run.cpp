@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <limits>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/interruption.h"
 #include "app/progress.h"
 #include "app/scene_simulation.h"
 #include "meshops/error.h"
@@ -19,12 +19,6 @@ struct RunOptions {
     std::filesystem::path output;  ///< empty: the scene's name with .h5, in the working directory
     bool force = false;
 };
-
-volatile std::sig_atomic_t interrupted = 0;  // set by a signal handler, which can reach nothing else
-
-void interrupt(int) {
-    interrupted = 1;
-}
 
 /// What the run adds up over its steps.
 struct Totals {
@@ -86,9 +80,9 @@ std::string Runner::run() {
         return std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6);
     };
     record();
-    for (std::int64_t i = 1; i <= steps && !interrupted; ++i) {
-        while (simulation.time() < static_cast<double>(i) * scene.solver.step && !interrupted) step();
-        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted) record();
+    for (std::int64_t i = 1; i <= steps && !interrupted(); ++i) {
+        while (simulation.time() < static_cast<double>(i) * scene.solver.step && !interrupted()) step();
+        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted()) record();
     }
     progress.finish();
     return simulation.time() == static_cast<double>(steps) * scene.solver.step ? "complete" : "interrupted";
@@ -135,8 +129,7 @@ int run(RunOptions options) {
     Simulation simulation(sheets, simulated);
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
 
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
+    watch_for_interruption();
     Runner runner(scene, simulation, writer);
     try {
         const std::string end = runner.run();

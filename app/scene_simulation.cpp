@@ -98,6 +98,8 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
         header.rest_faces.push_back(triangle.vertices);
         header.rest_area.push_back(triangle.membrane.area);
     }
+    for (const Index sheet : simulation.sheet().face_sheet())
+        header.rest_thickness.push_back(scene.sheets[sheet].material.thickness);
     return header;
 }
 

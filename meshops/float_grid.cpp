@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenVDB's headers take long to compile: they are read in this file only.
+// OpenVDB's headers take long to compile: they are read in as few files as can be.
 #include "meshops/float_grid.h"
 
 #include <openvdb/io/Stream.h>

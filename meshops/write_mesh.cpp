@@ -249,20 +249,19 @@ bool can_write_mesh(const fs::path& file) {
     return extension == ".obj" || extension == ".ply" || extension == ".off";
 }
 
-void write_mesh(const TriangleSheet& sheet, const fs::path& file) {
+std::string mesh_bytes(const TriangleSheet& sheet, const fs::path& file) {
     check(sheet, file.string());
     const std::string extension = lower_extension(file);
-    if (extension == ".obj") {
-        replace_file(file, obj_text(sheet));
-    } else if (extension == ".ply") {
-        replace_file(file, ply_bytes(sheet));
-    } else if (extension == ".off") {
-        replace_file(file, off_text(sheet));
-    } else {
-        throw Error(file.string() + ": cannot be written: unknown kind of mesh file `" + extension +
-                        "`; known are .obj, .ply and .off",
-                    Fault::run);
-    }
+    if (extension == ".obj") return obj_text(sheet);
+    if (extension == ".ply") return ply_bytes(sheet);
+    if (extension == ".off") return off_text(sheet);
+    throw Error(file.string() + ": cannot be written: unknown kind of mesh file `" + extension +
+                    "`; known are .obj, .ply and .off",
+                Fault::run);
+}
+
+void write_mesh(const TriangleSheet& sheet, const fs::path& file) {
+    replace_file(file, mesh_bytes(sheet, file));
 }
 
 }  // namespace sherd

@@ -28,11 +28,15 @@ TriangleSheet triangle_sheet(const Mesh& mesh);
 /// Whether write_mesh() knows the file's extension: .obj, .ply or .off, in capitals or not.
 bool can_write_mesh(const std::filesystem::path& file);
 
-/// Write `sheet` to `file`, by its extension as OBJ (an `o` for each group, or `g` and `o` lines for the
-/// named groups), binary PLY (property `fragment` for the group) or OFF (points and triangles alone).
-/// Vertices and triangles keep their order (in OBJ the triangles of a group stand together, in order; those
-/// of named groups stay where they are). The file appears under its name only when it is complete. Throws
-/// Error (Fault::run) when it cannot be written.
+/// The content of a mesh file called `file`, by its extension OBJ (an `o` for each group, or `g` and `o`
+/// lines for the named groups), binary PLY (property `fragment` for the group) or OFF (points and triangles
+/// alone). Vertices and triangles keep their order (in OBJ the triangles of a group stand together, in order;
+/// those of named groups stay where they are). Throws Error (Fault::run) on an unknown extension and a sheet
+/// that does not fit together.
+std::string mesh_bytes(const TriangleSheet& sheet, const std::filesystem::path& file);
+
+/// Writes mesh_bytes() to `file`, which appears under its name only when it is complete. Throws Error
+/// (Fault::run) when it cannot be written.
 void write_mesh(const TriangleSheet& sheet, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -8,51 +8,13 @@
 
 #include "app/hdf5.h"
 #include "meshops/components.h"
-#include "meshops/error.h"
-#include "meshops/read_mesh.h"
-#include "tests/support/synthetic_run.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/export_fixture.h"
 
 namespace sherd::test {
 namespace {
 
 namespace fs = std::filesystem;
 using Numbers = std::vector<std::size_t>;
-
-/// A recorded synthetic run in a folder of its own.
-class Export : public ::testing::Test {
-  protected:
-    Export() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }
-
-    ExportOptions options(const std::string& format, const std::string& output) const {
-        ExportOptions options;
-        options.recording = folder.path / "run.h5";
-        options.format = format;
-        options.output = folder.path / output;
-        return options;
-    }
-
-    Mesh read(const std::string& name) const {
-        std::vector<std::string> warnings;
-        Mesh mesh = read_mesh(folder.path / name, {}, warnings);
-        EXPECT_TRUE(warnings.empty()) << name << ": " << warnings.front();
-        return mesh;
-    }
-
-    std::string error_of(const ExportOptions& options) const {
-        try {
-            export_recording(options);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.fault, Fault::input) << error.what();
-            return error.what();
-        }
-        ADD_FAILURE() << "no error";
-        return "";
-    }
-
-    TemporaryDirectory folder;
-    SyntheticRun run;
-};
 
 /// Faces of each `o` of an OBJ file.
 std::map<std::string, int> object_faces(const fs::path& file) {
@@ -93,7 +55,7 @@ TEST_F(Export, ObjFragmentsAreObjects) {
 TEST_F(Export, PlyFragmentsAreFiles) {
     ExportOptions wanted = options("ply", "out.ply");
     wanted.fragments = true;
-    EXPECT_EQ(export_recording(wanted).size(), 3u);
+    EXPECT_EQ(export_recording(wanted).files.size(), 3u);
     std::size_t vertices = 0;
     for (int i = 0; i < 3; ++i) {
         const Mesh mesh = read("out_fragment_00" + std::to_string(i) + ".ply");
@@ -111,20 +73,20 @@ TEST_F(Export, PlyHasAFragmentPropertyAnyway) {
 TEST_F(Export, NumbersSequencesByFrame) {
     ExportOptions wanted = options("obj", "frames");
     wanted.frames = "0,2";
-    const std::vector<fs::path> files = export_recording(wanted);
+    const std::vector<fs::path> files = export_recording(wanted).files;
     const fs::path expected = folder.path / "frames";
     EXPECT_EQ(files, (std::vector<fs::path>{expected / "run_000000.obj", expected / "run_000002.obj"}));
     EXPECT_EQ(connected_components(read("frames/run_000000.obj")).count, 1);
     EXPECT_EQ(connected_components(read("frames/run_000002.obj")).count, 3);
     wanted = options("obj", "out.obj");
     wanted.frames = "all";
-    EXPECT_EQ(export_recording(wanted).back(), folder.path / "out_000002.obj");
+    EXPECT_EQ(export_recording(wanted).files.back(), folder.path / "out_000002.obj");
 }
 
 TEST_F(Export, WritesBesideTheRecordingByDefault) {
     ExportOptions wanted = options("ply", "");
     wanted.output.clear();
-    EXPECT_EQ(export_recording(wanted), std::vector<fs::path>{folder.path / "run.ply"});
+    EXPECT_EQ(export_recording(wanted).files, std::vector<fs::path>{folder.path / "run.ply"});
 }
 
 // One file in the way of a long sequence must stop it before the first file, not in the middle.
@@ -138,7 +100,7 @@ TEST_F(Export, KeepsWhatIsThereUnlessForced) {
     EXPECT_NE(error.find("--force"), std::string::npos) << error;
     EXPECT_EQ(folder.contents(), before);
     wanted.force = true;
-    EXPECT_EQ(export_recording(wanted).size(), 3u);
+    EXPECT_EQ(export_recording(wanted).files.size(), 3u);
     EXPECT_EQ(read("out_000002.obj").number_of_faces(), 96u);
 }
 
@@ -157,7 +119,7 @@ TEST_F(Export, TellsWhatIsCompleteWhenASequenceFails) {
 
 TEST_F(Export, RefusesBadOptionsAndWritesNothing) {
     const auto before = folder.contents();
-    EXPECT_NE(error_of(options("stl", "out.stl")).find("obj or ply"), std::string::npos);
+    EXPECT_NE(error_of(options("fbx", "out.fbx")).find("obj, ply"), std::string::npos);
     EXPECT_NE(error_of(options("obj", "out.ply")).find("does not fit"), std::string::npos);
     EXPECT_NE(error_of(options("obj", "missing/out.obj")).find("missing"), std::string::npos);
     EXPECT_NE(error_of(options("obj", "run.h5/deep")).find("run.h5"), std::string::npos);

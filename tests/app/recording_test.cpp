@@ -158,6 +158,7 @@ TEST(Recording, KeepsEveryBit) {
     EXPECT_TRUE(same(header.rest_position, run.header.rest_position));
     EXPECT_TRUE(same(header.rest_faces, run.header.rest_faces));
     EXPECT_TRUE(same(header.rest_area, run.header.rest_area));
+    EXPECT_TRUE(same(header.rest_thickness, run.header.rest_thickness));
     EXPECT_EQ(recording.wall_seconds(), 12.5);
     EXPECT_EQ(recording.end(), "complete");
     EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"run.h5", "run.xdmf"}));

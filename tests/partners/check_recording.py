@@ -30,6 +30,7 @@ def check_head(file):
     assert isinstance(file["scene"][()], bytes) and file["scene"].asstr()[()]
     faces = file["rest/faces"].shape[0]
     assert file["rest/area"].shape == (faces,) and np.all(file["rest/area"][:] > 0)
+    assert file["rest/thickness"].shape == (faces,) and np.all(file["rest/thickness"][:] > 0)
     file.visititems(check_units)
 
 

@@ -150,12 +150,14 @@ inline SyntheticRun synthetic_run() {
                   .sheet_names = {"left \"half\"", "right"},
                   .rest_position = whole_positions(),
                   .rest_faces = whole_faces(),
-                  .rest_area = {}};
+                  .rest_area = {},
+                  .rest_thickness = {}};
     Snapshot snapshot;
     snapshot.faces = whole_faces();
     for (Index v = 0; v < (columns + 1) * (rows + 1); ++v) snapshot.original.push_back(v);
     for (Index f = 0; f < static_cast<Index>(snapshot.faces.size()); ++f) {
         run.header.rest_area.push_back(5e-5 + 1e-7 * f);
+        run.header.rest_thickness.push_back(f * 2 < static_cast<Index>(snapshot.faces.size()) ? 1e-3 : 2e-3);
         snapshot.face_sheet.push_back(f * 2 < static_cast<Index>(snapshot.faces.size()) ? 0 : 1);
     }
     snapshot.face_fragment.assign(snapshot.faces.size(), 0);

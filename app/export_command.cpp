@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands.h"
+#include "app/export_formats.h"
+#include "app/interruption.h"
+
+namespace sherd {
+
+namespace {
+
+int print_export(const ExportOptions& options) {
+    watch_for_interruption();
+    const ExportReport report = export_recording(options);
+    for (const std::string& warning : report.warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    for (const std::filesystem::path& file : report.files) fmt::print("{}\n", file.string());
+    return 0;
+}
+
+void add_form_options(CLI::App& command, ExportOptions& options) {
+    command.add_flag("--fragments", options.fragments,
+                     "One object (obj) or file (ply, stl) for each fragment; glb always has a node for each");
+    command.add_flag("--solid", options.solid,
+                     "Closed bodies of the sheets' thickness, one a fragment (obj, ply, stl, pc2, mdd, glb); "
+                     "vdb always has the thickness");
+    command.add_option("--thickness", options.thickness, "m, instead of the recording's")->option_text("T");
+    command
+        .add_option("--quality", options.quality,
+                    "Main scalar of ply: strain (default; 1/m, largest of a face's edges), speed or fragment")
+        ->option_text("NAME");
+    command
+        .add_option("--animate", options.animate,
+                    "How the fragments of glb move: rigid (default) or morph (their shapes, too)")
+        ->option_text("HOW");
+    command
+        .add_option("--voxel", options.voxel,
+                    "Edge length of the voxels of vdb in m (default: a quarter of the thickness)")
+        ->option_text("SIZE");
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("export", "Write meshes of a run's frames");
+    auto options = std::make_shared<ExportOptions>();
+    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+        ->required()
+        ->option_text("RUN.h5");
+    command->add_option("--to", options->format, "Format: " + export_format_names())
+        ->required()
+        ->option_text("FORMAT");
+    command
+        ->add_option("-o,--output", options->output, "File, or folder for several (default: beside RUN.h5)")
+        ->option_text("PATH");
+    command
+        ->add_option("--frames", options->frames,
+                     "last (default of obj, ply, stl, vdb), all (of pvd, pc2, mdd, glb), numbers and "
+                     "START:STOP:STEP as "
+                     "in Python, with commas between")
+        ->option_text("WHICH");
+    add_form_options(*command, *options);
+    command->add_flag("--force", options->force, "Replace files that exist");
+    command->footer(
+        "Examples:\n"
+        "  sherd export plate_drop.h5 --to obj --fragments -o plate.obj\n"
+        "  sherd export plate_drop.h5 --to stl --solid --fragments -o pieces\n"
+        "  sherd export plate_drop.h5 --to glb -o plate.glb\n"
+        "  sherd export plate_drop.h5 --to ply --frames 0:100:10 -o frames");
+    command->callback([&chosen, options] { chosen = [options] { return print_export(*options); }; });
+}
+
+}  // namespace sherd

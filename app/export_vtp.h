@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "fracture/snapshot.h"
+
+namespace sherd {
+
+/// The content of a VTK file (.vtp, appended raw) of a frame: its faces with `fragment`, `sheet` and `strain`
+/// (1/m, largest of the face's edges), its vertices with `speed` and `velocity`, all in the frame's order.
+std::string vtp_bytes(const Snapshot& frame);
+
+/// A file of a frame and its time.
+struct TimedFile {
+    std::filesystem::path file;
+    double time = 0;  ///< s
+};
+
+/// The content of a .pvd file that shows the files, in the same folder, one after the other.
+std::string pvd_text(std::span<const TimedFile> files);
+
+}  // namespace sherd

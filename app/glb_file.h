@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Points with their normals.
+struct GlbShape {
+    std::vector<Vector3d> points, normals;
+};
+
+/// A node with a mesh of its own, that moves, or changes its shape, or does neither.
+struct GlbNode {
+    std::string name;
+    std::vector<std::array<Index, 3>> triangles;
+    std::vector<GlbShape> shapes;            ///< [1] or one for each time
+    std::vector<Eigen::Isometry3d> motions;  ///< [1] or one for each time
+};
+
+/// What a .glb file holds. Lengths in m, z up (glTF has y up: one node above all others turns them).
+struct GlbScene {
+    std::string name;
+    bool double_sided = true;
+    std::vector<double> times;  ///< s, rising, from 0
+    std::vector<GlbNode> nodes;
+};
+
+/// The content of a binary glTF 2.0 file. Nodes whose motion has several values get an animation of
+/// translation and rotation, those with several shapes a morph target for each but the first.
+std::string glb_bytes(const GlbScene& scene);
+
+}  // namespace sherd

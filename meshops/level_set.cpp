@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/level_set.h"
+
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
+#include <openvdb/tools/Composite.h>
+#include <openvdb/tools/MeshToVolume.h>
+
+#include <Eigen/Geometry>
+#include <fstream>
+#include <map>
+
+#include "meshops/error.h"
+#include "meshops/float_grid.h"
+
+namespace sherd {
+
+namespace {
+
+/// In voxels, what a level set knows of its outside.
+constexpr float band = 3;
+constexpr const char* grid_name = "surface";
+
+using Triangles = std::vector<openvdb::Vec3I>;
+
+std::map<double, Triangles> triangles_by_thickness(const TriangleSheet& sheet,
+                                                   std::span<const double> thickness) {
+    std::map<double, Triangles> result;
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        const auto& [a, b, c] = sheet.triangles[t];
+        result[thickness[t]].emplace_back(a, b, c);
+    }
+    return result;
+}
+
+openvdb::FloatGrid::Ptr level_set_of(const std::vector<openvdb::Vec3s>& points, const Triangles& triangles,
+                                     double thickness, double voxel) {
+    const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
+    const auto half = static_cast<float>(thickness / 2);
+    const auto reach = static_cast<float>(half / voxel) + band;
+    const auto grid = openvdb::tools::meshToUnsignedDistanceField<openvdb::FloatGrid>(*transform, points,
+                                                                                      triangles, {}, reach);
+    for (auto value = grid->beginValueOn(); value; ++value) value.setValue(*value - half);
+    openvdb::tools::changeBackground(grid->tree(), band * static_cast<float>(voxel));
+    return grid;
+}
+
+/// OpenVDB gives each file a random name, behind its magic number, three version numbers and a flag.
+void replace_random_name(const std::filesystem::path& file) {
+    constexpr std::streamoff place = 8 + 3 * 4 + 1;
+    std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+    stream.seekp(place);
+    stream << "00000000-0000-4000-8000-000000000000" << std::flush;
+}
+
+/// OpenVDB does not notice a full disk: whether the file can be read shows whether it is complete.
+void check_complete(const std::filesystem::path& file) {
+    try {
+        sample_float_grid(file, grid_name, {});
+    } catch (const Error&) {
+        throw Error(
+            file.string() + ": cannot be written: no room on the disk, or a limit on the size of files",
+            Fault::run);
+    }
+}
+
+}  // namespace
+
+double expected_voxels(const TriangleSheet& sheet, std::span<const double> thickness, double voxel) {
+    double volume = 0;
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        const auto& [a, b, c] = sheet.triangles[t];
+        const Eigen::Vector3d e = sheet.points[b] - sheet.points[a], f = sheet.points[c] - sheet.points[a];
+        volume += e.cross(f).norm() / 2 * (thickness[t] + 2 * band * voxel);
+    }
+    return volume / (voxel * voxel * voxel);
+}
+
+void write_level_set(const TriangleSheet& sheet, std::span<const double> thickness, double voxel,
+                     const std::filesystem::path& file) try {
+    openvdb::initialize();
+    std::vector<openvdb::Vec3s> points;
+    for (const auto& p : sheet.points)
+        points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    openvdb::FloatGrid::Ptr whole;
+    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness)) {
+        const openvdb::FloatGrid::Ptr part = level_set_of(points, triangles, value, voxel);
+        if (whole)
+            openvdb::tools::csgUnion(*whole, *part);
+        else
+            whole = part;
+    }
+    whole->setName(grid_name);
+    whole->setGridClass(openvdb::GRID_LEVEL_SET);
+    whole->setSaveFloatAsHalf(false);
+    openvdb::io::File(file.string()).write({whole});
+    replace_random_name(file);
+    check_complete(file);
+} catch (const openvdb::Exception& error) {
+    throw Error(file.string() + ": cannot be written: " + error.what(), Fault::run);
+}
+
+}  // namespace sherd

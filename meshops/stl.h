@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "meshops/write_mesh.h"
+
+namespace sherd {
+
+/// The content of a binary STL file of the sheet's triangles, in their order, with their normals. STL has
+/// single precision and no vertices: whoever reads it joins points that coincide, closed cracks too.
+std::string stl_bytes(const TriangleSheet& sheet);
+
+}  // namespace sherd

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/thicken.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A fold sharper than 120 degrees gets thinner instead of a spike.
+constexpr double largest_stretch = 2;
+constexpr double largest_turn = std::numbers::pi / 9, largest_turn_touching = std::numbers::pi / 2;
+/// In thicknesses: how far sides of a crack that stand off alike are apart, and what is left between them.
+constexpr double together_distance = 0.5, crack_width = 0.01;
+
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// A side of a triangle that no other one shares.
+struct BoundaryEdge {
+    std::int32_t from, to;
+    std::size_t triangle;
+};
+
+/// In the order of their triangles.
+std::vector<BoundaryEdge> boundary_edges(const TriangleSheet& sheet) {
+    std::vector<std::array<std::int32_t, 2>> sides;
+    for (const auto& [a, b, c] : sheet.triangles) {
+        sides.push_back({a, b});
+        sides.push_back({b, c});
+        sides.push_back({c, a});
+    }
+    auto sorted = sides;
+    std::ranges::sort(sorted);
+    std::vector<BoundaryEdge> boundary;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const auto& [from, to] = sides[i];
+        if (!std::ranges::binary_search(sorted, std::array{to, from})) boundary.push_back({from, to, i / 3});
+    }
+    return boundary;
+}
+
+/// The triangles around a point, summed up.
+struct Surroundings {
+    Vector3d direction = Vector3d::Zero();    ///< normals weighted by angle
+    Vector3d area_normal = Vector3d::Zero();  ///< normals weighted by area
+    double area = 0, volume = 0;              ///< twice the area; that times the thickness
+    Vector3d inward = Vector3d::Zero();       ///< unit vectors away from the boundary, in its triangles
+
+    double thickness() const { return area > 0 ? volume / area : 0; }
+    Vector3d offset() const {
+        const Vector3d normal = direction.normalized();
+        const double height = std::max(area_normal.dot(normal), area / largest_stretch);
+        return area > 0 ? Vector3d(volume / 2 / height * normal) : Vector3d(Vector3d::Zero());
+    }
+};
+
+std::vector<Surroundings> surroundings(const TriangleSheet& sheet, std::span<const double> thickness,
+                                       std::span<const BoundaryEdge> boundary) {
+    std::vector<Surroundings> around(sheet.points.size());
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        const auto& corners = sheet.triangles[t];
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d& p = sheet.points[corners[k]];
+            const Vector3d e = sheet.points[corners[(k + 1) % 3]] - p,
+                           f = sheet.points[corners[(k + 2) % 3]] - p, normal = e.cross(f);
+            const double area = normal.norm();
+            Surroundings& point = around[corners[k]];
+            point.direction += angle_between(e, f) * normal.normalized();
+            point.area_normal += normal;
+            point.area += area;
+            point.volume += area * thickness[t];
+        }
+    }
+    for (const auto& [from, to, triangle] : boundary) {
+        const auto& [a, b, c] = sheet.triangles[triangle];
+        const Vector3d& p = sheet.points[a];
+        const Vector3d normal = (sheet.points[b] - p).cross(sheet.points[c] - p);
+        const Vector3d inward = normal.cross(sheet.points[to] - sheet.points[from]).normalized();
+        around[from].inward += inward;
+        around[to].inward += inward;
+    }
+    return around;
+}
+
+/// Points with what is around them.
+struct Sides {
+    std::vector<Vector3d> points;
+    std::vector<Surroundings> around;
+
+    bool touch(std::size_t a, std::size_t b) const {
+        return (points[a] - points[b]).norm() < crack_width * around[a].thickness();
+    }
+    bool together(std::size_t a, std::size_t b) const {
+        const double turn = angle_between(around[a].direction, around[b].direction);
+        return touch(a, b) ? turn < largest_turn_touching
+                           : turn < largest_turn &&
+                                 (points[a] - points[b]).norm() < together_distance * around[a].thickness();
+    }
+    /// By how much a point moves away from its boundary, so that two edges that meet there do.
+    Vector3d retreat(std::size_t i) const {
+        const Vector3d& inward = around[i].inward;
+        const double length = std::max(inward.squaredNorm(), 1.0);
+        return crack_width * around[i].thickness() * inward / length;
+    }
+};
+
+/// Of the points of one origin, lets those that are together stand off in the same direction.
+void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
+    while (points.size() > 1) {
+        const std::size_t first = points.front();
+        const auto apart = std::stable_partition(points.begin(), points.end(), [&](std::size_t i) {
+            return i == first || before.together(first, i);
+        });
+        Vector3d direction = Vector3d::Zero();
+        for (auto i = points.begin(); i != apart; ++i) direction += before.around[*i].direction;
+        for (auto i = points.begin(); i != apart; ++i) sides.around[*i].direction = direction;
+        points.erase(points.begin(), apart);
+    }
+}
+
+/// Moves those back that touch another one.
+void part(std::span<const std::size_t> points, const Sides& before, Sides& sides) {
+    for (const std::size_t i : points) {
+        const bool touches =
+            std::ranges::any_of(points, [&](std::size_t j) { return i != j && before.touch(i, j); });
+        if (touches) sides.points[i] += before.retreat(i);
+    }
+}
+
+void treat_cracks(std::span<const std::int32_t> origin, Sides& sides) {
+    const Sides before = sides;
+    std::map<std::int32_t, std::vector<std::size_t>> copies;
+    for (std::size_t i = 0; i < origin.size(); ++i) copies[origin[i]].push_back(i);
+    for (const auto& [number, points] : copies) {
+        align(points, before, sides);
+        part(points, before, sides);
+    }
+}
+
+}  // namespace
+
+TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thickness,
+                        std::span<const std::int32_t> origin) {
+    const std::vector<BoundaryEdge> boundary = boundary_edges(sheet);
+    Sides sides{sheet.points, surroundings(sheet, thickness, boundary)};
+    treat_cracks(origin, sides);
+    TriangleSheet body;
+    const auto points = static_cast<std::int32_t>(sheet.points.size());
+    for (const double side : {1.0, -1.0})
+        for (std::int32_t i = 0; i < points; ++i)
+            body.points.push_back(sides.points[i] + side * sides.around[i].offset());
+    body.triangles = sheet.triangles;
+    for (const auto& [a, b, c] : sheet.triangles)
+        body.triangles.push_back({a + points, c + points, b + points});
+    std::vector<std::size_t> source;
+    for (int side = 0; side < 2; ++side)
+        for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.push_back(t);
+    for (const auto& [from, to, triangle] : boundary) {
+        // Both sides of a crack are cut along the same diagonal: theirs would cross.
+        const bool rising = origin.empty() || origin[to] < origin[from];
+        body.triangles.push_back({to, from, rising ? from + points : to + points});
+        body.triangles.push_back({rising ? to : from, from + points, to + points});
+        source.insert(source.end(), 2, triangle);
+    }
+    for (const std::size_t t : source) {
+        if (!sheet.group.empty()) body.group.push_back(sheet.group[t]);
+        if (!sheet.quality.empty()) body.quality.push_back(sheet.quality[t]);
+    }
+    body.group_names = sheet.group_names;
+    return body;
+}
+
+}  // namespace sherd

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that hold all frames, read back byte by byte: pc2, mdd, glb; and vdb.
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/export_fixture.h"
+#include "tests/support/program.h"
+
+namespace sherd::test {
+namespace {
+
+using Json = nlohmann::json;
+using Cloud = std::vector<Eigen::Vector3f>;
+
+/// The vertex of the frame that a vertex of the last frame was split from, by the recorded splits.
+Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
+    std::map<Index, Index> parent;
+    for (const CrackEvents& events : run.events)
+        for (const VertexSplit& split : events.splits) parent[split.created] = split.vertex;
+    while (vertex >= static_cast<Index>(run.frames[frame].original.size())) vertex = parent.at(vertex);
+    return vertex;
+}
+
+/// Where the last frame's vertices are in each frame.
+std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
+    std::vector<Cloud> clouds;
+    for (std::size_t k = 0; k < run.frames.size(); ++k) {
+        Cloud& cloud = clouds.emplace_back();
+        for (Index v = 0; v < static_cast<Index>(run.frames.back().original.size()); ++v)
+            cloud.push_back(run.frames[k].position.col(ancestor(run, v, k)).cast<float>());
+    }
+    return clouds;
+}
+
+TEST_F(Export, Pc2HasTheLastTopologyFromTheFirstFrameOn) {
+    const auto files = export_recording(options("pc2", "out.pc2")).files;
+    EXPECT_EQ(files, (std::vector<std::filesystem::path>{folder.path / "out.obj", folder.path / "out.pc2"}));
+    const std::vector<Cloud> clouds = expected_clouds(run);
+    Bytes pc2(bytes("out.pc2"));
+    EXPECT_EQ(pc2.text(12), std::string("POINTCACHE2\0", 12));
+    EXPECT_EQ(pc2.next<std::int32_t>(), 1);
+    EXPECT_EQ(pc2.next<std::int32_t>(), static_cast<int>(clouds[0].size()));
+    EXPECT_EQ(pc2.next<float>(), 0);
+    EXPECT_EQ(pc2.next<float>(), 1);
+    ASSERT_EQ(pc2.next<std::int32_t>(), 3);
+    for (const Cloud& cloud : clouds)
+        for (const Eigen::Vector3f& point : cloud)
+            for (const float x : point) ASSERT_EQ(pc2.next<float>(), x);
+    EXPECT_TRUE(pc2.at_end());
+    const Mesh mesh = read("out.obj");
+    ASSERT_EQ(mesh.number_of_vertices(), clouds[0].size());
+    EXPECT_EQ(mesh.number_of_faces(), 96u);
+    for (const Vertex v : mesh.vertices())
+        EXPECT_EQ(static_cast<float>(mesh.point(v).x()), clouds[0][v.idx()].x()) << "the order of the cache";
+}
+
+TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
+    export_recording(options("mdd", "out.mdd"));
+    const std::vector<Cloud> clouds = expected_clouds(run);
+    Bytes mdd(bytes("out.mdd"));
+    EXPECT_EQ(mdd.next_big_endian<std::int32_t>(), 3);
+    EXPECT_EQ(mdd.next_big_endian<std::int32_t>(), static_cast<int>(clouds[0].size()));
+    for (const Snapshot& frame : run.frames)
+        EXPECT_EQ(mdd.next_big_endian<float>(), static_cast<float>(frame.time));
+    for (const Cloud& cloud : clouds)
+        for (const Eigen::Vector3f& point : cloud)
+            for (const float x : point) ASSERT_EQ(mdd.next_big_endian<float>(), x);
+    EXPECT_TRUE(mdd.at_end());
+}
+
+TEST_F(Export, SolidCachesFitTheirSolidMesh) {
+    ExportOptions wanted = options("pc2", "out.pc2");
+    wanted.solid = true;
+    export_recording(wanted);
+    const Mesh mesh = read("out.obj");
+    EXPECT_TRUE(CGAL::is_closed(mesh));
+    EXPECT_EQ(mesh.number_of_vertices(), 2 * run.frames[2].original.size());
+    EXPECT_EQ(bytes("out.pc2").size(), 32 + 3 * 12 * mesh.number_of_vertices());
+}
+
+// One file in the way is looked for before anything is written; here it is the mesh of the cache.
+TEST_F(Export, CacheKeepsAMeshThatIsThere) {
+    folder.write("out.obj", "the only copy");
+    const auto before = folder.contents();
+    EXPECT_NE(error_of(options("pc2", "out.pc2")).find("out.obj"), std::string::npos);
+    EXPECT_EQ(folder.contents(), before);
+}
+
+/// A .glb file taken apart.
+struct Glb {
+    explicit Glb(const std::string& content) {
+        Bytes bytes(content);
+        EXPECT_EQ(bytes.text(4), "glTF");
+        EXPECT_EQ(bytes.next<std::uint32_t>(), 2u);
+        EXPECT_EQ(bytes.next<std::uint32_t>(), content.size());
+        const auto json_size = bytes.next<std::uint32_t>();
+        EXPECT_EQ(bytes.text(4), "JSON");
+        json = Json::parse(bytes.text(json_size));
+        const auto size = bytes.next<std::uint32_t>();
+        EXPECT_EQ(bytes.text(4), std::string("BIN\0", 4));
+        EXPECT_EQ(size % 4, 0u);
+        data = bytes.text(size);
+        EXPECT_TRUE(bytes.at_end());
+    }
+
+    template <class T>
+    std::vector<T> values(std::size_t accessor, int width) const {
+        const Json& a = json["accessors"][accessor];
+        const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+        Bytes bytes(data, view.value("byteOffset", std::size_t{0}));
+        std::vector<T> result;
+        for (std::size_t i = 0; i < width * a["count"].get<std::size_t>(); ++i)
+            result.push_back(bytes.next<T>());
+        EXPECT_EQ(view["byteLength"], result.size() * sizeof(T));
+        return result;
+    }
+    Cloud cloud(std::size_t accessor) const {
+        EXPECT_EQ(json["accessors"][accessor]["type"], "VEC3");
+        const auto numbers = values<float>(accessor, 3);
+        Cloud cloud;
+        for (std::size_t i = 0; i < numbers.size(); i += 3) cloud.emplace_back(&numbers[i]);
+        return cloud;
+    }
+    const Json& primitive(const Json& node) const {
+        return json["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
+    }
+    /// Output of the animation of a node's property.
+    std::size_t track(std::size_t node, const std::string& path) const {
+        const Json& animation = json["animations"][0];
+        for (const Json& channel : animation["channels"])
+            if (channel["target"]["node"] == node && channel["target"]["path"] == path)
+                return animation["samplers"][channel["sampler"].get<std::size_t>()]["output"];
+        throw std::out_of_range("no track " + path);
+    }
+
+    Json json;
+    std::string data;
+};
+
+/// Where the recorded corners of a fragment of the last frame are in a frame, face by face.
+Cloud corners(const SyntheticRun& run, Index fragment, std::size_t frame) {
+    Cloud cloud;
+    for (std::size_t f = 0; f < run.frames.back().faces.size(); ++f)
+        if (run.frames.back().face_fragment[f] == fragment)
+            for (const Index v : run.frames[frame].faces[f])
+                cloud.push_back(run.frames[frame].position.col(v).cast<float>());
+    return cloud;
+}
+
+void expect_near(const Cloud& found, const Cloud& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_LT((found[i] - expected[i]).norm(), 1e-6F);
+}
+
+/// Turns and moves all that is there, further from frame to frame.
+void set_in_motion(SyntheticRun& run) {
+    for (std::size_t k = 0; k < run.frames.size(); ++k) {
+        const double angle = 1.9 * static_cast<double>(k);
+        Eigen::Isometry3d motion(Eigen::AngleAxisd(angle, Vector3d(1, 2, 2) / 3));
+        motion.pretranslate(Vector3d(0.1 * angle, 0, 0.3));
+        for (Index v = 0; v < static_cast<Index>(run.frames[k].original.size()); ++v)
+            run.frames[k].position.col(v) = motion * Vector3d(run.frames[k].position.col(v));
+    }
+}
+
+TEST_F(Export, GlbMovesFragmentsRigidly) {
+    run = synthetic_run();
+    set_in_motion(run);
+    record(run, folder.path / "moving.h5");
+    ExportOptions wanted = options("glb", "out.glb");
+    wanted.recording = folder.path / "moving.h5";
+    export_recording(wanted);
+    const Glb glb(bytes("out.glb"));
+    const Json& root = glb.json["nodes"][0];
+    ASSERT_EQ(root["children"].size(), 3u);
+    EXPECT_NEAR(root["rotation"][0].get<double>(), -std::sqrt(0.5), 1e-7) << "z up becomes y up";
+    for (Index fragment = 0; fragment < 3; ++fragment) {
+        const std::size_t node = root["children"][fragment];
+        EXPECT_EQ(glb.json["nodes"][node]["name"], "fragment_00" + std::to_string(fragment));
+        const Json& primitive = glb.primitive(glb.json["nodes"][node]);
+        const Cloud points = glb.cloud(primitive["attributes"]["POSITION"]);
+        const auto indices = glb.values<std::uint32_t>(primitive["indices"], 1);
+        const auto t = glb.values<float>(glb.track(node, "translation"), 3);
+        const auto q = glb.values<float>(glb.track(node, "rotation"), 4);
+        Eigen::Quaternionf last(&q[0]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Quaternionf turn(&q[4 * k]);  // x, y, z, w
+            EXPECT_NEAR(turn.norm(), 1, 1e-6);
+            EXPECT_GE(turn.dot(last), 0) << "the long way round";
+            last = turn;
+            Cloud found;
+            for (const auto i : indices) found.push_back(turn * points[i] + Eigen::Vector3f(&t[3 * k]));
+            expect_near(found, corners(run, fragment, k));
+        }
+    }
+}
+
+TEST_F(Export, GlbMorphsThroughTheRecordedShapes) {
+    ExportOptions wanted = options("glb", "out.glb");
+    wanted.animate = "morph";
+    export_recording(wanted);
+    const Glb glb(bytes("out.glb"));
+    for (Index fragment = 0; fragment < 3; ++fragment) {
+        const std::size_t node = glb.json["nodes"][0]["children"][fragment];
+        const Json& primitive = glb.primitive(glb.json["nodes"][node]);
+        const Cloud first = glb.cloud(primitive["attributes"]["POSITION"]);
+        const auto indices = glb.values<std::uint32_t>(primitive["indices"], 1);
+        const auto weights = glb.values<float>(glb.track(node, "weights"), 1);
+        EXPECT_EQ(weights, (std::vector<float>{0, 0, 1, 0, 0, 1}));
+        ASSERT_EQ(primitive["targets"].size(), 2u);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Cloud change = k == 0 ? Cloud(first.size(), Eigen::Vector3f::Zero())
+                                        : glb.cloud(primitive["targets"][k - 1]["POSITION"]);
+            Cloud found;
+            for (const auto i : indices) found.push_back(first[i] + change[i]);
+            expect_near(found, corners(run, fragment, k));
+        }
+    }
+}
+
+// What the format asks for and readers stumble over: bounds, unit normals, indices that exist, rising times.
+TEST_F(Export, GlbIsWellFormed) {
+    for (const std::string animate : {"rigid", "morph"})
+        for (const bool solid : {false, true}) {
+            ExportOptions wanted = options("glb", animate + ".glb");
+            wanted.animate = animate;
+            wanted.solid = solid;
+            wanted.force = true;
+            export_recording(wanted);
+            const Glb glb(bytes(animate + ".glb"));
+            EXPECT_EQ(glb.json["asset"]["version"], "2.0");
+            EXPECT_EQ(glb.json["materials"][0].value("doubleSided", false), !solid);
+            const std::size_t input = glb.json["animations"][0]["samplers"][0]["input"];
+            EXPECT_EQ(glb.values<float>(input, 1), (std::vector<float>{0, 0.1F, 0.2F}));
+            EXPECT_EQ(glb.json["accessors"][input]["max"][0].get<float>(), 0.2F);
+            for (const Json& mesh : glb.json["meshes"]) {
+                const Json& attributes = mesh["primitives"][0]["attributes"];
+                const Cloud points = glb.cloud(attributes["POSITION"]),
+                            normals = glb.cloud(attributes["NORMAL"]);
+                ASSERT_EQ(points.size(), normals.size());
+                for (const auto& normal : normals) EXPECT_NEAR(normal.norm(), 1, 1e-5);
+                for (const auto i : glb.values<std::uint32_t>(mesh["primitives"][0]["indices"], 1))
+                    ASSERT_LT(i, points.size());
+                const Json& accessor = glb.json["accessors"][attributes["POSITION"].get<std::size_t>()];
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const auto& point : points) {
+                        EXPECT_LE(accessor["min"][axis].get<float>(), point[axis]);
+                        EXPECT_GE(accessor["max"][axis].get<float>(), point[axis]);
+                    }
+            }
+        }
+}
+
+TEST_F(Export, GlbOfOneFrameStandsStill) {
+    ExportOptions wanted = options("glb", "out.glb");
+    wanted.frames = "0";
+    export_recording(wanted);
+    const Glb glb(bytes("out.glb"));
+    EXPECT_FALSE(glb.json.contains("animations"));
+    EXPECT_EQ(glb.json["meshes"].size(), 1u);
+}
+
+// Two sheets of 1 and 2 mm: within them and nowhere else the level set is negative.
+TEST_F(Export, VdbIsTheSheetWithItsThickness) {
+    for (auto& frame : run.frames) frame.position.row(2).setZero();
+    record(run, folder.path / "flat.h5");
+    ExportOptions wanted = options("vdb", "out.vdb");
+    wanted.recording = folder.path / "flat.h5";
+    export_recording(wanted);
+    openvdb::initialize();
+    openvdb::io::File file((folder.path / "out.vdb").string());
+    file.open();
+    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid("surface"));
+    ASSERT_TRUE(grid);
+    EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
+    EXPECT_NEAR(grid->voxelSize()[0], 0.25e-3, 1e-12);
+    const auto at = [&](double x, double y, double z) {
+        return grid->tree().getValue(grid->transform().worldToIndexCellCentered({x, y, z}));
+    };
+    EXPECT_NEAR(at(0.03, 0.02, 0), -0.5e-3, 1e-6) << "1 mm: the first half of the faces";
+    EXPECT_NEAR(at(0.03, 0.02, 0.5e-3), 0, 1e-6);
+    EXPECT_NEAR(at(0.03, 0.02, -0.75e-3), 0.25e-3, 1e-6);
+    EXPECT_NEAR(at(0.09, 0.02, 0), -1e-3, 1e-6) << "2 mm: the second";
+    EXPECT_NEAR(at(0.09, 0.02, 1.25e-3), 0.25e-3, 1e-6);
+    EXPECT_NEAR(at(0.09, 0.02, 0.02), 0.75e-3, 1e-6) << "three voxels, far outside";
+    export_recording([&] {
+        wanted.output = folder.path / "again.vdb";
+        return wanted;
+    }());
+    EXPECT_EQ(bytes("out.vdb"), bytes("again.vdb"));
+}
+
+// OpenVDB itself writes half a file and says nothing.
+TEST_F(Export, VdbThatFindsNoRoomIsAnError) {
+    const ProgramResult result =
+        run_sherd({"export", "run.h5", "--to", "vdb"}, folder.path, {.file_bytes = 5000});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_NE(result.err.find("no room"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb.part"));
+}
+
+TEST_F(Export, EveryFormatRefusesARunWithoutFrames) {
+    run.frames.clear();
+    record(run, folder.path / "empty.h5");
+    const auto before = folder.contents();
+    for (const std::string format : {"obj", "ply", "stl", "vdb", "pvd", "pc2", "mdd", "glb"}) {
+        ExportOptions wanted = options(format, "out." + format);
+        wanted.recording = folder.path / "empty.h5";
+        EXPECT_NE(error_of(wanted).find("no frame yet"), std::string::npos) << format;
+    }
+    EXPECT_EQ(folder.contents(), before);
+}
+
+TEST_F(Export, RefusesVoxelsThatMakeNoSense) {
+    const auto before = folder.contents();
+    ExportOptions wanted = options("vdb", "out.vdb");
+    for (const double bad : {0.0, -1.0, std::nan(""), 0.6e-3, 1e-7}) {
+        wanted.voxel = bad;
+        EXPECT_NE(error_of(wanted).find("voxel"), std::string::npos) << bad;
+    }
+    wanted = options("glb", "out.glb");
+    wanted.animate = "jump";
+    EXPECT_NE(error_of(wanted).find("rigid or morph"), std::string::npos);
+    EXPECT_EQ(folder.contents(), before);
+}
+
+}  // namespace
+}  // namespace sherd::test
