@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/interruption.h"
 #include "app/progress.h"
 #include "app/scene_simulation.h"
 #include "meshops/error.h"
@@ -18,12 +18,6 @@ struct RunOptions {
     std::filesystem::path output;  ///< empty: the scene's name with .h5, in the working directory
     bool force = false;
 };
-
-volatile std::sig_atomic_t interrupted = 0;  // set by a signal handler, which can reach nothing else
-
-void interrupt(int) {
-    interrupted = 1;
-}
 
 /// What the run adds up over its steps.
 struct Totals {
@@ -83,9 +77,9 @@ std::string Runner::run() {
         return std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6);
     };
     record();
-    for (std::int64_t i = 1; i <= steps && !interrupted; ++i) {
+    for (std::int64_t i = 1; i <= steps && !interrupted(); ++i) {
         step();
-        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted) record();
+        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted()) record();
     }
     progress.finish();
     return totals.last.step == steps ? "complete" : "interrupted";
@@ -130,8 +124,7 @@ int run(RunOptions options) {
     Simulation simulation(sheets, simulation_options(scene, sheets));
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
 
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
+    catch_interruption();
     Runner runner(scene, simulation, writer);
     try {
         const std::string end = runner.run();
