@@ -6,21 +6,21 @@
 namespace sherd {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;  // set by a signal handler, which can reach nothing else
+volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which can reach nothing else
 
-void note(int) {
-    noted = 1;
+void interrupt(int) {
+    signalled = 1;
 }
 
 }  // namespace
 
-void catch_interruption() {
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
+void watch_for_interruption() {
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, interrupt);
 }
 
 bool interrupted() {
-    return noted != 0;
+    return signalled != 0;
 }
 
 }  // namespace sherd

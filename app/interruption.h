@@ -3,10 +3,8 @@
 
 namespace sherd {
 
-/// From here on, Ctrl-C (SIGINT) and SIGTERM no longer end the program: they are noted.
-void catch_interruption();
-
-/// Whether such a signal has come since.
+/// From now on Ctrl-C and SIGTERM do not end the program, but make interrupted() true.
+void watch_for_interruption();
 bool interrupted();
 
 }  // namespace sherd

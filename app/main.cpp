@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
     sherd::add_cut(program, chosen);
     sherd::add_probe(program, chosen);
     sherd::add_render(program, chosen);
+    sherd::add_plot(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

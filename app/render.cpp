@@ -118,7 +118,7 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
 }
 
 int print_rendering(const RenderOptions& options) {
-    catch_interruption();
+    watch_for_interruption();
     const Rendering rendering = render_recording(options);
     for (const fs::path& file : rendering.files) fmt::print("{}\n", file.string());
     if (!rendering.legend.empty()) fmt::print("{}\n", rendering.legend);

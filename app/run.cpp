@@ -124,7 +124,7 @@ int run(RunOptions options) {
     Simulation simulation(sheets, simulation_options(scene, sheets));
     RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
 
-    catch_interruption();
+    watch_for_interruption();
     Runner runner(scene, simulation, writer);
     try {
         const std::string end = runner.run();

@@ -15,23 +15,6 @@ constexpr const char* reals = "NumberType=\"Float\" Precision=\"8\"";
 constexpr const char* integers = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 /// One frame of one collection, written line by line.
 class Grid {
   public:
@@ -108,9 +91,26 @@ void add_collection(std::string& out, const char* name, const std::string& sourc
 
 }  // namespace
 
+std::string xml_escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
 std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames) {
     std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
-    const std::string source = escaped(recording_name);
+    const std::string source = xml_escaped(recording_name);
     add_collection(out, "surface", source, frames, add_surface);
     add_collection(out, "edges", source, frames, add_edges);
     return out + "</Domain>\n</Xdmf>\n";
