@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     sherd::add_probe(program, chosen);
     sherd::add_render(program, chosen);
     sherd::add_plot(program, chosen);
+    sherd::add_view(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

@@ -135,8 +135,12 @@ RenderScene RenderStage::scene(const Snapshot& frame) const {
     scene.planes = planes;
     scene.centre = Eigen::Vector3f::Zero();
     scene.up = up.cast<float>();
-    scene.radius = static_cast<float>(std::max(box.diagonal().norm() / 2, 1e-6));
+    scene.radius = static_cast<float>(radius());
     return scene;
+}
+
+double RenderStage::radius() const {
+    return std::max(box.diagonal().norm() / 2, 1e-6);
 }
 
 std::string RenderStage::legend() const {

@@ -32,7 +32,13 @@ class RenderStage {
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
     RenderScene scene(const Snapshot& frame) const;
+    /// Camera and ground are seen from the middle of the action.
     const Camera& camera() const { return placed; }
+    const std::vector<RenderPlane>& ground() const { return planes; }
+    const Vector3d& upward() const { return up; }
+    const Eigen::AlignedBox3d& action() const { return box; }
+    double radius() const;                           ///< m, of the action
+    double largest() const { return range.second; }  ///< what the brightest colour stands for
     /// What the colours say, in words; empty when there is nothing to say.
     std::string legend() const;
 
