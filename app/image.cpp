@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csetjmp>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "meshops/error.h"
 
@@ -57,6 +59,41 @@ class PngReader {
     png_infop info;
 };
 
+void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+void flush_nothing(png_structp) {}
+
+/// libpng's two structures, for as long as an image is written.
+class PngWriter {
+  public:
+    PngWriter()
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {
+        if (!info) throw std::bad_alloc();
+    }
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    /// As PngReader::read. rows: of red, green and blue bytes.
+    bool write(int width, int height, png_bytepp rows) {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
+        png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
+        png_set_rows(png, info, rows);
+        png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+        return true;
+    }
+
+    std::string message, bytes;
+    png_structp png;
+    png_infop info;
+};
+
 Image image_of(PngReader& reader) {
     Image image;
     image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
@@ -95,6 +132,19 @@ Image read_png(const std::filesystem::path& file) {
     PngReader reader;
     if (!reader.read(stream.get())) throw fail("damaged PNG file: " + reader.message);
     return image_of(reader);
+}
+
+std::string png_bytes(const Image& image) {
+    std::vector<png_byte> pixels(image.colours.size());
+    for (Eigen::Index i = 0; i < image.colours.size(); ++i)
+        pixels[i] = static_cast<png_byte>(std::clamp(image.colours.data()[i], 0.0f, 1.0f) * 255 + 0.5f);
+    std::vector<png_bytep> rows;
+    for (int y = 0; y < image.height; ++y)
+        rows.push_back(&pixels[3 * static_cast<std::size_t>(image.width) * y]);
+    PngWriter writer;
+    if (!writer.write(image.width, image.height, rows.data()))
+        throw Error("cannot make a PNG image: " + writer.message, Fault::run);
+    return std::move(writer.bytes);
 }
 
 }  // namespace sherd

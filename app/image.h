@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
 
 namespace sherd {
 
@@ -20,5 +21,8 @@ struct Image {
 /// dropped, 16 bits are kept and no gamma is applied. Throws Error naming the file when it is missing,
 /// unreadable, no PNG, damaged, or larger than 16384 x 16384.
 Image read_png(const std::filesystem::path& file);
+
+/// The bytes of a PNG file of 8 bits a channel that shows the image; the same bytes for the same image.
+std::string png_bytes(const Image& image);
 
 }  // namespace sherd

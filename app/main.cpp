@@ -51,6 +51,9 @@ int main(int argc, char** argv) {
     sherd::add_export(program, chosen);
     sherd::add_cut(program, chosen);
     sherd::add_probe(program, chosen);
+    sherd::add_render(program, chosen);
+    sherd::add_plot(program, chosen);
+    sherd::add_view(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

@@ -21,8 +21,8 @@ std::string clock(double seconds) {
 
 }  // namespace
 
-Progress::Progress(double duration)
-    : duration(duration),
+Progress::Progress(double total)
+    : total(total),
       terminal(isatty(STDERR_FILENO)),
       start(std::chrono::steady_clock::now()),
       last_shown(start) {}
@@ -31,29 +31,29 @@ double Progress::wall_seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::string Progress::status(const StepReport& report, std::size_t cracks, std::int64_t halvings) const {
-    const double done = std::min(1.0, report.time / duration);
-    const std::string halved =
-        halvings == 0 ? "" : fmt::format("  halved {} times, now {:.3g} s", halvings, report.step_size);
-    return fmt::format("step {}  {:.4g} of {:.4g} s  ETA {}  cracks {}  fragments {}{}", report.step,
-                       report.time, duration, clock(wall_seconds() * (1 - done) / done), cracks,
-                       report.fragments, halved);
-}
-
-void Progress::update(const StepReport& report, std::size_t cracks, std::int64_t halvings) {
-    const double done = std::min(1.0, report.time / duration);
+void Progress::show(double amount, const std::string& before, const std::string& after) {
+    const double done = std::min(1.0, amount / total);
+    const std::string status =
+        fmt::format("{}  ETA {}{}{}", before, clock(wall_seconds() * (1 - done) / done),
+                    after.empty() ? "" : "  ", after);
     if (terminal) {
         const auto now = std::chrono::steady_clock::now();
         if (now - last_shown < refresh && done < 1) return;
         last_shown = now;
         const int filled = static_cast<int>(done * bar_width);
-        fmt::print(stderr, "\r\x1b[K[{:#>{}}{:.>{}}] {}", "", filled, "", bar_width - filled,
-                   status(report, cracks, halvings));
+        fmt::print(stderr, "\r\x1b[K[{:#>{}}{:.>{}}] {}", "", filled, "", bar_width - filled, status);
         std::fflush(stderr);
     } else if (static_cast<int>(done * 10 + 1e-9) > tenths) {
         tenths = static_cast<int>(done * 10 + 1e-9);
-        fmt::print(stderr, "{:3}%  {}\n", tenths * 10, status(report, cracks, halvings));
+        fmt::print(stderr, "{:3}%  {}\n", tenths * 10, status);
     }
+}
+
+void Progress::update(const StepReport& report, std::size_t cracks, std::int64_t halvings) {
+    const std::string halved =
+        halvings == 0 ? "" : fmt::format("  halved {} times, now {:.3g} s", halvings, report.step_size);
+    show(report.time, fmt::format("step {}  {:.4g} of {:.4g} s", report.step, report.time, total),
+         fmt::format("cracks {}  fragments {}{}", cracks, report.fragments, halved));
 }
 
 void Progress::finish() {

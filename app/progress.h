@@ -8,14 +8,16 @@
 
 namespace sherd {
 
-/// Shows on stderr how far a run is: a bar that is drawn over itself on a terminal, else a line for every
-/// tenth of the duration.
+/// Shows on stderr how far a piece of work is: a bar that is drawn over itself on a terminal, else a line for
+/// every tenth of it.
 class Progress {
   public:
-    /// duration: s of simulated time.
-    explicit Progress(double duration);
+    /// total: all there is to do, in s of simulated time or in pieces.
+    explicit Progress(double total);
 
-    /// cracks, halvings: until then.
+    /// done: of the total; before and after: what is said beside the time to go.
+    void show(double done, const std::string& before, const std::string& after = "");
+    /// Of a run; cracks, halvings: until then.
     void update(const StepReport& report, std::size_t cracks, std::int64_t halvings);
     /// Ends the bar's line.
     void finish();
@@ -23,9 +25,7 @@ class Progress {
     double wall_seconds() const;
 
   private:
-    std::string status(const StepReport& report, std::size_t cracks, std::int64_t halvings) const;
-
-    double duration;
+    double total;
     bool terminal;
     std::chrono::steady_clock::time_point start, last_shown;
     int tenths = 0;

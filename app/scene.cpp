@@ -121,9 +121,14 @@ std::int64_t step_count(const Scene& scene) {
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    return parse_scene(read_toml_text(file, "scene"), file, overrides);
+}
+
+Scene parse_scene(std::string text, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides) {
     Scene scene;
     scene.file = file;
-    scene.text = read_toml_text(file, "scene");
+    scene.text = std::move(text);
     toml::table document = parse_toml(scene.text, file);
     for (const std::string& assignment : overrides) {
         apply_override(document, assignment);

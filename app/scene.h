@@ -127,4 +127,9 @@ std::int64_t step_count(const Scene& scene);
 /// message has a line for each mistake. Mesh files are opened by make_mesh only.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// The same from the text of a scene; `file`: where it comes from, for errors and for the names of files in
+/// it.
+Scene parse_scene(std::string text, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides = {});
+
 }  // namespace sherd

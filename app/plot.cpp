@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/recording_file.h"
+#include "app/xdmf.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+// Okabe and Ito's palette.
+constexpr const char *blue = "#0072b2", *vermillion = "#d55e00", *green = "#009e73", *purple = "#cc79a7",
+                     *orange = "#e69f00", *black = "#000000";
+const ChartAxis time_axis{.name = "time", .unit = "s", .from_zero = true};
+
+using Value = std::function<double(const StepReport&)>;
+
+ChartSeries over_time(const std::vector<StepReport>& steps, const std::string& name, const char* colour,
+                      const Value& value) {
+    ChartSeries series{.name = name, .colour = colour, .points = {}};
+    for (const StepReport& step : steps) series.points.emplace_back(step.time, value(step));
+    return series;
+}
+
+Chart motion_chart(const std::vector<StepReport>& steps) {
+    Chart chart{"Energy", time_axis, {.name = "energy", .unit = "J"}, {}};
+    chart.series.push_back(over_time(steps, "kinetic", blue, &StepReport::kinetic));
+    chart.series.push_back(over_time(steps, "gravity", vermillion, &StepReport::gravity));
+    chart.series.push_back(over_time(steps, "all five", black, [](const StepReport& step) {
+        return step.kinetic + step.gravity + step.bending + step.membrane + step.contact;
+    }));
+    chart.series.back().dashed = true;
+    return chart;
+}
+
+Chart elastic_chart(const std::vector<StepReport>& steps) {
+    Chart chart{"Elastic energy", time_axis, {.name = "energy", .unit = "J", .from_zero = true}, {}};
+    chart.series.push_back(over_time(steps, "bending", green, &StepReport::bending));
+    chart.series.push_back(over_time(steps, "membrane", purple, &StepReport::membrane));
+    chart.series.push_back(over_time(steps, "contact", orange, &StepReport::contact));
+    return chart;
+}
+
+Chart fragment_chart(const std::vector<StepReport>& steps) {
+    Chart chart{"Fragments", time_axis, {.name = "number", .whole = true, .from_zero = true}, {}};
+    chart.series.push_back(over_time(steps, "fragments", blue, &StepReport::fragments));
+    chart.series.back().stepped = true;
+    return chart;
+}
+
+Chart strain_chart(const std::vector<StepReport>& steps) {
+    Chart chart{"Peak strain of the unbroken hinges",
+                time_axis,
+                {.name = "strain", .unit = "1/m", .from_zero = true},
+                {}};
+    chart.series.push_back(over_time(steps, "strain", green, &StepReport::peak_strain));
+    return chart;
+}
+
+Chart size_chart(std::vector<Vector2d> sizes) {
+    return {"Fragment sizes, last frame",
+            {.name = "area at rest", .unit = "m\xc2\xb2", .logarithmic = true},
+            {.name = "fragments as large or larger", .logarithmic = true},
+            {{.name = "sizes", .colour = vermillion, .points = std::move(sizes), .dotted = true}}};
+}
+
+std::string heading(const Recording& recording, const RecordingHeader& header, const StepReport& last) {
+    return fmt::format("{}, seed {}: {:.4g} s, {} steps, {} fragments, {}",
+                       std::filesystem::path(header.scene_file).filename().string(), header.seed, last.time,
+                       last.step, last.fragments, recording.end());
+}
+
+struct PlotOptions {
+    std::filesystem::path recording, output;
+    bool force = false;
+};
+
+int plot(PlotOptions options) {
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.recording).replace_extension(".svg");
+    const Recording recording(options.recording);
+    check_free(options.output, options.force);
+    PendingFile pending(options.output, Fault::input);
+    pending.write(plot_svg(recording));
+    pending.publish(options.force);
+    fmt::print("{}\n", options.output.string());
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Vector2d> crack_length(const RecordingHeader& header, const Snapshot& last,
+                                   const CrackEvents& events, double end) {
+    std::vector<Vector2d> points{Vector2d::Zero()};
+    const auto rest = [&](Index vertex) -> Vector3d {
+        return header.rest_position.col(last.original.at(vertex));
+    };
+    for (const EdgeFailure& failure : events.failures) {
+        const double length = (rest(failure.vertices[0]) - rest(failure.vertices[1])).norm();
+        points.emplace_back(failure.time, points.back().y() + length);
+    }
+    points.emplace_back(std::max(end, points.back().x()), points.back().y());
+    return points;
+}
+
+std::vector<Vector2d> fragment_sizes(const RecordingHeader& header, const Snapshot& last) {
+    std::map<Index, double> areas;
+    for (std::size_t f = 0; f < last.faces.size(); ++f) areas[last.face_fragment[f]] += header.rest_area[f];
+    std::vector<Vector2d> sizes;
+    for (const auto& [fragment, area] : areas) sizes.emplace_back(area, 0);
+    std::ranges::sort(sizes, {}, [](const Vector2d& size) { return size.x(); });
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i].y() = static_cast<double>(sizes.size() - i);
+    return sizes;
+}
+
+std::string plot_svg(const Recording& recording) {
+    constexpr double width = 1000, panel_height = 270, heading_height = 44;
+    const RecordingHeader header = recording.header();
+    const std::vector<StepReport> steps = recording.steps();
+    const std::size_t frames = recording.frame_count();
+    if (steps.empty() || frames == 0)
+        throw Error("nothing has been recorded yet, so there is nothing to plot");
+    const Snapshot last = recording.frame(frames - 1);
+    const Chart cracks{"Length of all cracks",
+                       time_axis,
+                       {.name = "length at rest", .unit = "m", .from_zero = true},
+                       {{.name = "cracks",
+                         .colour = vermillion,
+                         .points = crack_length(header, last, recording.events(), steps.back().time),
+                         .stepped = true}}};
+    const Chart charts[] = {motion_chart(steps),   elastic_chart(steps),
+                            fragment_chart(steps), cracks,
+                            strain_chart(steps),   size_chart(fragment_sizes(header, last))};
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
+        "<text x=\"62\" y=\"30\" font-size=\"15\" fill=\"#444\">{2}</text>\n",
+        width, heading_height + 3 * panel_height, xml_escaped(heading(recording, header, steps.back())));
+    for (int i = 0; i < 6; ++i)
+        svg += chart_svg(charts[i], i % 2 * width / 2, heading_height + i / 2 * panel_height, width / 2,
+                         panel_height);
+    return svg + "</svg>\n";
+}
+
+void add_plot(CLI::App& program, Command& chosen) {
+    CLI::App* command =
+        program.add_subcommand("plot", "Draw energies, fragments and cracks of a run over time");
+    auto options = std::make_shared<PlotOptions>();
+    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+        ->required()
+        ->option_text("RUN.h5");
+    command->add_option("-o,--output", options->output, "SVG file (default: beside RUN.h5)")
+        ->option_text("FILE.svg");
+    command->add_flag("--force", options->force, "Replace a file that exists");
+    command->footer("Example:\n  sherd plot plate_drop.h5 -o plate.svg");
+    command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });
+}
+
+}  // namespace sherd

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// A line of a chart.
+struct ChartSeries {
+    std::string name;
+    std::string colour;            ///< as in SVG
+    std::vector<Vector2d> points;  ///< x ascending, in the axes' units; what is not finite is a gap
+    bool stepped = false;          ///< keeps its value until the next point
+    bool dashed = false;
+    bool dotted = false;  ///< with a dot at each point
+};
+
+/// One axis: `unit` is SI; the labels take a prefix that makes the numbers short.
+struct ChartAxis {
+    std::string name;
+    std::string unit = {};  ///< empty: a plain number
+    bool logarithmic = false;
+    bool whole = false;      ///< whole numbers only
+    bool from_zero = false;  ///< the axis begins at zero
+};
+
+struct Chart {
+    std::string title;
+    ChartAxis x, y;
+    std::vector<ChartSeries> series;
+};
+
+/// Round numbers, at most about `most`, that part [low, high]; always two at least.
+std::vector<double> round_ticks(double low, double high, int most, bool whole);
+
+/// Round numbers within [low, high], low > 0, on a logarithmic axis: 1, 2, 5, 10 and so on, or powers of ten
+/// alone.
+std::vector<double> logarithmic_ticks(double low, double high);
+
+/// The points that a line `columns` pixels wide needs: of each column the first, the last and the extremes.
+std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);
+
+/// An SVG group that shows the chart with its top left corner at (left, top), in pixels.
+std::string chart_svg(const Chart& chart, double left, double top, double width, double height);
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sherd {
+
+struct ViewOptions {
+    std::filesystem::path recording;
+    std::filesystem::path output;  ///< .html; empty: beside the recording, named like it
+    double megabytes = 64;         ///< of data in the page; frames are left out beyond
+    bool force = false;            ///< replace a file that exists
+};
+
+/// One page of HTML that plays a recording in a browser, from a file and without a network. Warns of frames
+/// that are left out. Throws Error (input) on a bad recording.
+std::string view_page(const ViewOptions& options, std::vector<std::string>& warnings);
+
+}  // namespace sherd

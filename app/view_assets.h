@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+/// Files that the build puts into the program.
+namespace sherd::view_assets {
+
+extern const std::string_view page;      ///< view_page.html, with %NAMES% for what is filled in
+extern const std::string_view three;     ///< three.js, minified (MIT licence)
+extern const std::string_view controls;  ///< three.js' OrbitControls
+
+}  // namespace sherd::view_assets

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "app/image.h"
+#include "app/render_stage.h"
+#include "meshops/error.h"
+#include "tests/support/program.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string two_sheets = R"(duration = 0.3
+[sheet.left]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.01 }
+material = { preset = "stoneware", thickness = 0.004 }
+[sheet.right]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.01 }
+material = { preset = "stoneware", thickness = 0.004 }
+)";
+
+std::string bytes_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// A recorded synthetic run in a folder of its own, drawn small.
+class Render : public ::testing::Test {
+  protected:
+    Render() : run(synthetic_run()) {
+        run.header.scene_text = two_sheets;
+        record(run, folder.path / "run.h5");
+    }
+
+    RenderOptions options(const std::string& output) const {
+        RenderOptions options;
+        options.recording = folder.path / "run.h5";
+        options.output = folder.path / output;
+        options.size = "96x54";
+        options.samples = 5;
+        return options;
+    }
+
+    std::string error_of(const RenderOptions& options) const {
+        try {
+            render_recording(options);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.fault, Fault::input) << error.what();
+            return error.what();
+        }
+        ADD_FAILURE() << "no error";
+        return "";
+    }
+
+    TemporaryDirectory folder;
+    SyntheticRun run;
+};
+
+// A picture that depended on how threads share the work could not be compared with yesterday's.
+TEST_F(Render, GivesTheSameBytesOnAnyNumberOfThreads) {
+    std::string first;
+    for (const int threads : {1, 2, 7}) {
+        RenderOptions wanted = options("picture.png");
+        wanted.threads = threads;
+        wanted.force = true;
+        render_recording(wanted);
+        const std::string bytes = bytes_of(folder.path / "picture.png");
+        ASSERT_GT(bytes.size(), 500u);
+        if (first.empty()) first = bytes;
+        EXPECT_EQ(bytes, first) << threads << " threads";
+    }
+}
+
+// Three fragments, a ground and shadows: a picture of one colour would show nothing.
+TEST_F(Render, ShowsEveryFragmentInItsColour) {
+    RenderOptions wanted = options("picture.png");
+    wanted.samples = 16;
+    render_recording(wanted);
+    const Image image = read_png(folder.path / "picture.png");
+    ASSERT_EQ(image.width, 96);
+    ASSERT_EQ(image.height, 54);
+    int blue = 0, orange = 0, green = 0;
+    for (Eigen::Index i = 0; i < image.colours.cols(); ++i) {
+        const Eigen::Vector3f c = image.colours.col(i);
+        blue += c.z() > c.x() + 0.15f && c.z() > c.y() + 0.05f;
+        orange += c.x() > c.y() + 0.1f && c.y() > c.z() + 0.15f;
+        green += c.y() > c.x() + 0.15f && c.y() > c.z() + 0.05f;
+    }
+    EXPECT_GT(blue, 30);
+    EXPECT_GT(orange, 30);
+    EXPECT_GT(green, 30);
+    EXPECT_LT(blue + orange + green, 96 * 54 / 2) << "there is ground around them";
+}
+
+TEST_F(Render, NumbersPicturesByFrameAndTellsTheirRange) {
+    RenderOptions wanted = options("pictures");
+    wanted.frames = "0,2";
+    wanted.colour = "speed";
+    const Rendering rendering = render_recording(wanted);
+    const fs::path expected = folder.path / "pictures";
+    EXPECT_EQ(rendering.files,
+              (std::vector<fs::path>{expected / "run_000000.png", expected / "run_000002.png"}));
+    EXPECT_TRUE(rendering.legend.starts_with("speed: 0 m/s")) << rendering.legend;
+    EXPECT_NE(bytes_of(rendering.files[0]), bytes_of(rendering.files[1]));
+    wanted.range = "0.5:2";
+    wanted.force = true;
+    EXPECT_TRUE(render_recording(wanted).legend.starts_with("speed: 0.5 m/s"));
+}
+
+TEST_F(Render, KeepsFilesThatExistUnlessForced) {
+    folder.write("picture.png", "the only copy");
+    const auto before = folder.contents();
+    EXPECT_NE(error_of(options("picture.png")).find("--force"), std::string::npos);
+    EXPECT_EQ(folder.contents(), before);
+    folder.write("film.mp4", "the only copy");
+    RenderOptions film = options("other.png");
+    film.film = folder.path / "film.mp4";
+    EXPECT_NE(error_of(film).find("film.mp4"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder.path / "other.png"));
+}
+
+TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
+    const auto before = folder.contents();
+    const auto refused = [&](auto RenderOptions::*member, const auto& value, const std::string& word) {
+        RenderOptions wanted = options("picture.png");
+        wanted.*member = value;
+        EXPECT_NE(error_of(wanted).find(word), std::string::npos) << word;
+    };
+    for (const std::string size : {"960", "0x5", "960x", "axb", "960x540x3", "-5x5", "20000x5"})
+        refused(&RenderOptions::size, size, "--size " + size);
+    for (const std::string camera :
+         {"", "1", "1,x", "1,2,3,4", "0,95", "0,0,0", "1,2,3,1,2,3", "1,2,3,4,5,6,0"})
+        refused(&RenderOptions::camera, camera, "--camera " + camera);
+    for (const std::string frames : {"3", "x", "5:9"})
+        refused(&RenderOptions::frames, frames, "--frames " + frames);
+    refused(&RenderOptions::colour, std::string("red"), "--color red");
+    refused(&RenderOptions::ground, std::string("grass"), "--ground grass");
+    refused(&RenderOptions::range, std::string("2:1"), "--range 2:1");
+    refused(&RenderOptions::range, std::string("1:2"), "--color strain or speed");
+    refused(&RenderOptions::samples, 0, "--samples 0");
+    refused(&RenderOptions::threads, -1, "--threads -1");
+    refused(&RenderOptions::frames, std::string("all"), "name a folder");
+    refused(&RenderOptions::output, folder.path / "no" / "such" / "folder", "such/folder");
+    refused(&RenderOptions::film, folder.path / "film.avi", ".mp4");
+    refused(&RenderOptions::recording, folder.path / "missing.h5", "missing.h5");
+    EXPECT_EQ(folder.contents(), before);
+}
+
+// A film of some pictures only, or one that a player cannot open, would be worse than none.
+TEST_F(Render, MakesAFilm) {
+    RenderOptions wanted = options("pictures");
+    wanted.frames = "all";
+    wanted.film = folder.path / "film.mp4";
+    const Rendering rendering = render_recording(wanted);
+    ASSERT_EQ(rendering.files.size(), 4u);
+    EXPECT_EQ(rendering.files.back(), wanted.film);
+    EXPECT_EQ(bytes_of(wanted.film).substr(4, 4), "ftyp");
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+}
+
+TEST_F(Render, SaysThatFfmpegIsMissing) {
+    const std::string path = getenv("PATH");
+    setenv("PATH", folder.path.c_str(), 1);
+    const ProgramResult result = run_sherd(
+        {"render", "run.h5", "-o", "picture.png", "--size", "16x9", "--film", "film.mp4"}, folder.path);
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("ffmpeg is not installed"), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4"));
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+}
+
+// A sheet drawn as thick as its scene says before --set would be drawn wrong.
+TEST_F(Render, TakesTheSceneAsItWasRun) {
+    run.header.scene_text += "# --set sheet.left.material.thickness=0.007\n# --set seed=3\n";
+    const Scene scene = recorded_scene(run.header);
+    EXPECT_EQ(scene.sheets[0].material.thickness, 0.007);
+    EXPECT_EQ(scene.sheets[1].material.thickness, 0.004);
+    EXPECT_EQ(scene.seed, 3);
+}
+
+TEST_F(Render, DrawsARecordingWhoseSceneItCannotRead) {
+    run.header.scene_text = "duration = ";
+    record(run, folder.path / "strange.h5");
+    const ProgramResult result =
+        run_sherd({"render", "strange.h5", "-o", "picture.png", "--size", "16x9"}, folder.path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("warning: the scene in the recording cannot be read"), std::string::npos);
+    EXPECT_EQ(read_png(folder.path / "picture.png").width, 16);
+    EXPECT_EQ(run_sherd({"render", "strange.h5", "-o", "axis.png", "--color", "axis"}, folder.path).exit_code,
+              2);
+}
+
+}  // namespace
+}  // namespace sherd::test

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plays the page of a recording in Chromium, without a display or a network, by real clicks and keys.
+
+usage: check_view.py PAGE SUMMARY PICTURE
+PAGE: of sherd view; SUMMARY: JSON of the recording's frames (check_recording.py); PICTURE: a screenshot to write.
+"""
+import json
+import pathlib
+import shutil
+import sys
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import Select, WebDriverWait
+
+OWN_BYTES_MOST = 1.5e6  # of the page without its data
+
+
+def browser():
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+                     "--enable-unsafe-swiftshader", "--window-size=1000,700", "--disable-dev-shm-usage",
+                     "--host-resolver-rules=MAP * ~NOTFOUND"):  # no network
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=webdriver.chrome.service.Service(shutil.which("chromedriver")), options=options)
+
+
+class Page:
+    def __init__(self, driver, file):
+        self.driver = driver
+        driver.get(file.resolve().as_uri())
+        self.wait_for(lambda: self.shown("frame") == 0)
+
+    def wait_for(self, condition):
+        WebDriverWait(self.driver, 60).until(lambda _: condition())
+
+    def shown(self, what):
+        value = self.driver.execute_script("return document.body.dataset[arguments[0]]", what)
+        return None if value is None else int(value)
+
+    def element(self, name):
+        return self.driver.find_element(By.ID, name)
+
+    def picture(self):
+        return self.driver.execute_script('return document.getElementById("stage").toDataURL()')
+
+    def press(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def colours(self):
+        """How many different colours the picture has."""
+        return self.driver.execute_script("""
+            const stage = document.getElementById("stage"), copy = document.createElement("canvas");
+            [copy.width, copy.height] = [stage.width, stage.height];
+            const context = copy.getContext("2d");
+            context.drawImage(stage, 0, 0);
+            const data = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+            return new Set(data).size;""")
+
+
+def check_playing(page, frames):
+    page.element("play").click()
+    page.wait_for(lambda: page.shown("frame") > 2)
+    page.press(Keys.SPACE)
+    stopped = page.shown("frame")
+    assert stopped <= page.shown("frame") <= stopped + 1
+    slider = page.element("time")
+    ActionChains(page.driver).click_and_hold(slider).move_by_offset(slider.size["width"] // 2 - 4, 0).release().perform()
+    page.wait_for(lambda: page.shown("frame") > len(frames) * 3 // 4)
+    while page.shown("frame") < len(frames) - 1:
+        page.press(Keys.ARROW_RIGHT)
+    assert page.shown("fragments") == frames[-1]["fragments"], page.shown("fragments")
+    assert page.shown("faces") == frames[-1]["faces"]
+    page.press(Keys.ARROW_LEFT)  # backwards the topology is built anew
+    assert page.shown("fragments") == frames[-2]["fragments"]
+    page.press(Keys.ARROW_RIGHT)
+
+
+def check_hiding(page, frames):
+    x, y = page.driver.execute_script("""
+        // A place on the picture where a fragment is.
+        for (let y = 100; y < 600; y += 20)
+            for (let x = 100; x < 900; x += 20)
+                if (fragmentAt({ clientX: x, clientY: y }) !== null) return [x, y];""")
+    stage = page.element("stage").rect
+    def click(keys=()):
+        chain = ActionChains(page.driver)
+        for key in keys:
+            chain.key_down(key)
+        chain.move_to_element_with_offset(page.element("stage"), x - stage["width"] / 2, y - stage["height"] / 2).click()
+        for key in keys:
+            chain.key_up(key)
+        chain.perform()
+    before = page.picture()
+    click([Keys.SHIFT])
+    page.wait_for(lambda: page.shown("faces") < frames[-1]["faces"])
+    alone = page.shown("faces")
+    assert page.picture() != before
+    page.element("all").click()
+    page.wait_for(lambda: page.shown("faces") == frames[-1]["faces"])
+    click()
+    page.wait_for(lambda: page.shown("faces") == frames[-1]["faces"] - alone)
+    page.element("all").click()
+    page.wait_for(lambda: page.shown("faces") == frames[-1]["faces"])
+
+
+def check_looks(page):
+    seen = {page.picture()}
+    for name in ("strain", "state", "fragment"):
+        Select(page.element("colour")).select_by_visible_text(name)
+        assert page.colours() > 50, f"{name}: an empty picture"
+        seen.add(page.picture())
+    slider = page.element("explode")
+    ActionChains(page.driver).move_to_element(slider).click().perform()
+    seen.add(page.picture())
+    ActionChains(page.driver).drag_and_drop_by_offset(page.element("stage"), 120, 40).perform()
+    seen.add(page.picture())
+    assert len(seen) == 5, "a colouring, the explosion or turning the view changes nothing"
+
+
+def main(file, summary, picture):
+    text = file.read_text()
+    begin = text.index('<script id="recording"')
+    own = len(text) - (text.index("</script>", begin) - begin)
+    assert own < OWN_BYTES_MOST, own
+    frames = [{"faces": surface["cells"], "fragments": int(surface["cell"]["fragment"][1]) + 1}
+              for surface in (frame["surface"] for frame in json.loads(summary.read_text()))]
+    driver = browser()
+    try:
+        page = Page(driver, file)
+        check_playing(page, frames)
+        check_hiding(page, frames)
+        check_looks(page)
+        driver.save_screenshot(str(picture))
+        errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
+        assert not errors, errors
+    finally:
+        driver.quit()
+    print(f"played {len(frames)} frames; {own} bytes without data")
+
+
+main(*map(pathlib.Path, sys.argv[1:]))
