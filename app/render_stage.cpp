@@ -102,13 +102,13 @@ void RenderStage::measure(const Recording& recording) {
 }
 
 void RenderStage::add_ground() {
-    // Sheets touch planes with their middle surface; as thick as they are drawn, they would sink in.
-    const double half = thickness.empty() ? 0 : *std::ranges::min_element(thickness) / 2;
     const auto add = [&](const Vector3d& point, const Vector3d& normal) {
-        planes.push_back({(point - half * normal - box.center()).cast<float>(), normal.cast<float>()});
+        planes.push_back({(point - box.center()).cast<float>(), normal.cast<float>()});
     };
     if (scene_spec)
-        for (const PlaneSpec& plane : scene_spec->planes) add(plane.point, plane.normal);
+        for (const ObstacleSpec& obstacle : scene_spec->obstacles)
+            if (const auto* plane = std::get_if<PlaneShape>(&obstacle.shape))
+                add(plane->point, plane->normal.normalized());
     if (planes.empty()) add((lowest - 0.01 * box.diagonal().norm()) * up, up);
 }
 

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the scenes whole and prints a table of what passes through what in their frames.
+
+    tests/benchmarks/contact_table.py build/release/app/sherd [SCENE...]
+
+Without SCENE all of scenes/. Takes minutes. Exit code 1 when anything passes through anything, but for the lips of cracks.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SCENES = pathlib.Path(__file__).parents[2] / "scenes"
+
+
+def main():
+    program = pathlib.Path(sys.argv[1]).resolve()
+    counter = program.parents[1] / "tests" / "benchmarks" / "frame_intersections"
+    scenes = [pathlib.Path(name) for name in sys.argv[2:]] or sorted(SCENES.glob("*.toml"))
+    print("| scene | faces | steps | frames | passing pairs | lip pairs at most | lip overlap (µm) |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    passing = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in scenes:
+            recording = pathlib.Path(folder) / f"{scene.stem}.h5"
+            subprocess.run([program, "run", scene, "-o", recording], check=True, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+            row = subprocess.run([counter, recording], check=True, stdout=subprocess.PIPE, text=True).stdout
+            print(row, end="", flush=True)
+            passing += int(row.split("|")[5])
+    return 1 if passing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// frame_intersections RUN.h5...: of each recording a row of a table, what passes through what in all its
+// frames.
+#include "tests/support/frame_intersections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/recording.h"
+
+namespace sherd {
+namespace {
+
+Mesh mesh_of(const Snapshot& frame) {
+    Mesh mesh;
+    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
+        mesh.add_vertex(Point(frame.position(0, v), frame.position(1, v), frame.position(2, v)));
+    for (const auto& face : frame.faces) mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2]));
+    return mesh;
+}
+
+void print_row(const std::filesystem::path& file) {
+    const Recording recording(file);
+    std::size_t passing = 0, lips = 0;
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        const Snapshot frame = recording.frame(i);
+        const test::FrameIntersections found = test::frame_intersections(frame, mesh_of(frame));
+        passing += found.passing.size();
+        lips = std::max(lips, found.lips);
+    }
+    double overlap = 0;
+    for (const StepReport& step : recording.steps()) overlap = std::max(overlap, step.lip_overlap);
+    const Snapshot last = recording.frame(recording.frame_count() - 1);
+    fmt::print("| {} | {:L} | {} | {} | {} | {} | {:.2g} |\n", file.stem().string(), last.faces.size(),
+               recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * overlap);
+}
+
+}  // namespace
+}  // namespace sherd
+
+int main(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) sherd::print_row(argv[i]);
+}
