@@ -14,14 +14,14 @@ constexpr int max_iterations = 500;
 }  // namespace
 
 double approach(PairKind kind, const PairPositions& displacement) {
-    // The elements' mean motions against each other, and how far their vertices depart from the means.
+    // Points of the elements move by weighted means of their vertices' motions, so against each other by no
+    // more than the two vertices do that move most.
     const int first = vertices_of_first(kind);
-    const auto bound = [](const auto& motion, const Vector3d& mean) {
-        return std::sqrt((motion.colwise() - mean).colwise().squaredNorm().maxCoeff());
-    };
-    const auto one = displacement.leftCols(first), other = displacement.rightCols(4 - first);
-    const Vector3d mean = one.rowwise().mean(), other_mean = other.rowwise().mean();
-    return (mean - other_mean).norm() + bound(one, mean) + bound(other, other_mean);
+    double most = 0;
+    for (int i = 0; i < first; ++i)
+        for (int j = first; j < 4; ++j)
+            most = std::max(most, (displacement.col(i) - displacement.col(j)).squaredNorm());
+    return std::sqrt(most);
 }
 
 double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement, double minimum,

@@ -55,13 +55,18 @@ struct Best {
 };
 
 /// The pair as if both elements went on for ever: start + s first + t second in the weights.
-Closest both_inside(const PairPositions& x, const Direction& start, const Direction& first,
-                    const Direction& second) {
-    const Vector2d parameter = minimising(x.lazyProduct(start), x.lazyProduct(first), x.lazyProduct(second));
+Closest both_inside(PairKind kind, const PairPositions& x) {
     Closest closest;
-    closest.directions << first, second;
-    closest.weights = start + closest.directions * parameter;
     closest.freedom = 2;
+    if (kind == PairKind::edge_edge) {
+        const Vector2d at = minimising(x.col(0) - x.col(2), x.col(1) - x.col(0), x.col(2) - x.col(3));
+        closest.weights << 1 - at[0], at[0], at[1] - 1, -at[1];
+        closest.directions << -1, 0, 1, 0, 0, 1, 0, -1;
+    } else {
+        const Vector2d at = minimising(x.col(0) - x.col(1), x.col(1) - x.col(2), x.col(1) - x.col(3));
+        closest.weights << 1, at[0] + at[1] - 1, -at[0], -at[1];
+        closest.directions << 0, 0, 1, 1, -1, 0, 0, -1;
+    }
     return closest;
 }
 
@@ -90,9 +95,7 @@ Closest closest_points(PairKind kind, const PairPositions& x) {
         best.improve(vertex_edge(x, 0, 2, 3));
         best.improve(vertex_edge(x, 0, 3, 1));
     }
-    const PairPositions local = x.colwise() - x.col(0);
-    const Closest inside = edges ? both_inside(local, {1, 0, -1, 0}, {-1, 1, 0, 0}, {0, 0, 1, -1})
-                                 : both_inside(local, {1, -1, 0, 0}, {0, 1, -1, 0}, {0, 1, 0, -1});
+    const Closest inside = both_inside(kind, x);
     const Direction w = edges ? Direction(inside.weights.cwiseProduct(Direction(1, 1, -1, -1)))
                               : Direction(inside.weights.cwiseProduct(Direction(1, -1, -1, -1)));
     if ((w.array() > 0).all()) best.improve(inside);  // not so for NaN, of parallel directions

@@ -10,7 +10,8 @@ namespace {
 constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
 
 Positions less_mean(const Positions& motion) {
-    return motion.colwise() - motion.rowwise().mean();
+    const Vector3d mean = motion.rowwise().mean();  // once, not for every column
+    return motion.colwise() - mean;
 }
 
 }  // namespace

@@ -30,11 +30,9 @@ bool within(double limit, const ContactPair& pair, const Positions& x) {
 /// the thinnest sheet: where the sheet is going to be for some time, and in one step.
 constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
 
-/// The first motion of a step says where the next steps are going to lead, which are taken in, but for those
-/// that would lead far.
+/// How many steps like this one to look for candidates for, unless they lead far. motion: less its mean, m.
 double lookahead(const Positions& motion, double unit) {
-    const double most = (motion.colwise() - motion.rowwise().mean()).colwise().norm().maxCoeff();
-    return std::max(1.0, std::min(10.0, 12 * unit / most));
+    return std::clamp(12 * unit / motion.colwise().norm().maxCoeff(), 1.0, 10.0);
 }
 
 double thinnest_half(const ContactSurface& surface) {
@@ -57,8 +55,8 @@ const std::vector<ContactPair>& SheetContact::candidates(const Positions& x, con
     const double unit = thinnest_half(surface);
     near = Neighbourhood(x, motion, margin_of_step * unit);
     if (!found.neighbourhood().contains(near))
-        found = ContactCandidates(surface,
-                                  Neighbourhood(x, lookahead(motion, unit) * motion, margin_of_all * unit));
+        found = ContactCandidates(
+            surface, Neighbourhood(x, lookahead(near.motion, unit) * motion, margin_of_all * unit));
     pairs = found.pick(surface, near);
     return pairs;
 }
