@@ -10,7 +10,7 @@ namespace sherd {
 
 struct ExportOptions {
     std::filesystem::path recording;
-    std::string format = "obj";    ///< a name of export_formats()
+    std::string format = "obj";    ///< a name of export_format_names()
     std::filesystem::path output;  ///< file (NAME.obj) or folder; empty: beside the recording, named like it
     std::string frames;            ///< last, all, numbers, ranges START:STOP:STEP; empty: the format's own
     bool fragments = false;        ///< one object (obj) or one file (ply, stl) for each fragment

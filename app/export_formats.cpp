@@ -2,6 +2,7 @@
 #include "app/export_formats.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -37,17 +38,35 @@ void check_option(const ExportFormat& format, bool given, const char* option, bo
         throw Error(fmt::format("--to {} does not know {}; {} do", format.name, option, names_where(known)));
 }
 
+void check_choice(const char* option, const std::string& given, const std::vector<std::string>& known) {
+    if (std::ranges::find(known, given) == known.end())
+        throw Error(
+            fmt::format("{} {}: there is no such choice; give {}", option, given, fmt::join(known, " or ")));
+}
+
+void check_length(const char* option, const std::optional<double>& given) {
+    if (given && !(*given > 0 && std::isfinite(*given)))
+        throw Error(fmt::format("{} {}: give a length in m, above 0", option, *given));
+}
+
 void check_values(const ExportOptions& options) {
-    constexpr std::array qualities{"strain", "speed", "fragment"};
-    if (std::ranges::find(qualities, options.quality) == qualities.end())
-        throw Error(fmt::format("--quality {}: there is no such quantity; give strain, speed or fragment",
-                                options.quality));
-    if (options.animate != "rigid" && options.animate != "morph")
-        throw Error(fmt::format("--animate {}: there is no such way; give rigid or morph", options.animate));
-    if (options.voxel && !(*options.voxel > 0 && std::isfinite(*options.voxel)))
-        throw Error(fmt::format("--voxel {}: give a size in m, above 0", *options.voxel));
-    if (options.thickness && !(*options.thickness > 0 && std::isfinite(*options.thickness)))
-        throw Error(fmt::format("--thickness {}: give a thickness in m, above 0", *options.thickness));
+    check_choice("--quality", options.quality, {"strain", "speed", "fragment"});
+    check_choice("--animate", options.animate, {"rigid", "morph"});
+    check_length("--voxel", options.voxel);
+    check_length("--thickness", options.thickness);
+}
+
+/// An option that changes nothing is a mistake.
+void check_use(const ExportOptions& options, const ExportOptions& standard) {
+    const auto require = [](bool holds, const char* option, const char* use) {
+        if (!holds) throw Error(fmt::format("{} has a meaning {} only", option, use));
+    };
+    const std::string& format = options.format;
+    require(options.quality == standard.quality || format == "ply", "--quality", "with --to ply");
+    require(options.animate == standard.animate || format == "glb", "--animate", "with --to glb");
+    require(!options.voxel || format == "vdb", "--voxel", "with --to vdb");
+    require(!options.thickness || options.solid || format == "vdb", "--thickness",
+            "with --solid or --to vdb");
 }
 
 }  // namespace
@@ -64,6 +83,7 @@ const ExportFormat& export_format(const ExportOptions& options) {
     check_option(*format, options.fragments, "--fragments", &ExportFormat::fragments);
     check_option(*format, options.solid, "--solid", &ExportFormat::solid);
     check_values(options);
+    check_use(options, {});
     return *format;
 }
 

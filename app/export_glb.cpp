@@ -2,6 +2,7 @@
 // glb: the fragments of the last frame as nodes, moved rigidly or by morph targets.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/export_clip.h"
@@ -65,12 +66,15 @@ class Animation {
   private:
     void add_times(GlbScene& scene);
     void add_nodes(GlbScene& scene);
+    void add_bodies(GlbScene& scene);
     void add_motions(GlbScene& scene);
     void add_shapes(GlbScene& scene);
+    void warn_of_deviation(double deviation);
 
     ExportSource& source;
     Clip& clip;
-    double largest_deviation = 0;  ///< m, of the recording from the rigid motions
+    std::vector<std::vector<std::size_t>> vertices;  ///< of each fragment
+    std::vector<std::vector<Vector3d>> local;        ///< their places about the fragment's centroid, m
 };
 
 GlbScene Animation::scene() {
@@ -79,10 +83,12 @@ GlbScene Animation::scene() {
     scene.double_sided = !source.options.solid;
     add_times(scene);
     add_nodes(scene);
-    if (source.options.animate == "morph")
+    if (source.options.animate == "morph") {
         add_shapes(scene);
-    else
+    } else {
+        add_bodies(scene);
         add_motions(scene);
+    }
     return scene;
 }
 
@@ -101,39 +107,46 @@ void Animation::add_nodes(GlbScene& scene) {
 }
 
 /// Each node has the last frame's shape about its centroid.
-void Animation::add_motions(GlbScene& scene) {
-    const std::vector<Vector3d> last = clip.sheet_points(clip.frame_count() - 1),
-                                last_body = clip.points(clip.frame_count() - 1);
+void Animation::add_bodies(GlbScene& scene) {
+    const std::size_t last = clip.frame_count() - 1;
+    const std::vector<Vector3d> sheet_points = clip.sheet_points(last), points = clip.points(last);
     const TriangleSheet sheet = frame_sheet(source.frame(source.frames().back()));
-    std::vector<std::vector<Vector3d>> local;
-    std::vector<std::vector<std::size_t>> used;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-        GlbNode& node = scene.nodes[i];
-        used.push_back(group_points(sheet, static_cast<Index>(i)));
-        const Eigen::Isometry3d to_origin(Eigen::Translation3d(-centroid(gathered(last, used[i]))));
-        local.push_back(moved(gathered(last, used[i]), to_origin));
-        const auto body = gathered(last_body, group_points(clip.topology(), static_cast<Index>(i)));
-        GlbShape shape{moved(body, to_origin), {}};
-        shape.normals = normals(shape.points, node.triangles, source.options.solid);
-        node.shapes.push_back(shape);
+        const auto fragment = static_cast<Index>(i);
+        vertices.push_back(group_points(sheet, fragment));
+        const std::vector<Vector3d> own = gathered(sheet_points, vertices[i]);
+        const Eigen::Isometry3d to_origin(Eigen::Translation3d(-centroid(own)));
+        local.push_back(moved(own, to_origin));
+        GlbShape shape{moved(gathered(points, group_points(clip.topology(), fragment)), to_origin), {}};
+        shape.normals = normals(shape.points, scene.nodes[i].triangles, source.options.solid);
+        scene.nodes[i].shapes.push_back(shape);
     }
+}
+
+void Animation::add_motions(GlbScene& scene) {
+    double deviation = 0;
     for (std::size_t k = 0; k < clip.frame_count(); ++k) {
         const std::vector<Vector3d> points = clip.sheet_points(k);
         for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-            const std::vector<Vector3d> target = gathered(points, used[i]);
+            const std::vector<Vector3d> target = gathered(points, vertices[i]);
             const Eigen::Isometry3d motion = best_fit(local[i], target);
             scene.nodes[i].motions.push_back(motion);
-            const Positions deviation = columns(moved(local[i], motion)) - columns(target);
-            largest_deviation = std::max(largest_deviation, deviation.colwise().norm().maxCoeff());
+            const Positions off = columns(moved(local[i], motion)) - columns(target);
+            deviation = std::max(deviation, off.colwise().norm().maxCoeff());
         }
     }
-    const Positions all = columns(last);
+    warn_of_deviation(deviation);
+}
+
+/// deviation: m, of the recording from the rigid motions.
+void Animation::warn_of_deviation(double deviation) {
+    const Positions all = columns(clip.sheet_points(clip.frame_count() - 1));
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
-    if (largest_deviation > 0.01 * size)
+    if (deviation > 0.01 * size)
         source.warnings.push_back(
             fmt::format("the fragments bend: rigid motion is up to {:.2g} m off the recording; --animate "
                         "morph shows how",
-                        largest_deviation));
+                        deviation));
 }
 
 void Animation::add_shapes(GlbScene& scene) {

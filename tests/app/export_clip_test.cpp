@@ -4,6 +4,7 @@
 #include <openvdb/openvdb.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -142,6 +143,16 @@ struct Glb {
     std::string data;
 };
 
+/// Whether each edge is walked through once in each direction.
+bool is_closed(const std::vector<std::uint32_t>& indices) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> walked;
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        for (int k = 0; k < 3; ++k) ++walked[{indices[i + k], indices[i + (k + 1) % 3]}];
+    return std::ranges::all_of(walked, [&](const auto& edge) {
+        return edge.second == 1 && walked.contains({edge.first.second, edge.first.first});
+    });
+}
+
 /// Where the recorded corners of a fragment of the last frame are in a frame, face by face.
 Cloud corners(const SyntheticRun& run, Index fragment, std::size_t frame) {
     Cloud cloud;
@@ -244,8 +255,9 @@ TEST_F(Export, GlbIsWellFormed) {
                             normals = glb.cloud(attributes["NORMAL"]);
                 ASSERT_EQ(points.size(), normals.size());
                 for (const auto& normal : normals) EXPECT_NEAR(normal.norm(), 1, 1e-5);
-                for (const auto i : glb.values<std::uint32_t>(mesh["primitives"][0]["indices"], 1))
-                    ASSERT_LT(i, points.size());
+                const auto indices = glb.values<std::uint32_t>(mesh["primitives"][0]["indices"], 1);
+                EXPECT_EQ(is_closed(indices), solid);
+                for (const auto i : indices) ASSERT_LT(i, points.size());
                 const Json& accessor = glb.json["accessors"][attributes["POSITION"].get<std::size_t>()];
                 for (int axis = 0; axis < 3; ++axis)
                     for (const auto& point : points) {

@@ -128,7 +128,7 @@ TEST_F(Export, ThicknessComesFromTheRecordingOrTheUser) {
     export_recording(wanted);
     for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         wanted.thickness = bad;
-        EXPECT_NE(error_of(wanted).find("--thickness"), std::string::npos);
+        EXPECT_NE(error_of(wanted).find("above 0"), std::string::npos);
     }
 }
 
@@ -152,7 +152,13 @@ TEST_F(Export, RefusesOptionsThatTheFormatDoesNotKnow) {
     EXPECT_NE(error_of(wanted).find("--fragments"), std::string::npos);
     wanted = options("ply", "out.ply");
     wanted.quality = "colour";
-    EXPECT_NE(error_of(wanted).find("strain, speed or fragment"), std::string::npos);
+    EXPECT_NE(error_of(wanted).find("strain or speed or fragment"), std::string::npos);
+    wanted = options("obj", "out.obj");
+    wanted.thickness = 1e-3;
+    EXPECT_NE(error_of(wanted).find("--solid"), std::string::npos) << "it would change nothing";
+    wanted = options("obj", "out.obj");
+    wanted.animate = "morph";
+    EXPECT_NE(error_of(wanted).find("--to glb"), std::string::npos);
     EXPECT_EQ(folder.contents(), before);
 }
 

@@ -2,9 +2,13 @@
 #include "app/render.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "app/image.h"
 #include "app/render_stage.h"
@@ -176,6 +180,48 @@ TEST_F(Render, SaysThatFfmpegIsMissing) {
     EXPECT_NE(result.err.find("ffmpeg is not installed"), std::string::npos) << result.err;
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4"));
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+}
+
+// Ctrl-C in the middle of a film: what is there must open, and nothing else may be there.
+TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
+    std::vector<std::string> words{SHERD_PROGRAM, "render", "run.h5",    "-o",  "pictures",
+                                   "--frames",    "all",    "--samples", "120", "--film",
+                                   "film.mp4",    "--size", "400x300"};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+        if (chdir(folder.path.c_str()) == 0) execv(arguments[0], arguments.data());
+        _exit(127);
+    }
+    const fs::path first = folder.path / "pictures" / "run_000000.png";
+    for (int i = 0; i < 6000 && !fs::exists(first); ++i) usleep(10'000);
+    kill(child, SIGINT);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(read_png(first).width, 400);
+    for (const auto& entry : fs::directory_iterator(folder.path / "pictures")) {
+        EXPECT_EQ(entry.path().extension(), ".png") << entry.path();
+        EXPECT_EQ(read_png(entry.path()).height, 300);
+    }
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4")) << "a film of some pictures only";
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+}
+
+// The frame in which a run blew up is the one that its user wants to see.
+TEST_F(Render, DrawsWhatIsLeftOfARunThatBlewUp) {
+    run.frames[2].position(0, 3) = std::numeric_limits<double>::quiet_NaN();
+    run.frames[2].position(2, 9) = std::numeric_limits<double>::infinity();
+    record(run, folder.path / "blown.h5");
+    RenderOptions wanted = options("picture.png");
+    wanted.recording = folder.path / "blown.h5";
+    render_recording(wanted);
+    const Image image = read_png(folder.path / "picture.png");
+    EXPECT_TRUE(image.colours.allFinite());
+    EXPECT_GT((image.colours.rowwise().maxCoeff() - image.colours.rowwise().minCoeff()).minCoeff(), 0.2f);
 }
 
 // A sheet drawn as thick as its scene says before --set would be drawn wrong.
