@@ -107,8 +107,10 @@ void read_root(TomlTable& root, Scene& scene) {
     scene.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), scene.seed);
     read_sheets(root, scene);
     if (auto obstacles = root.table("obstacle"))
-        for (auto& [name, table] : obstacles->entries())
-            scene.obstacles.push_back(read_obstacle(name, table));
+        for (auto& [name, table] : obstacles->entries()) {
+            const ObstacleSpec obstacle = read_obstacle(name, table, scene.file.parent_path());
+            (obstacle.free ? scene.bodies : scene.obstacles).push_back(obstacle);
+        }
     if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
     root.finish();

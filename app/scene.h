@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/material_axis.h"
+#include "app/mesh_spec.h"
 #include "app/obstacle_spec.h"
 #include "app/score.h"
 #include "app/strength_map.h"
@@ -20,24 +21,6 @@
 #include "fracture/breaking.h"
 
 namespace sherd {
-
-/// A generated mesh: `mesh = { generate = "plate", radius = 0.13, edge_length = 0.004 }`.
-struct GeneratedMesh {
-    std::string shape;       ///< rectangle, disc, cylinder, sphere, plate, bowl, revolution
-    double edge_length = 0;  ///< m
-    bool structured = false;
-    double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
-    std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
-};
-
-/// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", repair = true }`.
-struct MeshFile {
-    std::filesystem::path path;  ///< as seen from the working directory
-    bool repair = false;
-    bool join = false;  ///< join duplicate points
-    double scale = 1;   ///< metres per unit of the file
-    double remesh = 0;  ///< m, target edge length; 0: as it is
-};
 
 /// Where the vertices are that something holds.
 struct Selection {
@@ -110,8 +93,9 @@ struct Scene {
     double duration = 0;  ///< s
     std::int64_t seed = 1;
     std::vector<SheetSpec> sheets;
-    std::vector<ObstacleSpec> obstacles;
-    Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    std::vector<ObstacleSpec> obstacles;  ///< that rest, or move by keys
+    std::vector<ObstacleSpec> bodies;     ///< that are free
+    Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
     ContactSpec contact;
     SolverSpec solver;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "app/scene_shape.h"
-#include "app/toml_table.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
 #include "meshops/generate.h"
@@ -37,8 +36,7 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
 }
 
 Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
-    Mesh mesh = read_mesh(spec.path, {.join_duplicate_points = spec.join, .repair = spec.repair}, warnings);
-    if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
+    const Mesh mesh = read_mesh(spec, warnings);
     if (spec.remesh == 0) return mesh;
     const double faces = expected_faces(measure(mesh).area, spec.remesh);
     if (faces > most_faces)
@@ -49,6 +47,22 @@ Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings
 }
 
 }  // namespace
+
+MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory) {
+    MeshFile mesh;
+    const std::string name = table.string("file", "the name of a mesh file");
+    mesh.path = directory / name;
+    mesh.repair = table.flag("repair", false);
+    mesh.join = table.flag("join", false);
+    mesh.scale = table.number("scale", "m per unit of the file", positive, 1);
+    return mesh;
+}
+
+Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
+    Mesh mesh = read_mesh(spec.path, {.join_duplicate_points = spec.join, .repair = spec.repair}, warnings);
+    if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
+    return mesh;
+}
 
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
     std::vector<std::string> found;

@@ -6,9 +6,16 @@
 #include <vector>
 
 #include "app/scene.h"
+#include "app/toml_table.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
+
+/// Reads the keys that meshes from files have in common: file, repair, join, scale.
+MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory);
+
+/// The mesh of a file, scaled; not remeshed. Throws Error; warnings begin with the file.
+Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
 
 /// The mesh of a sheet where the scene places it: generated (with the scene's seed), or read, scaled and
 /// remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.

@@ -3,24 +3,13 @@
 
 #include "app/scene_fracture.h"
 #include "app/scene_material.h"
+#include "app/scene_mesh.h"
 #include "app/scene_place.h"
 #include "app/scene_shape.h"
 #include "app/scene_support.h"
 
 namespace sherd {
 namespace {
-
-MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory) {
-    MeshFile mesh;
-    const std::string name = table.string("file", "the name of a mesh file");
-    mesh.path = directory / name;
-    mesh.repair = table.flag("repair", false);
-    mesh.join = table.flag("join", false);
-    mesh.scale = table.number("scale", "m per unit of the file", positive, 1);
-    if (table.has("remesh")) mesh.remesh = table.number("remesh", "m, target edge length", positive);
-    table.finish();
-    return mesh;
-}
 
 std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
                                                      const std::filesystem::path& directory) {
@@ -40,7 +29,10 @@ std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
     if (!generated && !from_file) table->report("", "needs one of generate and file");
     if (generated == from_file) return GeneratedMesh{};
     if (generated) return read_shape(*table);
-    return read_mesh_file(*table, directory);
+    MeshFile mesh = read_mesh_file(*table, directory);
+    if (table->has("remesh")) mesh.remesh = table->number("remesh", "m, target edge length", positive);
+    table->finish();
+    return mesh;
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "app/obstacle_shape.h"
 #include "app/scene_force.h"
 #include "app/scene_mesh.h"
-#include "app/scene_obstacle.h"
 #include "app/scene_start.h"
 #include "app/scene_support.h"
 #include "app/sheet_start.h"
@@ -77,8 +77,10 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     options.damping = scene.solver.damping;
     options.sheet_contact = scene.contact.sheets;
     options.sheet_friction = scene.contact.friction;
-    options.obstacles = make_obstacles(scene);
-    require_free_start(scene, inputs, options.obstacles, warnings);
+    options.obstacles = make_obstacles(scene, scene.obstacles, warnings);
+    options.bodies = make_bodies(scene);
+    require_free_start(scene, inputs, scene.obstacles, options.obstacles, warnings);
+    require_free_start(scene, inputs, scene.bodies, make_obstacles(scene, scene.bodies, warnings), warnings);
     const BreakableSheet all(inputs);
     if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);

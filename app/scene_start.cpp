@@ -49,15 +49,15 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 }  // namespace
 
 void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs,
-                        const std::vector<Obstacle>& obstacles, std::vector<std::string>& warnings) {
+                        const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
+                        std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
             const StartOverlap found = start_overlap(inputs[s], obstacles[o]);
             if (found.count == 0) continue;
             const bool deep = found.depth > deepest_start * inputs[s].material.thickness;
-            (deep ? mistakes : warnings)
-                .push_back(message(scene.sheets[s], inputs[s], scene.obstacles[o], found));
+            (deep ? mistakes : warnings).push_back(message(scene.sheets[s], inputs[s], specs[o], found));
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

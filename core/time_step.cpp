@@ -13,7 +13,9 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       bending(sheet.hinges, options.bending),
       membrane(sheet.triangles),
       mirrors(sheet, this->options.mirrors),
-      lips(sheet.lips) {
+      lips(sheet.lips),
+      start_bodies(options.bodies),
+      moved_bodies(options.bodies) {
     if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
 
@@ -31,7 +33,11 @@ void TimeStep::prepare() {
     obstacle_contact.clear();
     for (const Obstacle& obstacle : options.obstacles)
         obstacle_contact.emplace_back(sheet, obstacle, start, step);
+    body_contact.clear();
+    for (const RigidBody& body : start_bodies)
+        body_contact.emplace_back(sheet, body, this->options.obstacles, options.gravity, start, step);
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
+    for (const BodyContact& contact : body_contact) energies.push_back(&contact);
     for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
     if (sheet_contact) {
         energies.push_back(sheet_contact.get());
@@ -44,6 +50,7 @@ void TimeStep::prepare() {
 void TimeStep::begin(double length) {
     step = length;
     start = time;
+    start_bodies = moved_bodies;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const Positions motion = potential->predicted() - sheet.position;
@@ -65,6 +72,7 @@ void TimeStep::stencils_changed() {
 }
 
 void TimeStep::finish() {
+    for (std::size_t i = 0; i < body_contact.size(); ++i) moved_bodies[i] = body_contact[i].moved(position);
     sheet.velocity = (position - sheet.position) / step;
     sheet.position = position;
     time = start + step;
@@ -76,6 +84,8 @@ PotentialEnergies TimeStep::energies() const {
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const ObstacleContact& contact : obstacle_contact) sum.contact += contact.stored_energy(position);
+    for (const BodyContact& contact : body_contact) sum.contact += contact.stored_energy(position);
+    for (const RigidBody& body : moved_bodies) sum.gravity -= body.mass * options.gravity.dot(body.centre);
     if (sheet_contact) sum.contact += sheet_contact->value(position) + lips.value(position);
     return sum;
 }
@@ -83,6 +93,7 @@ PotentialEnergies TimeStep::energies() const {
 Index TimeStep::contacts() const {
     Index count = 0;
     for (const ObstacleContact& contact : obstacle_contact) count += contact.contacts(position);
+    for (const BodyContact& contact : body_contact) count += contact.contacts(position);
     return count;
 }
 

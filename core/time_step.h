@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/contact/body_contact.h"
 #include "core/contact/obstacle_contact.h"
 #include "core/contact/sheet_contact.h"
 #include "core/damping.h"
@@ -19,6 +20,7 @@ struct TimeStepOptions {
     BendingOptions bending;         ///< energy and Jacobian of the hinges
     NewtonOptions newton;
     std::vector<Obstacle> obstacles;
+    std::vector<RigidBody> bodies;  ///< at the start
     std::vector<Load> loads;
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
@@ -52,7 +54,9 @@ class TimeStep {
     void finish();
 
     PotentialEnergies energies() const;  ///< of `position`
-    Index contacts() const;              ///< vertices that touch an obstacle, at `position`
+    Index contacts() const;              ///< vertices that touch an obstacle or a body, at `position`
+    /// At the end of the last finished step.
+    const std::vector<RigidBody>& bodies() const { return moved_bodies; }
     double lip_overlap() const { return lips.largest_overlap(position); }  ///< m
 
     Positions position;  ///< [3, V] m, at the end of the open step
@@ -68,10 +72,12 @@ class TimeStep {
     BendingEnergy bending;
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
+    std::vector<BodyContact> body_contact;
     std::vector<ObstacleContact> obstacle_contact;  ///< of the open step, or the last one
     std::unique_ptr<SheetContact> sheet_contact;    ///< none if not asked for
     LipContact lips;
-    std::vector<std::unique_ptr<Energy>> of_step;  ///< that refer to its beginning: loads, damping
+    std::vector<RigidBody> start_bodies, moved_bodies;  ///< at `start` and at `time`
+    std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;
 };

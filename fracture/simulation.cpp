@@ -28,6 +28,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.step = options.step;
     result.gravity = options.gravity;
     result.obstacles = options.obstacles;
+    result.bodies = options.bodies;
     result.bending = options.bending;
     result.loads = options.loads;
     result.mirrors = options.mirrors;
@@ -187,6 +188,11 @@ void Simulation::finish(StepReport& report) {
     report.contact = potential.contact;
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
+    for (const RigidBody& body : bodies()) {
+        report.kinetic += body.kinetic_energy();
+        report.linear_momentum += body.mass * body.velocity;
+        report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
+    }
     report.contacts = time_step.contacts();
     report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();

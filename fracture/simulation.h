@@ -21,8 +21,9 @@ struct SimulationOptions {
     double step = 1e-4;             ///< s; one that cannot be solved is halved
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     std::vector<Obstacle> obstacles;
-    BendingOptions bending;   ///< energy and Jacobian of the hinges
-    std::vector<Load> loads;  ///< on the triangles of all sheets, numbered in the order of the inputs
+    std::vector<RigidBody> bodies;  ///< at the start
+    BendingOptions bending;         ///< energy and Jacobian of the hinges
+    std::vector<Load> loads;        ///< on the triangles of all sheets, numbered in the order of the inputs
     std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
     std::vector<SlidingVertex> sliding;
     Damping damping;
@@ -49,6 +50,7 @@ class Simulation {
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
+    const std::vector<RigidBody>& bodies() const { return time_step.bodies(); }
     /// The crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s

@@ -1,63 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenVDB's headers take long to compile: they are read in as few files as can be.
 #include "meshops/float_grid.h"
 
-#include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Interpolation.h>
 
-#include <cerrno>
-#include <fstream>
-#include <map>
-#include <system_error>
-
-#include "meshops/error.h"
+#include "meshops/vdb_file.h"
 
 namespace sherd {
-namespace {
-
-openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw Error("is a folder, an OpenVDB file is needed");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw Error("cannot read the grids: " + std::generic_category().message(errno));
-    openvdb::initialize();
-    // OpenVDB looks at what it has read only now and then: a file cut short would give random values.
-    stream.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-    try {
-        const bool delay_loading = false;
-        return *openvdb::io::Stream(stream, delay_loading).getGrids();
-    } catch (const std::ios::failure&) {
-        throw Error("damaged OpenVDB file: it ends early");
-    } catch (const std::exception& error) {
-        throw Error(std::string("damaged OpenVDB file, or none: ") + error.what());
-    }
-}
-
-std::string joined(const std::map<std::string, openvdb::FloatGrid::Ptr>& grids) {
-    std::string names;
-    for (const auto& [name, grid] : grids) names += (names.empty() ? "'" : ", '") + name + "'";
-    return names;
-}
-
-openvdb::FloatGrid::Ptr find_grid(const std::filesystem::path& file, const std::string& name) {
-    std::map<std::string, openvdb::FloatGrid::Ptr> grids;
-    for (const openvdb::GridBase::Ptr& grid : read_grids(file))
-        if (auto known = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
-            grids.emplace(grid->getName(), known);
-    if (grids.empty()) throw Error("holds no float grid");
-    if (name.empty() && grids.size() > 1)
-        throw Error("holds several float grids: name one of " + joined(grids));
-    const auto found = name.empty() ? grids.begin() : grids.find(name);
-    if (found == grids.end()) throw Error("has no float grid '" + name + "'; it has " + joined(grids));
-    return found->second;
-}
-
-}  // namespace
 
 GridSamples sample_float_grid(const std::filesystem::path& file, const std::string& name,
                               std::span<const Eigen::Vector3d> points) {
-    const auto grid = with_context(file.string(), [&] { return find_grid(file, name); });
+    const auto grid = read_float_grid(file, name);
     const auto voxels = grid->getConstAccessor();
     GridSamples samples;
     samples.background = grid->background();

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene says of its obstacles must arrive as it was written, and what cannot be must be told with its
 // line, before the run.
-#include "app/scene_obstacle.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "app/obstacle_shape.h"
 #include "app/scene_simulation.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
@@ -31,7 +30,9 @@ Scene scene_of(const std::string& obstacle) {
 }
 
 Obstacle obstacle_of(const std::string& obstacle) {
-    return make_obstacles(scene_of(obstacle)).at(0);
+    const Scene scene = scene_of(obstacle);
+    std::vector<std::string> warnings;
+    return make_obstacles(scene, scene.obstacles, warnings).at(0);
 }
 
 double distance(const Obstacle& obstacle, double time, const Vector3d& at) {
@@ -73,6 +74,97 @@ motion = "linear"
     EXPECT_TRUE(obstacle_of("plane = {}\nkeys = { time = 1 }").motion.smooth);
 }
 
+const std::string octahedron =
+    "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\n"
+    "f 3 1 6\nf 2 3 6\nf 4 2 6\n";
+
+/// What checking an octahedron (size 2 m) of a mesh file says.
+ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
+    const TemporaryDirectory directory;
+    directory.write("solid.obj", mesh);
+    directory.write("scene.toml", plate + obstacle);
+    return run_sherd({"check", "scene.toml"}, directory.path);
+}
+
+// Files lie beside the scene, whatever the working directory is.
+TEST(SceneObstacle, AMeshFileBecomesASolid) {
+    const TemporaryDirectory directory;
+    directory.write("solid.obj", octahedron + "f 1 4 6\n");
+    const Scene scene = read_scene(directory.write(
+        "scene.toml",
+        plate + "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
+    std::vector<std::string> warnings;
+    const Obstacle solid = make_obstacles(scene, scene.obstacles, warnings).at(0);
+    EXPECT_TRUE(warnings.empty());
+    EXPECT_NEAR(distance(solid, 0, Vector3d(1, 0, 0)), -0.1 / std::sqrt(3.0), 1e-3);
+    EXPECT_NEAR(distance(solid, 0, Vector3d(1.034, 0.034, 0.034)), 0.002 / std::sqrt(3.0), 2e-4);
+    EXPECT_EQ(obstacle_surface(scene.obstacles[0], solid).triangles.size(), 8u);
+}
+
+TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
+    const ProgramResult open = checked(octahedron, "mesh = \"solid.obj\"");
+    EXPECT_EQ(open.exit_code, 2) << open.out;
+    for (const char* part :
+         {"scene.toml:7: obstacle.thing.mesh: ", "solid.obj: encloses no solid", "it is open"})
+        EXPECT_NE(open.err.find(part), std::string::npos) << open.err;
+    const ProgramResult missing = checked("", "mesh = \"nowhere.obj\"");
+    EXPECT_EQ(missing.exit_code, 2);
+    EXPECT_NE(missing.err.find("scene.toml:7: obstacle.thing.mesh: "), std::string::npos) << missing.err;
+    const ProgramResult no_grid = checked("", "vdb = { file = \"solid.obj\" }");
+    EXPECT_EQ(no_grid.exit_code, 2);
+    EXPECT_NE(no_grid.err.find("solid.obj: damaged OpenVDB file, or none"), std::string::npos) << no_grid.err;
+    const ProgramResult fine =
+        checked(octahedron + "f 1 4 6\n", "mesh = { file = \"solid.obj\", voxel = 1e-5 }");
+    EXPECT_EQ(fine.exit_code, 2);
+    EXPECT_NE(fine.err.find("make them larger"), std::string::npos) << fine.err;
+}
+
+// Drawn surfaces must be the ones that sheets touch, closed, and face outward.
+TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
+    for (const std::string& text :
+         {std::string("sphere = { radius = 0.5, centre = [1, 0, 0] }"),
+          std::string("box = { size = [1, 2, 3], centre = [1, 0, 0] }"),
+          std::string("cylinder = { radius = 0.5, length = 2, centre = [1, 0, 0], axis = [1, 1, 0] }")}) {
+        const Scene scene = scene_of(text);
+        std::vector<std::string> warnings;
+        const Obstacle made = make_obstacles(scene, scene.obstacles, warnings).at(0);
+        const GridSurface surface = obstacle_surface(scene.obstacles[0], made);
+        double volume = 0;
+        for (const Vector3d& p : surface.points) EXPECT_NEAR(made.shape->distance(p).distance, 0, 1e-14);
+        for (const auto& [a, b, c] : surface.triangles)
+            volume += surface.points[a].dot(surface.points[b].cross(surface.points[c])) / 6;
+        const double exact = text[0] == 's' ? pi / 6 : text[0] == 'b' ? 6 : pi / 2;
+        EXPECT_NEAR(volume, exact, 0.01 * exact) << text;
+    }
+    EXPECT_TRUE(
+        obstacle_surface(scene_of("plane = {}").obstacles[0], obstacle_of("plane = {}")).points.empty());
+}
+
+TEST(SceneObstacle, DensityOrMassMakesAFreeBody) {
+    const Scene scene = scene_of(R"(sphere = { radius = 0.1, centre = [1, 0, 0] }
+place.translate = [0, 0, 3]
+mass = 5
+velocity = [1, 2, 3]
+spin = [0, 0, 9]
+friction = 0.2
+[obstacle.brick]
+box = { size = [1, 2, 3] }
+density = 10
+place.rotate = { axis = [0, 0, 1], degrees = 90 }
+)");
+    EXPECT_TRUE(scene.obstacles.empty());
+    const std::vector<RigidBody> bodies = make_bodies(scene);
+    ASSERT_EQ(bodies.size(), 2u);
+    EXPECT_NEAR(bodies[0].mass, 5, 1e-12);
+    EXPECT_TRUE(bodies[0].centre.isApprox(Vector3d(1, 0, 3)));
+    EXPECT_EQ(bodies[0].velocity, Vector3d(1, 2, 3));
+    EXPECT_TRUE(bodies[0].spin().isApprox(Vector3d(0, 0, 9)));
+    EXPECT_NEAR(bodies[0].inertia[1], 0.4 * 5 * 0.01, 1e-12);
+    EXPECT_EQ(bodies[0].friction, 0.2);
+    EXPECT_NEAR(bodies[1].mass, 60, 1e-12);
+    EXPECT_NEAR(bodies[1].inertia_in_space()(0, 0), 60.0 / 12 * (1 + 9), 1e-9) << "turned";
+}
+
 void expect_error(const std::string& obstacle, const std::vector<std::string>& parts) {
     try {
         scene_of(obstacle);
@@ -102,6 +194,19 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
     expect_error("cylinder = { radius = 1 }", {"cylinder.length: is missing"});
     expect_error("cylinder = { radius = 1, length = 1, axis = [0, 0, 0] }",
                  {"cylinder.axis: must not be zero"});
+    expect_error("mesh = { scale = 1 }", {"mesh.file: is missing"});
+    expect_error("mesh = { file = \"a.obj\", voxel = 0 }", {"mesh.voxel: must be a positive number (m)"});
+    expect_error("mesh = { file = \"a.obj\", remesh = 1 }", {"mesh.remesh: unknown key"});
+    expect_error("vdb = { file = \"a.vdb\", name = \"b\" }",
+                 {"scene.toml:7: obstacle.thing.vdb.name: unknown key"});
+    expect_error("vdb = { file = \"a.vdb\", scale = 0 }", {"vdb.scale: must be a positive"});
+    expect_error("sphere = { radius = 1 }\nvelocity = [1, 0, 0]", {"thing.velocity: needs density or mass"});
+    expect_error("sphere = { radius = 1 }\nmass = 1\ndensity = 1", {"thing.density: conflicts with mass"});
+    expect_error("plane = {}\nmass = 1", {"thing.mass: makes a free body of a sphere or a box only"});
+    expect_error("box = { size = [1, 1, 1] }\nmass = 1\nkeys = { time = 1 }",
+                 {"thing.mass: conflicts with keys"});
+    expect_error("sphere = { radius = 1 }\ndensity = -1",
+                 {"thing.density: must be a positive number (kg/m^3)"});
     expect_error("plane = {}\nplace = { move = [0, 0, 1] }",
                  {"scene.toml:8: obstacle.thing.place.move: unknown key"});
     expect_error("plane = {}\nplace.rotate = { axis = [0, 0, 0], degrees = 1 }",

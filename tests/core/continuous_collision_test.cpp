@@ -113,6 +113,15 @@ TEST(ContinuousCollision, GrazingMotionPassesWhereThereIsRoom) {
     EXPECT_EQ(graze(PairKind::edge_edge, edges, along), 1);
 }
 
+// A pair that stays twice the clearance away goes all the way, however long: whether it was looked at or not,
+// as one too far apart to be a candidate, must make no difference.
+TEST(ContinuousCollision, ALongWayWithRoomIsNotCutShort) {
+    PairPositions x, displacement = PairPositions::Zero();
+    x << -40, -100, 100, 0, 0, -100, -100, 100, 0.0121, 0, 0, 0;
+    displacement(0, 0) = 80;
+    EXPECT_EQ(safe_fraction(PairKind::vertex_triangle, x, displacement, 0.01, 1e-3), 1);
+}
+
 // Parallel edges that fall onto each other, turn into each other, or are one the mirror image of the other.
 TEST(ContinuousCollision, ParallelEdgesMeet) {
     PairPositions x, displacement = PairPositions::Zero();

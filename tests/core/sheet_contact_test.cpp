@@ -49,7 +49,11 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
         wanderer.add_gradient(x, a);
         fresh.add_gradient(x, b);
         EXPECT_EQ(a, b);
-        wanderer.safe_fraction(x, shaken(Positions::Zero(3, x.cols()), 0.01));
+        for (const double length : {1e-5, 1e-3, 0.01, 1.0}) {
+            Positions motion = shaken(Positions::Zero(3, x.cols()), 0.1 * length);
+            motion.row(0).head(motion.cols() / 2).array() += length;  // along the other plates
+            EXPECT_EQ(wanderer.safe_fraction(x, motion), SheetContact(sheet).safe_fraction(x, motion));
+        }
         EXPECT_EQ(wanderer.value(x), fresh.value(x));
     }
 }

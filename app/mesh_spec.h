@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// A generated mesh: `mesh = { generate = "plate", radius = 0.13, edge_length = 0.004 }`.
+struct GeneratedMesh {
+    std::string shape;       ///< rectangle, disc, cylinder, sphere, plate, bowl, revolution
+    double edge_length = 0;  ///< m
+    bool structured = false;
+    double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
+    std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
+};
+
+/// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", repair = true }`.
+struct MeshFile {
+    std::filesystem::path path;  ///< as seen from the working directory
+    bool repair = false;
+    bool join = false;  ///< join duplicate points
+    double scale = 1;   ///< metres per unit of the file
+    double remesh = 0;  ///< m, target edge length; 0: as it is
+};
+
+}  // namespace sherd

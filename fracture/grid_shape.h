@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/shape.h"
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+/// A solid that is sampled on a grid.
+struct GridShape : Shape {
+    SignedDistanceGrid grid;
+
+    explicit GridShape(SignedDistanceGrid grid) : grid(std::move(grid)) {}
+    SurfaceDistance distance(const Vector3d& at) const override {
+        const SignedDistanceGrid::Sample sample = grid.sample(at);
+        return {sample.distance, sample.gradient, sample.hessian};
+    }
+    Eigen::AlignedBox3d bounds() const override { return {grid.lower(), grid.upper()}; }
+};
+
+}  // namespace sherd

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/signed_distance_grid.h"
+
+#include <openvdb/tools/MeshToVolume.h>
+#include <openvdb/tools/VolumeToMesh.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "meshops/error.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/vdb_file.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double most_voxels = 1e8;  // 0.4 GB
+constexpr double layer_beyond = 3;   // voxels, that the spline looks at past the last point it is asked for
+
+/// Triangles and quadrilaterals as OpenVDB takes them, in m.
+struct Polygons {
+    std::vector<openvdb::Vec3s> points;
+    std::vector<openvdb::Vec3I> triangles;
+    std::vector<openvdb::Vec4I> quads;
+};
+
+/// Weights of the three nearest of a row of voxels, and their first and second derivatives.
+struct SplineWeights {
+    int first;
+    std::array<double, 3> value, slope, bend{1, -2, 1};
+
+    explicit SplineWeights(double at) : first(static_cast<int>(std::lround(at)) - 1) {
+        const double f = at - (first + 1);
+        value = {0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)};
+        slope = {f - 0.5, -2 * f, f + 0.5};
+    }
+};
+
+/// The parts as one text, numbers with three digits.
+template <class... Parts>
+std::string text(const Parts&... parts) {
+    std::ostringstream out;
+    out.precision(3);
+    (out << ... << parts);
+    return out.str();
+}
+
+Vector3d eigen(const openvdb::Vec3s& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+void require_few_voxels(const Polygons& polygons, double voxel) {
+    Eigen::AlignedBox3d box;
+    for (const openvdb::Vec3s& p : polygons.points) box.extend(eigen(p));
+    const double voxels = (box.diagonal().array() / voxel + 2 * layer_beyond).prod();
+    if (voxels > most_voxels)
+        throw Error(text("would take ", voxels, " voxels of ", voxel, " m, more than ", most_voxels,
+                         ": make them larger"));
+}
+
+openvdb::FloatGrid::Ptr distances(const Polygons& polygons, double voxel, double reach) {
+    require_few_voxels(polygons, voxel);
+    openvdb::initialize();
+    // In several threads, which of two triangles that are equally near is kept would be a matter of luck.
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
+    const auto layer = static_cast<float>(std::ceil(reach / voxel) + layer_beyond);
+    return openvdb::tools::meshToSignedDistanceField<openvdb::FloatGrid>(
+        *transform, polygons.points, polygons.triangles, polygons.quads, layer,
+        std::numeric_limits<float>::max());
+}
+
+Polygons polygons_of(const Mesh& mesh) {
+    Polygons polygons;
+    for (const Vertex v : mesh.vertices()) {
+        const Vector3d p = position(mesh, v);
+        polygons.points.emplace_back(p.x(), p.y(), p.z());
+    }
+    for (const Face face : mesh.faces()) {
+        const Halfedge h = mesh.halfedge(face);
+        polygons.triangles.emplace_back(mesh.source(h).idx(), mesh.target(h).idx(),
+                                        mesh.target(mesh.next(h)).idx());
+    }
+    return polygons;
+}
+
+Polygons polygons_of(const openvdb::FloatGrid& level_set, double scale) {
+    Polygons polygons;
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    openvdb::tools::volumeToMesh(level_set, polygons.points, polygons.quads);
+    for (openvdb::Vec3s& p : polygons.points) p *= static_cast<float>(scale);
+    return polygons;
+}
+
+/// m^3, of a mesh that is closed, or nearly so.
+double enclosed_volume(const Mesh& mesh) {
+    const MeshMeasures extent = measure(mesh);
+    const Vector3d middle = (extent.lower + extent.upper) / 2;
+    double sum = 0;
+    for (const Face face : mesh.faces()) {
+        const Halfedge h = mesh.halfedge(face);
+        const Vector3d a = position(mesh, mesh.source(h)) - middle,
+                       b = position(mesh, mesh.target(h)) - middle,
+                       c = position(mesh, mesh.target(mesh.next(h))) - middle;
+        sum += a.dot(b.cross(c)) / 6;
+    }
+    return std::abs(sum);
+}
+
+double inner_volume(const openvdb::FloatGrid& grid) {
+    std::size_t inside = 0;
+    for (auto voxel = grid.cbeginValueOn(); voxel; ++voxel) inside += *voxel < 0 ? voxel.getVoxelCount() : 0;
+    return static_cast<double>(inside) * std::pow(grid.voxelSize().x(), 3);
+}
+
+GridSurface surface_of(const Polygons& polygons) {
+    GridSurface surface;
+    for (const openvdb::Vec3s& p : polygons.points) surface.points.push_back(eigen(p));
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        surface.triangles.push_back(
+            {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
+    };
+    for (const openvdb::Vec3I& t : polygons.triangles) add(t[0], t[1], t[2]);
+    for (const openvdb::Vec4I& q : polygons.quads) {  // OpenVDB's are clockwise
+        add(q[0], q[2], q[1]);
+        add(q[0], q[3], q[2]);
+    }
+    return surface;
+}
+
+}  // namespace
+
+struct SignedDistanceGrid::State {
+    openvdb::FloatGrid::ConstPtr grid;
+    double voxel;
+    GridSurface surface;
+    Eigen::AlignedBox3d box;
+
+    State(const Polygons& polygons, double voxel, double reach)
+        : grid(distances(polygons, voxel, reach)), voxel(voxel), surface(surface_of(polygons)) {
+        // By a voxel more than the surface, which single precision does not put where the distances do: where
+        // the box ends forces would have a step.
+        const Vector3d margin = Vector3d::Constant(voxel);
+        for (const Vector3d& p : surface.points) box.extend(p - margin).extend(p + margin);
+    }
+};
+
+SignedDistanceGrid::SignedDistanceGrid(std::shared_ptr<const State> state) : state(std::move(state)) {}
+
+SignedDistanceGrid SignedDistanceGrid::of_mesh(const Mesh& mesh, double voxel, double reach) {
+    SignedDistanceGrid grid(std::make_shared<State>(polygons_of(mesh), voxel, reach));
+    const double expected = enclosed_volume(mesh), found = grid.volume();
+    if (found > 0.5 * expected && found > 0) return grid;
+    throw Error(
+        text("encloses no solid at a voxel of ", voxel, " m (", found, " of ", expected, " m^3): ",
+             measure(mesh).boundary_loops > 0
+                 ? "it is open, and a hole wider than a voxel lets the outside in; close it, or make the "
+                   "voxels larger"
+                 : "it is thinner than a voxel; make the voxels smaller"));
+}
+
+SignedDistanceGrid SignedDistanceGrid::of_level_set(const std::filesystem::path& file,
+                                                    const std::string& name, double scale, double reach) {
+    const openvdb::FloatGrid::Ptr level_set = read_float_grid(file, name);
+    return with_context(file.string(), [&] {
+        if (level_set->getGridClass() != openvdb::GRID_LEVEL_SET)
+            throw Error(text("its grid '", level_set->getName(), "' is of class '",
+                             openvdb::GridBase::gridClassToString(level_set->getGridClass()),
+                             "', background ", level_set->background(),
+                             "; an obstacle needs a level set (signed distances near the surface), such as a "
+                             "distance VDB of Houdini's VDB from Polygons"));
+        const Polygons polygons = polygons_of(*level_set, scale);
+        if (polygons.points.empty()) throw Error("its level set is empty");
+        const openvdb::Vec3d size = level_set->voxelSize();
+        const double voxel = scale * std::min({size.x(), size.y(), size.z()});
+        return SignedDistanceGrid(std::make_shared<State>(polygons, voxel, reach));
+    });
+}
+
+SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vector3d& point) const {
+    const SplineWeights x(point.x() / state->voxel), y(point.y() / state->voxel), z(point.z() / state->voxel);
+    const auto voxels = state->grid->getConstUnsafeAccessor();
+    const float beyond = state->grid->background();
+    Sample sum{0, Vector3d::Zero(), Matrix3d::Zero()};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k) {
+                const float value = voxels.getValue({x.first + i, y.first + j, z.first + k});
+                if (value >= beyond)
+                    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), Matrix3d::Zero()};
+                sum.distance += value * x.value[i] * y.value[j] * z.value[k];
+                sum.gradient += value * Vector3d(x.slope[i] * y.value[j] * z.value[k],
+                                                 x.value[i] * y.slope[j] * z.value[k],
+                                                 x.value[i] * y.value[j] * z.slope[k]);
+                sum.hessian.diagonal() +=
+                    value * Vector3d(x.bend[i] * y.value[j] * z.value[k], x.value[i] * y.bend[j] * z.value[k],
+                                     x.value[i] * y.value[j] * z.bend[k]);
+                sum.hessian(1, 0) += value * x.slope[i] * y.slope[j] * z.value[k];
+                sum.hessian(2, 0) += value * x.slope[i] * y.value[j] * z.slope[k];
+                sum.hessian(2, 1) += value * x.value[i] * y.slope[j] * z.slope[k];
+            }
+    sum.gradient /= state->voxel;
+    sum.hessian = sum.hessian.selfadjointView<Eigen::Lower>().toDenseMatrix() / (state->voxel * state->voxel);
+    return sum;
+}
+
+Vector3d SignedDistanceGrid::lower() const {
+    return state->box.min();
+}
+
+Vector3d SignedDistanceGrid::upper() const {
+    return state->box.max();
+}
+
+double SignedDistanceGrid::voxel() const {
+    return state->voxel;
+}
+
+double SignedDistanceGrid::volume() const {
+    return inner_volume(*state->grid);
+}
+
+const GridSurface& SignedDistanceGrid::surface() const {
+    return state->surface;
+}
+
+}  // namespace sherd

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OpenVDB's headers take long to compile: only sources that need its grids may include this.
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <filesystem>
+#include <string>
+
+namespace sherd {
+
+/// The float grid `name` of an OpenVDB file; an empty name stands for the only one. Throws Error naming the
+/// file when it is missing, damaged or no OpenVDB file, or has no such grid.
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& file, const std::string& name);
+
+}  // namespace sherd

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ball that hits a sheet must lose what the sheet gains, and both must feel one contact.
+#include "core/contact/body_contact.h"
+
+#include <gtest/gtest.h>
+
+#include "core/time_step.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+
+namespace sherd::test {
+namespace {
+
+Material rubber() {
+    Material material;
+    material.density = 1000, material.thickness = 0.002, material.young = 1e7;
+    return material;
+}
+
+RigidBody ball(const Vector3d& centre, const Vector3d& velocity) {
+    RigidBody ball = rigid_sphere(0.02, 1500);
+    ball.centre = centre;
+    ball.velocity = velocity;
+    ball.friction = 0.3;
+    return ball;
+}
+
+Vector3d momentum(const Sheet& sheet, const RigidBody& body) {
+    return linear_momentum(sheet) + body.mass * body.velocity;
+}
+
+Vector3d spin_momentum(const Sheet& sheet, const RigidBody& body) {
+    return angular_momentum(sheet) + body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
+}
+
+// The energy has the body's best pose inside: its derivatives must know how that moves.
+TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
+    Sheet sheet = stacked_plates(1, 8, 0, rubber());
+    sheet.velocity.setZero();
+    RigidBody box = rigid_box(Vector3d(0.05, 0.04, 0.02), 800);
+    box.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+    box.centre = Vector3d(0.001, 0.002, 0.018);
+    box.angular_momentum = Vector3d(1e-4, 2e-4, 0);
+    for (const RigidBody& body : {ball(Vector3d(0.003, 0.001, 0.0208), Vector3d(0.1, 0, -1)), box}) {
+        const std::vector<Obstacle> none;
+        const BodyContact contact(sheet, body, none, Vector3d::Zero(), 0, 1e-3);
+        ASSERT_GT(contact.contacts(sheet.position), 0);
+        Random random(2);
+        Positions x = sheet.position;
+        for (double& entry : x.reshaped()) entry += 1e-5 * random.uniform(-1, 1);
+        expect_derivatives(contact, x, 1e-9, body.inertia[0] == body.inertia[1] ? 2e-2 : 5e-2);
+    }
+}
+
+void step(TimeStep& time_step, int count) {
+    for (int i = 0; i < count; ++i) {
+        time_step.begin();
+        EXPECT_TRUE(time_step.solve(50).converged);
+        time_step.finish();
+    }
+}
+
+TEST(BodyContact, ACollisionKeepsMomentum) {
+    Sheet sheet = stacked_plates(1, 10, 0, rubber());
+    sheet.velocity.setZero();
+    TimeStepOptions options;
+    options.step = 1e-4;
+    options.gravity.setZero();
+    options.newton.tolerance = 1e-12;
+    options.bodies = {ball(Vector3d(0.004, -0.003, 0.0212), Vector3d(1, 0, -5))};
+    options.bodies[0].angular_momentum = Vector3d(0, 1e-3, 2e-3);
+    const Vector3d before = momentum(sheet, options.bodies[0]);
+    const Vector3d turning = spin_momentum(sheet, options.bodies[0]);
+    TimeStep time_step(sheet, options);
+    Index touched = 0;
+    for (int i = 0; i < 60; ++i) {
+        step(time_step, 1);
+        touched = std::max(touched, time_step.contacts());
+        const RigidBody& body = time_step.bodies()[0];
+        ASSERT_LT((momentum(sheet, body) - before).norm(), 1e-8 * before.norm()) << "step " << i;
+    }
+    const RigidBody& body = time_step.bodies()[0];
+    EXPECT_GT(touched, 3);
+    EXPECT_GT(linear_momentum(sheet).z(), -before.norm());
+    EXPECT_LT(linear_momentum(sheet).z(), -0.05 * before.norm()) << "the sheet was pushed";
+    EXPECT_LT((spin_momentum(sheet, body) - turning).norm(), 0.02 * turning.norm());
+}
+
+// Turning about an axis that is not principal, the axis wanders, the momentum does not.
+TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
+    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    TimeStepOptions options;
+    options.step = 1e-3;
+    RigidBody box = rigid_box(Vector3d(0.1, 0.2, 0.3), 1000);
+    box.angular_momentum = Vector3d(0.1, 0.2, 0.3);
+    options.bodies = {box};
+    TimeStep time_step(sheet, options);
+    step(time_step, 1000);
+    const RigidBody& moved = time_step.bodies()[0];
+    EXPECT_LT((moved.angular_momentum - box.angular_momentum).norm(), 1e-12);
+    EXPECT_NEAR(moved.centre.z(), -0.5 * 9.81 * (1 + 1e-3), 1e-9);
+    EXPECT_GT((moved.spin() - box.spin()).norm(), 0.1 * box.spin().norm()) << "it tumbles";
+}
+
+// A ball that is dropped on a floor and on a fixed sphere rests on it; its weight is carried.
+TEST(BodyContact, BodiesRestOnObstacles) {
+    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    TimeStepOptions options;
+    options.step = 1e-3;
+    options.obstacles = {floor()};
+    options.bodies = {ball(Vector3d(0, 0, 0.021), Vector3d::Zero()),
+                      rigid_box(Vector3d(0.1, 0.1, 0.04), 1000)};
+    options.bodies[1].centre = Vector3d(1, 0, 0.021);
+    TimeStep time_step(sheet, options);
+    step(time_step, 1000);
+    for (const RigidBody& body : time_step.bodies()) {
+        EXPECT_NEAR(body.centre.z(), 0.02, 1e-6);
+        EXPECT_LT(body.velocity.norm(), 1e-3);
+    }
+}
+
+// A ball laid on a soft sheet that is held at its rim sinks in and is carried.
+TEST(BodyContact, ASheetCarriesABody) {
+    Sheet sheet = stacked_plates(1, 8, 0, rubber());
+    for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
+        sheet.fixed[v] = sheet.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
+    TimeStepOptions options;
+    options.step = 5e-3;  // long ones damp
+    options.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
+    TimeStep time_step(sheet, options);
+    step(time_step, 200);
+    const RigidBody& body = time_step.bodies()[0];
+    EXPECT_LT(body.velocity.norm(), 0.02);
+    EXPECT_LT(sheet.position.row(2).minCoeff(), -1e-4);
+    EXPECT_GT(body.centre.z(), 0.01);
+}
+
+}  // namespace
+}  // namespace sherd::test

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An obstacle that is a grid must push as the solid it stands for would.
+#include "meshops/signed_distance_grid.h"
+
+#include <gtest/gtest.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include "meshops/error.h"
+#include "meshops/generate.h"
+#include "tests/support/finite_differences.h"
+#include "tests/support/random_shapes.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/vdb_file.h"
+
+namespace sherd::test {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double radius = 0.1, voxel = 0.004;
+
+Mesh sphere_mesh() {
+    return generate_sphere(radius, {.edge_length = 0.01});
+}
+
+std::filesystem::path write_sphere(const TemporaryDirectory& directory, openvdb::GridClass kind) {
+    openvdb::initialize();
+    const auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1, {3, 0, 0}, 0.04);
+    grid->setName("ball");
+    grid->setGridClass(kind);
+    return write_vdb(directory.path / "ball.vdb", {grid});
+}
+
+/// Largest deviations of distance and gradient from those of a sphere, from its middle part outward.
+void expect_sphere(const SignedDistanceGrid& grid, const Vector3d& centre, double tolerance) {
+    Random random(7);
+    for (int i = 0; i < 2000; ++i) {
+        const Vector3d out = random.matrix<Vector3d>(1).normalized();
+        const double away = radius * random.uniform(0.3, 1.02);
+        const auto sample = grid.sample(centre + away * out);
+        ASSERT_NEAR(sample.distance, away - radius, tolerance);
+        ASSERT_LT((sample.gradient - out).norm(), 0.15) << "at " << away;
+    }
+}
+
+// Facets of 1 cm on a sphere of 10 cm lie up to 0.2 mm below it.
+TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
+    const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(sphere_mesh(), voxel, 0.002);
+    expect_sphere(grid, Vector3d::Zero(), 4e-4);
+    EXPECT_NEAR(grid.volume(), 4.0 / 3 * 3.14159265 * std::pow(radius, 3), 0.03 * std::pow(radius, 3));
+    EXPECT_TRUE(std::isinf(grid.sample(Vector3d(0, 0, 2)).distance));
+    EXPECT_LT(grid.sample(Vector3d::Zero()).distance, -0.09) << "filled to its centre";
+    EXPECT_LT((grid.upper() - Vector3d::Constant(radius + voxel)).norm(), 2e-3);
+}
+
+// Force and stiffness of contact come from these.
+TEST(SignedDistanceGrid, DerivativesAreThoseOfTheInterpolatedDistance) {
+    const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(sphere_mesh(), voxel, 0.002);
+    Random random(2);
+    const auto value = [&](const Vector3d& x) { return grid.sample(x).distance; };
+    const auto gradient = [&](const Vector3d& x) { return grid.sample(x).gradient; };
+    for (int i = 0; i < 300; ++i) {
+        const Vector3d at = radius * random.uniform(0.1, 1.02) * random.matrix<Vector3d>(1).normalized();
+        // Between two half voxels the spline is one polynomial; there alone it has a second derivative.
+        const Vector3d place = at / voxel + Vector3d::Constant(0.5);
+        const Vector3d within = place.array() - place.array().floor();
+        if (within.minCoeff() < 0.01 || within.maxCoeff() > 0.99) continue;
+        const auto sample = grid.sample(at);
+        EXPECT_LT((sample.gradient - difference_gradient(value, at, 1e-5)).norm(), 1e-7);
+        EXPECT_LT((sample.hessian - difference_hessian(gradient, at, 1e-5)).norm(),
+                  1e-5 * (1 + sample.hessian.norm()));
+    }
+}
+
+TEST(SignedDistanceGrid, ALevelSetIsTakenAsItIsScaledAndFilled) {
+    const TemporaryDirectory directory;
+    const auto file = write_sphere(directory, openvdb::GRID_LEVEL_SET);
+    const SignedDistanceGrid grid = SignedDistanceGrid::of_level_set(file, "", radius, 0.002);
+    EXPECT_NEAR(grid.voxel(), voxel, 1e-9);
+    expect_sphere(grid, Vector3d(3 * radius, 0, 0), 3e-4);
+    EXPECT_LT(grid.sample(Vector3d(3 * radius, 0, 0)).distance, -0.09) << "beyond the band of the file";
+    for (const auto& [a, b, c] : grid.surface().triangles) {
+        const auto& p = grid.surface().points;
+        const Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]);
+        ASSERT_GE(normal.dot(p[a] - Vector3d(3 * radius, 0, 0)), 0) << "inside out";
+    }
+}
+
+std::string message_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
+    const TemporaryDirectory directory;
+    const auto file = write_sphere(directory, openvdb::GRID_FOG_VOLUME);
+    const std::string fog = message_of([&] { SignedDistanceGrid::of_level_set(file, "ball", 1, 0.002); });
+    EXPECT_NE(fog.find("ball.vdb: its grid 'ball' is of class 'fog volume'"), std::string::npos) << fog;
+    EXPECT_NE(fog.find("needs a level set"), std::string::npos) << fog;
+    const std::string fine = message_of([&] { SignedDistanceGrid::of_mesh(sphere_mesh(), 1e-5, 0.002); });
+    EXPECT_NE(fine.find("make them larger"), std::string::npos) << fine;
+    const Mesh tube = generate_cylinder(0.05, 0.1, {.edge_length = 0.01});
+    const std::string open = message_of([&] { SignedDistanceGrid::of_mesh(tube, voxel, 0.002); });
+    EXPECT_NE(open.find("it is open"), std::string::npos) << open;
+}
+
+// A mesh with a hole of about a voxel still has an inside.
+TEST(SignedDistanceGrid, SmallHolesAreClosed) {
+    Mesh mesh = sphere_mesh();
+    mesh.remove_face(Face(5));
+    mesh.collect_garbage();
+    const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(mesh, 0.01, 0.002);
+    EXPECT_LT(grid.sample(Vector3d::Zero()).distance, -0.08);
+}
+
+}  // namespace
+}  // namespace sherd::test
