@@ -41,7 +41,7 @@ void require_sheets_apart(const Scene& scene, const BreakableSheet& all) {
     throw Error(fmt::format(
         "{}: sheets do not start apart, with half their thickness on either side:{}\nmove the sheets, make "
         "them "
-        "thinner, join vertices that coincide (join = true on a mesh file), or set contact.sheets = false",
+        "thinner, or set contact.sheets = false",
         scene.file.string(), text));
 }
 

@@ -4,7 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <string>
+#include <tuple>
 
 #include "meshops/error.h"
 
@@ -65,6 +67,7 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
                              number(&input - inputs.data()));
         first_vertex += number(input.mesh.number_of_vertices());
     }
+    add_coincident_vertices();
     const std::vector<Vector3d> axes = joined_axes(inputs);
     add_triangles(inputs, axes);
     add_hinges(inputs, axes);
@@ -87,6 +90,18 @@ void BreakableSheet::add_vertices(const SheetInput& input, Index body, Index fir
         sheet.body[v] = body;
     }
     for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
+}
+
+void BreakableSheet::add_coincident_vertices() {
+    using Place = std::tuple<Index, double, double, double>;
+    std::map<Place, std::vector<Vertex>> at_place;
+    for (const Vertex vertex : mesh().vertices()) {
+        const Vector3d at = sheet.rest.col(number(vertex));
+        std::vector<Vertex>& others = at_place[{sheet.body[number(vertex)], at.x(), at.y(), at.z()}];
+        for (const Vertex other : others) lips.lie_together(other, vertex);
+        others.push_back(vertex);
+    }
+    lips.write(mesh(), sheet);
 }
 
 void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {

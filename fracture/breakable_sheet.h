@@ -56,6 +56,8 @@ class BreakableSheet {
   private:
     Index sheet_of(Edge edge) const;
     void add_vertices(const SheetInput& input, Index body, Index first_vertex);
+    /// Tells the lips which vertices of one sheet lie at the same place from the beginning.
+    void add_coincident_vertices();
     void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_strengths(const std::vector<SheetInput>& inputs);

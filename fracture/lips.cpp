@@ -36,26 +36,31 @@ double distance_to_faces(const Mesh& mesh, const Positions& x, Vertex vertex, Ve
 
 }  // namespace
 
+void Lips::lie_together(Vertex a, Vertex b) {
+    twins[a].push_back(b);
+    twins[b].push_back(a);
+}
+
 void Lips::open(const Opening& opening) {
     for (const auto& [vertex, created] : opening.vertices) {
-        const std::size_t known = twins.size();
-        for (std::size_t i = 0; i < known; ++i)
-            for (const int side : {0, 1})
-                if (twins[i][side] == vertex) twins.push_back({twins[i][1 - side], created});
-        twins.push_back({vertex, created});
+        const std::vector<Vertex> others = twins[vertex];
+        for (const Vertex other : others) lie_together(other, created);
+        lie_together(vertex, created);
     }
     for (const auto& [edge, created] : opening.edges) edges.push_back({edge, created});
 }
 
 bool Lips::are_twins(Vertex a, Vertex b) const {
-    return std::any_of(twins.begin(), twins.end(), [&](const Twins& pair) {
-        return (pair[0] == a && pair[1] == b) || (pair[0] == b && pair[1] == a);
-    });
+    const auto of_a = twins.find(a);
+    return of_a != twins.end() && std::count(of_a->second.begin(), of_a->second.end(), b) > 0;
 }
 
-bool Lips::has_twin(Vertex vertex) const {
-    return std::any_of(twins.begin(), twins.end(),
-                       [&](const Twins& pair) { return pair[0] == vertex || pair[1] == vertex; });
+std::vector<Lips::Twins> Lips::pairs() const {
+    std::vector<Twins> pairs;
+    for (const auto& [vertex, others] : twins)
+        for (const Vertex other : others)
+            if (vertex < other) pairs.push_back({vertex, other});
+    return pairs;
 }
 
 bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const {
@@ -74,11 +79,15 @@ bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const
 }
 
 bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
-    std::vector<Twins> kept;
-    for (const Twins& pair : twins)
-        if (!apart(mesh, sheet, x, pair)) kept.push_back(pair);
-    if (kept.size() == twins.size()) return false;
-    twins = std::move(kept);
+    std::vector<Twins> released;
+    for (const Twins& pair : pairs())
+        if (apart(mesh, sheet, x, pair)) released.push_back(pair);
+    if (released.empty()) return false;
+    for (const auto& [a, b] : released) {
+        std::erase(twins[a], b);
+        std::erase(twins[b], a);
+    }
+    std::erase_if(twins, [](const auto& entry) { return entry.second.empty(); });
     std::erase_if(edges, [&](const std::array<Edge, 2>& lips) {
         return !has_twin(mesh.vertex(lips[0], 0)) && !has_twin(mesh.vertex(lips[0], 1));
     });
@@ -87,7 +96,7 @@ bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
 
 void Lips::write(const Mesh& mesh, Sheet& sheet) const {
     sheet.twins.clear();
-    for (const auto& [a, b] : twins) sheet.twins.push_back({number(a), number(b)});
+    for (const auto& [a, b] : pairs()) sheet.twins.push_back({number(a), number(b)});
     sheet.lips.clear();
     for (const std::array<Edge, 2>& lips : edges)
         for (const int side : {0, 1}) {

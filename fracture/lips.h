@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "core/sheet.h"
@@ -17,6 +18,10 @@ namespace sherd {
 /// holds the two edges of an opened crack apart; from then on, for good, SheetContact does.
 class Lips {
   public:
+    /// Vertices that lie at the same place from the beginning, as along a seam that is not joined: twins
+    /// without lips.
+    void lie_together(Vertex a, Vertex b);
+
     /// To be called when the mesh has been opened.
     void open(const Opening& opening);
 
@@ -34,10 +39,11 @@ class Lips {
 
     bool are_twins(Vertex a, Vertex b) const;
     bool apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const;
-    bool has_twin(Vertex vertex) const;
+    bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
+    std::vector<Twins> pairs() const;  ///< each once, ascending
 
-    std::vector<Twins> twins;
-    std::vector<std::array<Edge, 2>> edges;  ///< opened ones: that of one face, and that of the other
+    std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any, both ways round
+    std::vector<std::array<Edge, 2>> edges;       ///< opened ones: that of one face, and that of the other
 };
 
 }  // namespace sherd

@@ -18,6 +18,17 @@ FacePair ascending(Face a, Face b) {
     return {static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b))};
 }
 
+/// Whether a vertex of one lies where a vertex of the other does, as along a seam that is not joined.
+bool at_seam(const BreakableSheet& sheet, const FacePair& faces) {
+    const Sheet& mechanics = sheet.mechanics();
+    for (const Index p : mechanics.triangles[faces[0]].vertices)
+        for (const Index q : mechanics.triangles[faces[1]].vertices)
+            if (p != q && mechanics.body[p] == mechanics.body[q] &&
+                mechanics.rest.col(p) == mechanics.rest.col(q))
+                return true;
+    return false;
+}
+
 /// A face that has all of these vertices, which are one, two or three.
 Face face_with(const Mesh& mesh, std::span<const Index> vertices) {
     const Vertex first(vertices.front());
@@ -53,8 +64,10 @@ std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
         if (apart < known->second.distance) known->second = {faces, false, apart, pair.touching};
     }
     for (const auto& [a, b] : self_intersections(sheet.mesh())) {
-        overlaps.push_back({ascending(a, b), true, 0, 0});
-        near.erase(ascending(a, b));
+        const FacePair faces = ascending(a, b);
+        if (at_seam(sheet, faces)) continue;
+        overlaps.push_back({faces, true, 0, 0});
+        near.erase(faces);
     }
     for (const auto& [faces, overlap] : near) overlaps.push_back(overlap);
     return overlaps;

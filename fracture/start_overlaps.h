@@ -16,7 +16,8 @@ struct StartOverlap {
     double needed = 0;             ///< m, from which on they would push; 0 where they cross
 };
 
-/// All of them, those that cross first (by exact predicates), then those that SheetContact
+/// All of them but for faces of one sheet that have vertices at the same place, as along a seam that is not
+/// joined; those that cross first (by exact predicates), then those that SheetContact
 /// would push apart from the beginning, by more than a hundredth of their distance; ascending by their faces,
 /// each pair once.
 std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet);

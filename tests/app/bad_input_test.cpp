@@ -128,7 +128,7 @@ const std::vector<BadInput> bad_scenes{
            "place = { translate = [0, 0, 1.003] }\nmaterial = { preset = \"stoneware\" }\n[obstacle.floor]",
            {"of sheet.plate and face", "of sheet.other are 0.003 m apart, less than 0.004 m", "pairs more"}),
     change("sheets_that_cross", "[obstacle.floor]",
-           "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.2 }\n"
+           "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
            "place = { translate = [0, 0, 1], rotate = { axis = [0, 1, 0], degrees = 80 } }\n"
            "material = { preset = \"stoneware\" }\n[obstacle.floor]",
            {"of sheet.plate and face", "of sheet.other cross or touch"}),
