@@ -25,7 +25,7 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
         const bool delay_loading = false;
         return *openvdb::io::Stream(stream, delay_loading).getGrids();
     } catch (const std::ios::failure&) {
-        throw Error("damaged OpenVDB file: it ends early");
+        throw Error("damaged OpenVDB file, or none: it ends early");
     } catch (const std::exception& error) {
         throw Error(std::string("damaged OpenVDB file, or none: ") + error.what());
     }

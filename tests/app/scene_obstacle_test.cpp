@@ -110,7 +110,7 @@ TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
     const ProgramResult missing = checked("", "mesh = \"nowhere.obj\"");
     EXPECT_EQ(missing.exit_code, 2);
     EXPECT_NE(missing.err.find("scene.toml:7: obstacle.thing.mesh: "), std::string::npos) << missing.err;
-    const ProgramResult no_grid = checked("", "vdb = { file = \"solid.obj\" }");
+    const ProgramResult no_grid = checked(octahedron, "vdb = { file = \"solid.obj\" }");
     EXPECT_EQ(no_grid.exit_code, 2);
     EXPECT_NE(no_grid.err.find("solid.obj: damaged OpenVDB file, or none"), std::string::npos) << no_grid.err;
     const ProgramResult fine =
