@@ -58,6 +58,8 @@ struct Table<StepReport> {
         visit("stages", {"1", "stages of breaking"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
+        visit("obstacle_overlap", {"m", "how deep a sheet's surface is in an obstacle"},
+              &R::obstacle_overlap);
         visit("lip_overlap", {"m", "largest of the lips of cracks that have not moved apart yet"},
               &R::lip_overlap);
         visit("fragments", {"1", "number of pieces"}, &R::fragments);

@@ -90,11 +90,11 @@ PotentialEnergies TimeStep::energies() const {
     return sum;
 }
 
-Index TimeStep::contacts() const {
-    Index count = 0;
-    for (const ObstacleContact& contact : obstacle_contact) count += contact.contacts(position);
-    for (const BodyContact& contact : body_contact) count += contact.contacts(position);
-    return count;
+Touch TimeStep::touch() const {
+    Touch touch;
+    for (const ObstacleContact& contact : obstacle_contact) touch.include(contact.touch(position));
+    for (const BodyContact& contact : body_contact) touch.include(contact.touch(position));
+    return touch;
 }
 
 }  // namespace sherd

@@ -54,7 +54,7 @@ class TimeStep {
     void finish();
 
     PotentialEnergies energies() const;  ///< of `position`
-    Index contacts() const;              ///< vertices that touch an obstacle or a body, at `position`
+    Touch touch() const;                 ///< of obstacles and bodies, at `position`
     /// At the end of the last finished step.
     const std::vector<RigidBody>& bodies() const { return moved_bodies; }
     double lip_overlap() const { return lips.largest_overlap(position); }  ///< m

@@ -193,7 +193,9 @@ void Simulation::finish(StepReport& report) {
         report.linear_momentum += body.mass * body.velocity;
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
-    report.contacts = time_step.contacts();
+    const Touch touch = time_step.touch();
+    report.contacts = touch.vertices;
+    report.obstacle_overlap = touch.deepest;
     report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();
 }

@@ -25,8 +25,9 @@ struct StepReport {
     Index halvings = 0;           ///< of this step, because longer ones could not be solved
     Index stages = 0;             ///< stages of breaking
     bool stage_cap_reached = false;
-    Index contacts = 0;      ///< vertices in contact
-    double lip_overlap = 0;  ///< m, largest of the lips of cracks that have not moved apart yet
+    Index contacts = 0;           ///< vertices in contact with obstacles
+    double obstacle_overlap = 0;  ///< m, how deep the deepest one's surface is in an obstacle
+    double lip_overlap = 0;       ///< m, largest of the lips of cracks that have not moved apart yet
     Index fragments = 0;
 
     // Largest of the unbroken hinges before anything broke in this step: see HingeMeasures.

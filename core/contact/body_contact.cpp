@@ -227,12 +227,12 @@ double BodyContact::stored_energy(const Positions& x) const {
     return solve(x).stored;
 }
 
-Index BodyContact::contacts(const Positions& x) const {
+Touch BodyContact::touch(const Positions& x) const {
     const Eigen::Isometry3d here = (solve(x), pose(best));
-    Index count = 0;
+    Touch touch;
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        count += overlap(*body.shape, here, x.col(v), 0.5 * sheet.thickness[v]).depth > 0;
-    return count;
+        touch.include(overlap(*body.shape, here, x.col(v), 0.5 * sheet.thickness[v]).depth);
+    return touch;
 }
 
 }  // namespace sherd

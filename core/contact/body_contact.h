@@ -36,7 +36,7 @@ class BodyContact : public Energy {
     /// The body at the end of a step in which the sheet moves to x.
     RigidBody moved(const Positions& x) const;
     double stored_energy(const Positions& x) const;  ///< J, elastic, in the contacts
-    Index contacts(const Positions& x) const;        ///< vertices that touch
+    Touch touch(const Positions& x) const;
 
   private:
     /// A vertex that touched at the beginning of the step.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "core/contact/motion.h"
@@ -23,6 +24,21 @@ struct Overlap {
     double depth = 0;  ///< m, positive when they touch
     Vector3d normal = Vector3d::Zero();
     Matrix3d curvature = Matrix3d::Zero();  ///< 1/m, Hessian of the shape's distance
+};
+
+/// What of a sheet touches obstacles.
+struct Touch {
+    Index vertices = 0;
+    double deepest = 0;  ///< m, depth of the deepest one's skin
+
+    void include(double depth) {
+        vertices += depth > 0;
+        deepest = std::max(deepest, depth);
+    }
+    void include(const Touch& other) {
+        vertices += other.vertices;
+        deepest = std::max(deepest, other.deepest);
+    }
 };
 
 /// `x` in space, with a skin of `half` (m) around it, against a shape that stands as `pose` says.

@@ -45,10 +45,10 @@ double ObstacleContact::stored_energy(const Positions& x) const {
     return sum;
 }
 
-Index ObstacleContact::contacts(const Positions& x) const {
-    Index count = 0;
-    for (Eigen::Index v = 0; v < x.cols(); ++v) count += overlap(x, v, pose).depth > 0;
-    return count;
+Touch ObstacleContact::touch(const Positions& x) const {
+    Touch touch;
+    for (Eigen::Index v = 0; v < x.cols(); ++v) touch.include(overlap(x, v, pose).depth);
+    return touch;
 }
 
 double ObstacleContact::value(const Positions& x) const {

@@ -64,8 +64,8 @@ void expect_same(const StepReport& a, const StepReport& b) {
     for (const auto member :
          {&StepReport::time, &StepReport::step_size, &StepReport::kinetic, &StepReport::bending,
           &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain,
-          &StepReport::lip_overlap, &StepReport::peak_stress, &StepReport::peak_bending_strain,
-          &StepReport::peak_overload})
+          &StepReport::lip_overlap, &StepReport::obstacle_overlap, &StepReport::peak_stress,
+          &StepReport::peak_bending_strain, &StepReport::peak_overload})
         EXPECT_TRUE(same(a.*member, b.*member));
     EXPECT_TRUE(same(a.linear_momentum, b.linear_momentum));
     EXPECT_TRUE(same(a.angular_momentum, b.angular_momentum));

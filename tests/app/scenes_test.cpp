@@ -149,7 +149,11 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     if (scene.sheets.front().pins.empty() && scene.solver.damping.mass == 0 && scene.bodies.empty())
         expect_momentum(steps, first.mass.sum(), scene.gravity);
     const double thickness = scene.sheets.front().material.thickness;
-    for (const StepReport& step : steps) EXPECT_LT(step.lip_overlap, 0.1 * thickness) << "step " << step.step;
+    for (const StepReport& step : steps) {
+        EXPECT_LT(step.lip_overlap, 0.1 * thickness) << "step " << step.step;
+        EXPECT_LT(step.obstacle_overlap, 0.5 * thickness)
+            << "a vertex is in an obstacle at step " << step.step;
+    }
 }
 
 // The first part of the longer ones: tests/benchmarks/contact_table.py runs them whole.

@@ -30,11 +30,15 @@ void print_row(const std::filesystem::path& file) {
         passing += found.passing.size();
         lips = std::max(lips, found.lips);
     }
-    double overlap = 0;
-    for (const StepReport& step : recording.steps()) overlap = std::max(overlap, step.lip_overlap);
+    double lip = 0, obstacle = 0;
+    for (const StepReport& step : recording.steps()) {
+        lip = std::max(lip, step.lip_overlap);
+        obstacle = std::max(obstacle, step.obstacle_overlap);
+    }
     const Snapshot last = recording.frame(recording.frame_count() - 1);
-    fmt::print("| {} | {:L} | {} | {} | {} | {} | {:.2g} |\n", file.stem().string(), last.faces.size(),
-               recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * overlap);
+    fmt::print("| {} | {:L} | {} | {} | {} | {} | {:.2g} | {:.2g} |\n", file.stem().string(),
+               last.faces.size(), recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * lip,
+               1e6 * obstacle);
 }
 
 }  // namespace

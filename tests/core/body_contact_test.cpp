@@ -44,7 +44,7 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     for (const RigidBody& body : {ball(Vector3d(0.003, 0.001, 0.0208), Vector3d(0.1, 0, -1)), box}) {
         const std::vector<Obstacle> none;
         const BodyContact contact(sheet, body, none, Vector3d::Zero(), 0, 1e-3);
-        ASSERT_GT(contact.contacts(sheet.position), 0);
+        ASSERT_GT(contact.touch(sheet.position).vertices, 0);
         Random random(2);
         Positions x = sheet.position;
         for (double& entry : x.reshaped()) entry += 1e-5 * random.uniform(-1, 1);
@@ -75,7 +75,7 @@ TEST(BodyContact, ACollisionKeepsMomentum) {
     Index touched = 0;
     for (int i = 0; i < 60; ++i) {
         step(time_step, 1);
-        touched = std::max(touched, time_step.contacts());
+        touched = std::max(touched, time_step.touch().vertices);
         const RigidBody& body = time_step.bodies()[0];
         ASSERT_LT((momentum(sheet, body) - before).norm(), 1e-8 * before.norm()) << "step " << i;
     }

@@ -42,7 +42,7 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         for (const bool moves : {false, true}) {
             if (moves) obstacle.motion = turning;
             const ObstacleContact contact(sheet, obstacle, 0.5, 1e-3);
-            EXPECT_EQ(contact.contacts(sheet.position), 1);
+            EXPECT_EQ(contact.touch(sheet.position).vertices, 1);
             for (int i = 0; i < 50; ++i) {
                 const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and below the smoothing
                 const Vector3d moved = Vector3d(sheet.position.col(0)) + random.matrix<Vector3d>(way);

@@ -130,6 +130,7 @@ inline StepReport step(Index i) {
     report.stages = i % 4;
     report.stage_cap_reached = i % 11 == 0;
     report.contacts = 3 * i;
+    report.obstacle_overlap = 2e-6 * i;
     report.lip_overlap = 1e-6 * i;
     report.fragments = 1 + i / 10;
     report.peak_strain = 2.0 + std::sin(i);
