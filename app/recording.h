@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
+#include "meshops/signed_distance_grid.h"
 
 namespace sherd {
 
@@ -25,6 +27,12 @@ struct RecordingHeader {
     std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
 };
 
+/// An obstacle that can be drawn.
+struct RecordedObstacle {
+    std::string name;
+    GridSurface surface;  ///< in the obstacle's own frame
+};
+
 /// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
 /// replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
 /// later append fails. The layout of the file is in app/README.md. The program must ignore SIGXFSZ, so that a
@@ -33,11 +41,14 @@ class RecordingWriter {
   public:
     /// Creates the file. Throws Error (input) when it or the index exists and not `force`, or cannot be
     /// created; nothing is left behind then.
-    RecordingWriter(std::filesystem::path file, const RecordingHeader& header, bool force);
+    RecordingWriter(std::filesystem::path file, const RecordingHeader& header, bool force,
+                    std::span<const RecordedObstacle> obstacles = {});
 
-    /// Adds a frame, the steps since the last append, and the events since then. Throws Error (run) when the
-    /// disk is full or the file cannot be written; the file is then as it was before.
-    void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events);
+    /// Adds a frame, the steps since the last append, and the events since then. poses: of each obstacle,
+    /// from its frame to space. Throws Error (run) when the disk is full or the file cannot be written; the
+    /// file is then as it was before.
+    void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
+                std::span<const Eigen::Isometry3d> poses = {});
 
     /// Stores how the run ended: its wall time and whether it was complete, interrupted or failed.
     void finish(double wall_seconds, const std::string& end);
@@ -56,7 +67,9 @@ class Recording {
 
     RecordingHeader header() const;
     std::size_t frame_count() const;
-    Snapshot frame(std::size_t number) const;  ///< number < frame_count()
+    Snapshot frame(std::size_t number) const;         ///< number < frame_count()
+    std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
+    std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
     std::vector<StepReport> steps() const;
     CrackEvents events() const;
     double wall_seconds() const;  ///< 0 while the run goes on

@@ -28,6 +28,10 @@ std::string frame_group(std::size_t number) {
     return fmt::format("frames/{:06}", number);
 }
 
+std::string obstacle_group(std::size_t number) {
+    return fmt::format("obstacles/{}", number);
+}
+
 std::string inconsistency(const Snapshot& s) {
     const auto vertices = static_cast<std::size_t>(s.position.cols());
     if (s.velocity.cols() != s.position.cols() || s.mass.size() != s.position.cols() ||
@@ -54,6 +58,12 @@ std::string inconsistency(const RecordingHeader& header) {
         return "/rest/faces and /rest/thickness differ in length";
     if (any_outside(header.rest_faces, static_cast<std::size_t>(header.rest_position.cols())))
         return "a face of /rest/faces names a vertex that does not exist";
+    return "";
+}
+
+std::string inconsistency(const RecordedObstacle& obstacle) {
+    if (any_outside(obstacle.surface.triangles, obstacle.surface.points.size()))
+        return fmt::format("a face of the obstacle '{}' names a point that does not exist", obstacle.name);
     return "";
 }
 

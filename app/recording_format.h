@@ -135,9 +135,17 @@ struct Table<FragmentBirth> {
 /// Name of the group of a frame.
 std::string frame_group(std::size_t number);
 
+/// Name of the group of an obstacle's surface.
+std::string obstacle_group(std::size_t number);
+
+/// An obstacle's pose as it is stored: the three rows of rotation | translation.
+using StoredPose = std::array<double, 12>;
+
 /// What is wrong with the array lengths and indices of a snapshot; empty when nothing is.
 std::string inconsistency(const Snapshot& snapshot);
 /// Likewise of the mesh at rest.
 std::string inconsistency(const RecordingHeader& header);
+/// Likewise of an obstacle's surface.
+std::string inconsistency(const RecordedObstacle& obstacle);
 
 }  // namespace sherd::recording_format

@@ -94,6 +94,39 @@ Snapshot Recording::frame(std::size_t number) const {
     });
 }
 
+std::vector<RecordedObstacle> Recording::obstacles() const {
+    return read_from(file, [](hid_t opened) {
+        std::vector<RecordedObstacle> obstacles;
+        if (!hdf5::contains(opened, "obstacles")) return obstacles;
+        for (const std::string& name : hdf5::read_texts(opened, "obstacles/names")) {
+            const hdf5::Handle group = hdf5::open_group(opened, obstacle_group(obstacles.size()));
+            obstacles.push_back({name, {}});
+            read_array(group, "position", obstacles.back().surface.points);
+            read_array(group, "face", obstacles.back().surface.triangles);
+            if (const std::string what = inconsistency(obstacles.back()); !what.empty()) throw Error(what);
+        }
+        return obstacles;
+    });
+}
+
+std::vector<Eigen::Isometry3d> Recording::poses(std::size_t number) const {
+    return read_from(file, [number](hid_t opened) {
+        std::vector<Eigen::Isometry3d> poses;
+        if (!hdf5::contains(opened, "obstacles")) return poses;
+        const auto stored = hdf5::read<StoredPose>(opened, frame_group(number) + "/obstacle/pose");
+        const std::size_t obstacles = hdf5::read_texts(opened, "obstacles/names").size();
+        if (stored.size() != obstacles)
+            throw Error(
+                fmt::format("frame {} has {} poses of {} obstacles", number, stored.size(), obstacles));
+        for (const StoredPose& rows : stored) {
+            poses.push_back(Eigen::Isometry3d::Identity());
+            poses.back().affine() =
+                Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(rows.data());
+        }
+        return poses;
+    });
+}
+
 std::vector<StepReport> Recording::steps() const {
     return read_from(file, read_table<StepReport>);
 }

@@ -54,7 +54,33 @@ void write_head(hid_t file, const RecordingHeader& header) {
     create_table<FragmentBirth>(file);
 }
 
-void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot) {
+void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
+    if (obstacles.empty()) return;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        names.push_back(obstacles[i].name);
+        const hdf5::Handle group = hdf5::create_group(file, obstacle_group(i));
+        write_array(group, "position", {"m", "in the obstacle's own frame"}, obstacles[i].surface.points);
+        write_array(group, "face", {"1", "the three corners, as rows of position"},
+                    obstacles[i].surface.triangles);
+    }
+    hdf5::write_texts(file, "obstacles/names", names);
+}
+
+void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {
+    if (poses.empty()) return;
+    std::vector<StoredPose> stored(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(stored[i].data()) = poses[i].affine();
+    write_array(group, "obstacle/pose",
+                {"1",
+                 "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
+                 "obstacle's own frame to space"},
+                stored);
+}
+
+void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot,
+                 std::span<const Eigen::Isometry3d> poses) {
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
     hdf5::write_attribute(group, "step", snapshot.step);
@@ -63,6 +89,7 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot) {
     });
     const VectorXd speed = snapshot.velocity.colwise().norm();
     write_array(group, "vertex/speed", {"m/s"}, speed);
+    write_poses(group, poses);
 }
 
 /// How much of a recording there is.
@@ -88,7 +115,7 @@ void roll_back(hid_t file, std::size_t frame, const Extent& before) {
 }
 
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<const StepReport> steps,
-         const CrackEvents& events) {
+         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
     const Extent before(file);
     try {
         append_table<StepReport>(file, steps);
@@ -96,7 +123,7 @@ void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<cons
         append_table<EdgeOpening>(file, events.openings);
         append_table<VertexSplit>(file, events.splits);
         append_table<FragmentBirth>(file, events.births);
-        write_frame(file, frame, snapshot);
+        write_frame(file, frame, snapshot, poses);
     } catch (const Error&) {
         roll_back(file, frame, before);
         throw;
@@ -108,16 +135,21 @@ constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, at
 
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
 std::size_t append_bytes(const Snapshot& snapshot, std::span<const StepReport> steps,
-                         const CrackEvents& events) {
-    return 80 * snapshot.position.cols() + 24 * snapshot.faces.size() + 24 * snapshot.edges.size() +
-           2 * sizeof(StepReport) * steps.size() + 2 * sizeof(EdgeFailure) * events.failures.size() +
+                         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
+    return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
+           24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
+           2 * sizeof(EdgeFailure) * events.failures.size() +
            2 * sizeof(EdgeOpening) * events.openings.size() + 2 * sizeof(VertexSplit) * events.splits.size() +
            2 * sizeof(FragmentBirth) * events.births.size() + append_overhead;
 }
 
-std::size_t head_bytes(const RecordingHeader& header) {
-    return 32 * header.rest_position.cols() + 32 * header.rest_faces.size() + header.scene_text.size() +
-           head_overhead;
+std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedObstacle> obstacles) {
+    std::size_t surfaces = 0;
+    for (const RecordedObstacle& o : obstacles)
+        surfaces +=
+            32 * (o.surface.points.size() + o.surface.triangles.size()) + o.name.size() + attribute_overhead;
+    return surfaces + 32 * header.rest_position.cols() + 32 * header.rest_faces.size() +
+           header.scene_text.size() + head_overhead;
 }
 
 /// Opens a recording, changes it and closes it, with room for `bytes` more.
@@ -130,7 +162,8 @@ void change(const std::filesystem::path& file, std::size_t bytes, const std::fun
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHeader& header, bool force)
+RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHeader& header, bool force,
+                                 std::span<const RecordedObstacle> obstacles)
     : file(std::move(file_)) {
     if (index_of(file) == file)
         throw Error(
@@ -139,9 +172,10 @@ RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHea
     check_free(index_of(file), force);
     PendingFile pending(file, Fault::input);
     {
-        const DiskRoom room(pending.path(), head_bytes(header));
+        const DiskRoom room(pending.path(), head_bytes(header, obstacles));
         hdf5::Handle created = hdf5::create_file(pending.path());
         write_head(created, header);
+        write_obstacles(created, obstacles);
         created.close("'" + file.string() + "'");
     }
     pending.publish(force);
@@ -150,7 +184,7 @@ RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHea
 }
 
 void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
-                             const CrackEvents& events) try {
+                             const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) try {
     if (const std::string what = inconsistency(snapshot); !what.empty()) throw Error(what, Fault::run);
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
@@ -158,8 +192,8 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     // All that needs space comes before the recording is touched; what follows it is only a change of name.
     PendingFile index(index_of(file), Fault::run);
     index.write(xdmf_text(file.filename().string(), longer));
-    change(file, append_bytes(snapshot, steps, events),
-           [&](hid_t opened) { add(opened, frames.size(), snapshot, steps, events); });
+    change(file, append_bytes(snapshot, steps, events, poses),
+           [&](hid_t opened) { add(opened, frames.size(), snapshot, steps, events, poses); });
     index.publish(true);
     frames = std::move(longer);
 } catch (const Error& error) {

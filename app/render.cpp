@@ -102,7 +102,8 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
     Progress progress(static_cast<double>(frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const std::optional<Image> image =
-            render_picture(stage.scene(recording.frame(frames[i])), stage.camera(), picture, interrupted);
+            render_picture(stage.scene(recording.frame(frames[i]), recording.poses(frames[i])),
+                           stage.camera(), picture, interrupted);
         if (!image) {
             result.interrupted = true;
             break;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/render_light.h"
+#include "app/render_obstacle.h"
 #include "app/render_stripes.h"
 #include "meshops/error.h"
 
@@ -17,6 +18,8 @@ namespace {
 constexpr std::uint32_t porcelain = 0xd8d2c6;
 constexpr double largest_share =
     0.99;  // what lies above is drawn like this: one splinter must not darken the rest
+
+constexpr double largest_widening = 2;  // of the picture for an obstacle's sake
 
 /// The lines that recordings add to a scene: `# --set KEY=VALUE` at its end.
 std::vector<std::string> recorded_overrides(const std::string& text) {
@@ -43,9 +46,13 @@ Scene recorded_scene(const RecordingHeader& header) {
 
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
                          std::vector<std::string>& warnings)
-    : options(options), header(recording.header()), rest_open(open_edges(header.rest_faces)) {
+    : options(options),
+      header(recording.header()),
+      obstacles(recording.obstacles()),
+      rest_open(open_edges(header.rest_faces)) {
     read_scene(warnings);
     measure(recording);
+    measure_obstacles(recording);
     if (options.colour == RenderColour::axis) {
         double area = 0;
         for (const double a : header.rest_area) area += a;
@@ -101,6 +108,25 @@ void RenderStage::measure(const Recording& recording) {
     if (options.range) range = *options.range;
 }
 
+void RenderStage::measure_obstacles(const Recording& recording) {
+    if (obstacles.empty()) return;
+    std::vector<Eigen::AlignedBox3d> around(obstacles.size());
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        const std::vector<Eigen::Isometry3d> poses = recording.poses(i);
+        for (std::size_t k = 0; k < obstacles.size(); ++k)
+            if (poses[k].matrix().allFinite()) around[k].extend(box_of(obstacles[k].surface, poses[k]));
+    }
+    for (const Eigen::AlignedBox3d& obstacle : around) {
+        // One that would make the sheets small is cut off by the picture instead.
+        const double widened = box.merged(obstacle).diagonal().norm();
+        if (obstacle.isEmpty() || !(widened <= largest_widening * box.diagonal().norm())) continue;
+        boxes.push_back(obstacle);
+        for (int corner = 0; corner < 8; ++corner)
+            lowest = std::min(lowest,
+                              obstacle.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
+    }
+}
+
 void RenderStage::add_ground() {
     const auto add = [&](const Vector3d& point, const Vector3d& normal) {
         planes.push_back({(point - box.center()).cast<float>(), normal.cast<float>()});
@@ -129,9 +155,12 @@ SheetPaint RenderStage::paint(const Snapshot& frame) const {
     return paint;
 }
 
-RenderScene RenderStage::scene(const Snapshot& frame) const {
+RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const {
     RenderScene scene;
     scene.meshes.push_back(sheet_solid(header, rest_open, frame, thickness, paint(frame), box.center()));
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (poses[i].matrix().allFinite())
+            scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], box.center()));
     scene.planes = planes;
     scene.centre = Eigen::Vector3f::Zero();
     scene.up = up.cast<float>();

@@ -31,7 +31,8 @@ class RenderStage {
     /// axes are wanted that the scene has not.
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
-    RenderScene scene(const Snapshot& frame) const;
+    /// poses: of the recording's obstacles in that frame.
+    RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const;
     /// Camera and ground are seen from the middle of the action.
     const Camera& camera() const { return placed; }
     const std::vector<RenderPlane>& ground() const { return planes; }
@@ -45,16 +46,18 @@ class RenderStage {
   private:
     void read_scene(std::vector<std::string>& warnings);
     void measure(const Recording& recording);
+    void measure_obstacles(const Recording& recording);
     void add_ground();
     SheetPaint paint(const Snapshot& frame) const;
 
     StageOptions options;
     RecordingHeader header;
+    std::vector<RecordedObstacle> obstacles;
     std::optional<Scene> scene_spec;  ///< none: it cannot be read any more
     std::vector<std::array<bool, 3>> rest_open;
     std::vector<double> thickness;           ///< m, by sheet
-    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, of each frame
-    Eigen::AlignedBox3d box;                 ///< m, of all frames
+    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, of the sheets in each frame, and obstacles
+    Eigen::AlignedBox3d box;                 ///< m, of the sheets in all frames
     Vector3d up = Vector3d::UnitZ();
     double lowest = 0;  ///< m, along up
     std::pair<double, double> range{0, 0};

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
+#include "app/obstacle_track.h"
 #include "app/progress.h"
 #include "app/scene_simulation.h"
 #include "meshops/error.h"
@@ -32,8 +33,13 @@ struct Totals {
 /// Steps the simulation to its end and records it.
 class Runner {
   public:
-    Runner(const Scene& scene, Simulation& simulation, RecordingWriter& writer)
-        : scene(scene), simulation(simulation), writer(writer), progress(scene.duration) {}
+    Runner(const Scene& scene, const ObstacleTrack& obstacles, Simulation& simulation,
+           RecordingWriter& writer)
+        : scene(scene),
+          obstacles(obstacles),
+          simulation(simulation),
+          writer(writer),
+          progress(scene.duration) {}
 
     /// Returns how the run ended: "complete" or "interrupted".
     std::string run();
@@ -45,6 +51,7 @@ class Runner {
     void record();
 
     const Scene& scene;
+    const ObstacleTrack& obstacles;
     Simulation& simulation;
     RecordingWriter& writer;
     Progress progress;
@@ -69,7 +76,7 @@ void Runner::step() {
 }
 
 void Runner::record() {
-    writer.append(simulation.snapshot(), unrecorded, unrecorded_events);
+    writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation));
     unrecorded.clear();
     unrecorded_events = {};
 }
@@ -127,10 +134,12 @@ int run(RunOptions options) {
     const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
     Simulation simulation(sheets, simulated);
-    RecordingWriter writer(options.output, recording_header(scene, simulation), options.force);
+    const ObstacleTrack obstacles(scene, simulated.obstacles);
+    RecordingWriter writer(options.output, recording_header(scene, simulation), options.force,
+                           obstacles.obstacles());
 
     watch_for_interruption();
-    Runner runner(scene, simulation, writer);
+    Runner runner(scene, obstacles, simulation, writer);
     try {
         const std::string end = runner.run();
         writer.finish(runner.wall_seconds(), end);

@@ -16,7 +16,7 @@ def extremes(values):
 
 
 def check_units(name, item):
-    if isinstance(item, h5py.Dataset) and name not in ("scene", "rest/sheet_names"):
+    if isinstance(item, h5py.Dataset) and name not in ("scene", "rest/sheet_names", "obstacles/names"):
         assert isinstance(item.attrs["unit"], str) and item.attrs["unit"], f"{name} has no unit"
 
 
@@ -49,9 +49,22 @@ def edge_face_counts(faces):
     return dict(zip(map(tuple, *np.unique(sides, axis=0)[None]), np.unique(sides, axis=0, return_counts=True)[1]))
 
 
+def check_obstacles(file, frame):
+    if "obstacles" not in file:
+        assert "obstacle" not in frame
+        return
+    count = len(file["obstacles/names"])
+    for i in range(count):
+        surface = file[f"obstacles/{i}"]
+        assert 0 <= surface["face"][:].min() and surface["face"][:].max() < len(surface["position"])
+    rotation = frame["obstacle/pose"][:].reshape(count, 3, 4)[:, :, :3]
+    assert np.allclose(rotation @ rotation.transpose(0, 2, 1), np.eye(3))
+
+
 def check_frame(file, frame):
     vertices = frame["vertex/position"].shape[0]
     faces, edges = frame["face/vertices"][:], frame["edge/vertices"][:]
+    check_obstacles(file, frame)
     assert frame["vertex/position"].shape == frame["vertex/velocity"].shape == (vertices, 3)
     for name in ("speed", "mass", "original"):
         assert frame["vertex"][name].shape == (vertices,)
