@@ -44,7 +44,7 @@ VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::sp
         const Vector3d normal = face_normal(frame.position, frame.faces[f]);
         for (const Index v : frame.faces[f]) {
             cosine[v] = std::min(cosine[v], std::max(least_cosine, normal.dot(normals.col(v))));
-            offset[v] = thickness[frame.face_sheet[f]] / 2;
+            offset[v] = thickness[f] / 2;
         }
     }
     return offset.cwiseQuotient(cosine);

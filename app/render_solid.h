@@ -20,8 +20,8 @@ struct SheetPaint {
 std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>> faces);
 
 /// The sheets of a frame as bodies: the surface moved by half the thickness to both sides along the vertices'
-/// normals, closed by walls along its edges. Walls that are no edge at rest are broken. thickness: m, by
-/// sheet; rest_open: open_edges(header.rest_faces); origin: subtracted from all positions.
+/// normals, closed by walls along its edges. Walls that are no edge at rest are broken. thickness: [F] m;
+/// rest_open: open_edges(header.rest_faces); origin: subtracted from all positions.
 RenderMesh sheet_solid(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
                        const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
                        const Vector3d& origin);

@@ -51,6 +51,7 @@ RenderStage::RenderStage(const Recording& recording, const StageOptions& options
       obstacles(recording.obstacles()),
       rest_open(open_edges(header.rest_faces)) {
     read_scene(warnings);
+    find_thickness(warnings);
     measure(recording);
     measure_obstacles(recording);
     if (options.colour == RenderColour::axis) {
@@ -67,22 +68,29 @@ RenderStage::RenderStage(const Recording& recording, const StageOptions& options
 void RenderStage::read_scene(std::vector<std::string>& warnings) {
     try {
         scene_spec = recorded_scene(header);
-        for (const SheetSpec& sheet : scene_spec->sheets) thickness.push_back(sheet.material.thickness);
-        if (thickness.size() != header.sheet_names.size())
-            throw Error(fmt::format("it has {} sheets, the recording {}", thickness.size(),
+        if (scene_spec->sheets.size() != header.sheet_names.size())
+            throw Error(fmt::format("it has {} sheets, the recording {}", scene_spec->sheets.size(),
                                     header.sheet_names.size()));
         if (!scene_spec->gravity.isZero(0)) up = -scene_spec->gravity.normalized();
     } catch (const Error& error) {
         if (options.colour == RenderColour::axis) throw;
         scene_spec.reset();
-        const double size =
-            (header.rest_position.rowwise().maxCoeff() - header.rest_position.rowwise().minCoeff()).norm();
-        thickness.assign(header.sheet_names.size(), 0.005 * size);
         warnings.push_back(fmt::format(
-            "the scene in the recording cannot be read, so the sheets are drawn {:.2g} m thick, which "
-            "is a guess, and without the scene's planes: {}",
-            0.005 * size, error.what()));
+            "the scene in the recording cannot be read, so the picture is without the scene's planes: {}",
+            error.what()));
     }
+}
+
+void RenderStage::find_thickness(std::vector<std::string>& warnings) {
+    thickness = header.rest_thickness;
+    if (!thickness.empty()) return;
+    const Positions& rest = header.rest_position;
+    const double guess = 0.005 * (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
+    thickness.assign(header.rest_faces.size(), guess);
+    warnings.push_back(
+        fmt::format("the recording, made by an earlier version, does not say how thick its "
+                    "sheets are: they are drawn {:.2g} m thick, which is a guess",
+                    guess));
 }
 
 void RenderStage::measure(const Recording& recording) {

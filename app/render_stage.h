@@ -45,6 +45,7 @@ class RenderStage {
 
   private:
     void read_scene(std::vector<std::string>& warnings);
+    void find_thickness(std::vector<std::string>& warnings);
     void measure(const Recording& recording);
     void measure_obstacles(const Recording& recording);
     void add_ground();
@@ -55,7 +56,7 @@ class RenderStage {
     std::vector<RecordedObstacle> obstacles;
     std::optional<Scene> scene_spec;  ///< none: it cannot be read any more
     std::vector<std::array<bool, 3>> rest_open;
-    std::vector<double> thickness;           ///< m, by sheet
+    std::vector<double> thickness;           ///< [F] m
     std::vector<Eigen::AlignedBox3d> boxes;  ///< m, of the sheets in each frame, and obstacles
     Eigen::AlignedBox3d box;                 ///< m, of the sheets in all frames
     Vector3d up = Vector3d::UnitZ();

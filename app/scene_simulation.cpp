@@ -10,7 +10,6 @@
 #include "app/scene_mesh.h"
 #include "app/scene_start.h"
 #include "app/scene_support.h"
-#include "app/sheet_start.h"
 #include "app/sheet_strength.h"
 #include "core/stability.h"
 #include "meshops/error.h"

@@ -18,13 +18,12 @@ FacePair ascending(Face a, Face b) {
     return {static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b))};
 }
 
-/// Whether a vertex of one lies where a vertex of the other does, as along a seam that is not joined.
-bool at_seam(const BreakableSheet& sheet, const FacePair& faces) {
-    const Sheet& mechanics = sheet.mechanics();
-    for (const Index p : mechanics.triangles[faces[0]].vertices)
-        for (const Index q : mechanics.triangles[faces[1]].vertices)
-            if (p != q && mechanics.body[p] == mechanics.body[q] &&
-                mechanics.rest.col(p) == mechanics.rest.col(q))
+/// Whether a vertex of one is a twin of a vertex of the other, as along a seam that is not joined.
+bool at_seam(const Sheet& sheet, const FacePair& faces) {
+    for (const Index p : sheet.triangles[faces[0]].vertices)
+        for (const Index q : sheet.triangles[faces[1]].vertices)
+            if (std::binary_search(sheet.twins.begin(), sheet.twins.end(),
+                                   std::array{std::min(p, q), std::max(p, q)}))
                 return true;
     return false;
 }
@@ -65,7 +64,7 @@ std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
     }
     for (const auto& [a, b] : self_intersections(sheet.mesh())) {
         const FacePair faces = ascending(a, b);
-        if (at_seam(sheet, faces)) continue;
+        if (at_seam(mechanics, faces)) continue;
         overlaps.push_back({faces, true, 0, 0});
         near.erase(faces);
     }

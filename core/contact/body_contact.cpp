@@ -12,12 +12,6 @@ constexpr int most_iterations = 100, most_halvings = 40;
 constexpr double round_off_of_value = 1e-12;
 constexpr double ahead_of_contact = 0.1;  // of the body's size: vertices that may soon touch
 
-Matrix3d cross_matrix(const Vector3d& v) {
-    Matrix3d m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
-
 Matrix3d turned(const Vector3d& rotation) {
     const double angle = rotation.norm();
     if (angle == 0) return Matrix3d::Identity();

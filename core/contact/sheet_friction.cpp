@@ -11,13 +11,6 @@ using SlipMatrix = Eigen::Matrix<double, 3, 12>;
 /// Of the pair's inertia against turning, to bear elements that are as thin as a line.
 constexpr double regularization = 1e-8;
 
-/// v x as a matrix.
-Matrix3d cross_matrix(const Vector3d& v) {
-    Matrix3d m;
-    m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-    return m;
-}
-
 /// The small rotation, rad, that the elements' edges have made, as a matrix on the vertices' displacements:
 /// the one that fits best, which is exact for a rigid motion.
 SlipMatrix rotation(PairKind kind, const PairPositions& x) {

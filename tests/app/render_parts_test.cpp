@@ -73,7 +73,7 @@ class Solid : public ::testing::Test {
     RenderMesh solid(const Snapshot& frame) const {
         SheetPaint paint;
         paint.colour.assign(frame.position.cols(), Eigen::Vector3f::Ones());
-        const std::vector<double> thickness{0.002, 0.002};
+        const std::vector<double> thickness(frame.faces.size(), 0.002);
         return sheet_solid(run.header, open_edges(run.header.rest_faces), frame, thickness, paint,
                            Vector3d::Zero());
     }

@@ -24,15 +24,9 @@ using test::CornerRule;
 
 const std::filesystem::path scenes = SHERD_SCENES;
 
-/// The frame's mesh, empty at first, built anew from its faces; a face that does not fit a 2-manifold cannot
-/// be added.
-void expect_manifold(const Snapshot& frame, Mesh& mesh) {
-    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
-        mesh.add_vertex(Point(frame.position(0, v), frame.position(1, v), frame.position(2, v)));
-    for (const auto& face : frame.faces) {
-        const Face added = mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2]));
-        ASSERT_NE(added, Mesh::null_face());
-    }
+void expect_manifold(const Snapshot& frame) {
+    const Mesh mesh = test::frame_mesh(frame);
+    ASSERT_EQ(mesh.number_of_faces(), frame.faces.size()) << "faces that do not fit a 2-manifold";
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
     EXPECT_EQ(mesh.number_of_edges(), frame.edges.size());
     for (const Vertex vertex : mesh.vertices()) {
@@ -59,8 +53,8 @@ void expect_same_matter(const Snapshot& frame, const Snapshot& first, const Reco
 }
 
 /// Nothing may pass through anything, but for the lips of cracks, by less than a tenth of the thickness.
-void expect_no_intersection(const Snapshot& frame, const Mesh& mesh) {
-    for (const auto& [a, b] : test::frame_intersections(frame, mesh).passing)
+void expect_no_intersection(const Snapshot& frame) {
+    for (const auto& [a, b] : test::frame_intersections(frame).passing)
         ADD_FAILURE() << "faces " << a.idx() << " and " << b.idx() << " pass through each other";
 }
 
@@ -137,9 +131,8 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         SCOPED_TRACE("frame " + std::to_string(i));
         const Snapshot frame = recording.frame(i);
-        Mesh mesh;
-        expect_manifold(frame, mesh);
-        expect_no_intersection(frame, mesh);
+        expect_manifold(frame);
+        expect_no_intersection(frame);
         expect_same_matter(frame, first, header);
         expect_corner_rule(frame, first);
     }

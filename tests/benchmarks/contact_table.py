@@ -18,7 +18,8 @@ def main():
     program = pathlib.Path(sys.argv[1]).resolve()
     counter = program.parents[1] / "tests" / "benchmarks" / "frame_intersections"
     scenes = [pathlib.Path(name) for name in sys.argv[2:]] or sorted(SCENES.glob("*.toml"))
-    print("| scene | faces | steps | frames | passing pairs | lip pairs at most | lip overlap (µm) | overlap with obstacles (µm) |")
+    print("| scene | faces | steps | frames | pairs of faces that pass through each other | lips that overlap, at most "
+          "| by (µm) | surface in an obstacle, at most (µm) |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     passing = 0
     with tempfile.TemporaryDirectory() as folder:

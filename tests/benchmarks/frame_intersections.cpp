@@ -13,20 +13,12 @@
 namespace sherd {
 namespace {
 
-Mesh mesh_of(const Snapshot& frame) {
-    Mesh mesh;
-    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
-        mesh.add_vertex(Point(frame.position(0, v), frame.position(1, v), frame.position(2, v)));
-    for (const auto& face : frame.faces) mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2]));
-    return mesh;
-}
-
 void print_row(const std::filesystem::path& file) {
     const Recording recording(file);
     std::size_t passing = 0, lips = 0;
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const Snapshot frame = recording.frame(i);
-        const test::FrameIntersections found = test::frame_intersections(frame, mesh_of(frame));
+        const test::FrameIntersections found = test::frame_intersections(frame);
         passing += found.passing.size();
         lips = std::max(lips, found.lips);
     }
@@ -36,9 +28,8 @@ void print_row(const std::filesystem::path& file) {
         obstacle = std::max(obstacle, step.obstacle_overlap);
     }
     const Snapshot last = recording.frame(recording.frame_count() - 1);
-    fmt::print("| {} | {:L} | {} | {} | {} | {} | {:.2g} | {:.2g} |\n", file.stem().string(),
-               last.faces.size(), recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * lip,
-               1e6 * obstacle);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} |\n", file.stem().string(), last.faces.size(),
+               recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * lip, 1e6 * obstacle);
 }
 
 }  // namespace

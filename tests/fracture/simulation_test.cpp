@@ -79,7 +79,7 @@ TEST(Simulation, ElasticForcesBalanceOnAnyDeformation) {
     }
 }
 
-Simulation falling_disc(double strain_threshold) {
+Simulation falling_disc(double strain_threshold, int max_iterations = 50) {
     SheetInput plate = disc(0.1, 0.012);
     plate.strength = uniform_strength(strain_threshold);
     for (const Vertex vertex : plate.mesh.vertices()) {
@@ -90,6 +90,7 @@ Simulation falling_disc(double strain_threshold) {
     plate.velocity = Vector3d(0, 0, -4);
     SimulationOptions options;
     options.obstacles = {test::floor()};
+    options.max_iterations = max_iterations;
     return Simulation({plate}, options);
 }
 
@@ -164,6 +165,30 @@ TEST(Simulation, HalvesAStepThatCannotBeSolvedAndGoesOn) {
         }
     EXPECT_GT(halvings, 0);
     EXPECT_EQ(largest_after, 1e-3) << "the step has grown back";
+}
+
+// What breaks in a step that then has to be halved has happened in what was done of it, and the mesh and its
+// mechanics stay together.
+TEST(Simulation, EventsHaveTheTimeOfTheStepThatWasDone) {
+    Simulation simulation = falling_disc(0.3, 4);
+    Index halved_while_breaking = 0;
+    std::size_t splits = 0;
+    const Eigen::Index vertices = simulation.snapshot().position.cols();
+    for (int i = 0; i < 150; ++i) {
+        const StepReport report = simulation.step();
+        const CrackEvents events = simulation.take_events();
+        const auto expect_time = [&](const auto& of_kind) {
+            for (const auto& event : of_kind) EXPECT_EQ(event.time, report.time) << "step " << report.step;
+        };
+        expect_time(events.failures);
+        expect_time(events.openings);
+        expect_time(events.splits);
+        expect_time(events.births);
+        splits += events.splits.size();
+        halved_while_breaking += report.halvings > 0 && !events.failures.empty();
+    }
+    EXPECT_GT(halved_while_breaking, 0);
+    EXPECT_EQ(simulation.snapshot().position.cols(), vertices + static_cast<Eigen::Index>(splits));
 }
 
 // Nothing may go on from a step that failed.

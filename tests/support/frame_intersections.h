@@ -9,6 +9,15 @@
 
 namespace sherd::test {
 
+/// The frame's mesh, built anew from its faces; those that do not fit a 2-manifold are not in it.
+inline Mesh frame_mesh(const Snapshot& frame) {
+    Mesh mesh;
+    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
+        mesh.add_vertex(Point(frame.position(0, v), frame.position(1, v), frame.position(2, v)));
+    for (const auto& face : frame.faces) mesh.add_face(Vertex(face[0]), Vertex(face[1]), Vertex(face[2]));
+    return mesh;
+}
+
 /// Pairs of faces of a frame that have more in common than they share as neighbours.
 struct FrameIntersections {
     std::vector<std::array<Face, 2>> passing;  ///< through each other: there must be none
@@ -16,10 +25,10 @@ struct FrameIntersections {
         0;  ///< at a vertex that a crack has split, where they lie on each other until they part
 };
 
-/// mesh: that of the frame. By exact predicates.
-inline FrameIntersections frame_intersections(const Snapshot& frame, const Mesh& mesh) {
+/// By exact predicates.
+inline FrameIntersections frame_intersections(const Snapshot& frame) {
     FrameIntersections found;
-    for (const auto& pair : self_intersections(mesh)) {
+    for (const auto& pair : self_intersections(frame_mesh(frame))) {
         bool split = false;
         for (const Index p : frame.faces[pair[0]])
             for (const Index q : frame.faces[pair[1]]) split |= frame.original[p] == frame.original[q];
