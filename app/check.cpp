@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/commands.h"
-#include "app/scene_simulation.h"
+#include "app/scene/scene_simulation.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"

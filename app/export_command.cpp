@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/export_formats.h"
+#include "app/export/export_formats.h"
 #include "app/interruption.h"
 
 namespace sherd {

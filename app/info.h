@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/recording.h"
+#include "app/recording/recording.h"
 
 namespace sherd {
 

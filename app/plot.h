@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/plot_chart.h"
-#include "app/recording.h"
+#include "app/recording/recording.h"
 
 namespace sherd {
 

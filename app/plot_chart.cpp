@@ -8,7 +8,7 @@
 #include <iterator>
 #include <limits>
 
-#include "app/xdmf.h"
+#include "app/recording/xdmf.h"
 
 namespace sherd {
 namespace {

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/hdf5.h"
 #include "app/probe.h"
-#include "app/recording_file.h"
+#include "app/recording/hdf5.h"
+#include "app/recording/recording_file.h"
 
 namespace sherd {
 namespace {

@@ -9,14 +9,14 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/export.h"
+#include "app/export/export.h"
 #include "app/interruption.h"
 #include "app/progress.h"
-#include "app/recording.h"
-#include "app/recording_file.h"
-#include "app/render_film.h"
-#include "app/render_picture.h"
-#include "app/render_stage.h"
+#include "app/recording/recording.h"
+#include "app/recording/recording_file.h"
+#include "app/render/render_film.h"
+#include "app/render/render_picture.h"
+#include "app/render/render_stage.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
-#include "app/obstacle_track.h"
 #include "app/progress.h"
-#include "app/scene_simulation.h"
+#include "app/recording/obstacle_track.h"
+#include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/export.h"
+#include "app/export/export.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <map>
 
-#include "app/hdf5.h"
+#include "app/recording/hdf5.h"
 #include "meshops/components.h"
 #include "tests/support/export_fixture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // If one of these fails, an orthotropic sheet has its stiff direction elsewhere than the scene says.
-#include "app/material_axis.h"
+#include "app/scene/material_axis.h"
 
 #include <gtest/gtest.h>
 

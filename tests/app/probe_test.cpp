@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/hdf5.h"
+#include "app/recording/hdf5.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 

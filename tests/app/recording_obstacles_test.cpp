@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "app/hdf5.h"
 #include "app/image.h"
-#include "app/recording.h"
+#include "app/recording/hdf5.h"
+#include "app/recording/recording.h"
 #include "app/render.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording.h"
+#include "app/recording/recording.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include <thread>
 #include <tuple>
 
-#include "app/hdf5.h"
+#include "app/recording/hdf5.h"
 #include "meshops/error.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"

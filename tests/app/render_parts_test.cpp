@@ -7,12 +7,12 @@
 #include <map>
 #include <set>
 
-#include "app/camera.h"
 #include "app/image.h"
-#include "app/render_colour.h"
-#include "app/render_picture.h"
-#include "app/render_solid.h"
-#include "app/render_stripes.h"
+#include "app/render/camera.h"
+#include "app/render/render_colour.h"
+#include "app/render/render_picture.h"
+#include "app/render/render_solid.h"
+#include "app/render/render_stripes.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 

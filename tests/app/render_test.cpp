@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "app/image.h"
-#include "app/render_stage.h"
+#include "app/render/render_stage.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
 #include "tests/support/synthetic_run.h"

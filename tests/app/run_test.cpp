@@ -2,7 +2,7 @@
 // How runs end, through the real program.
 #include <gtest/gtest.h>
 
-#include "app/recording.h"
+#include "app/recording/recording.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 

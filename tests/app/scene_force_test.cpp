@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A load or a support that arrives wrongly, or nowhere, makes a run worthless without a word.
-#include "app/scene_force.h"
+#include "app/scene/scene_force.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/scene_simulation.h"
+#include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
 

@@ -3,8 +3,8 @@
 // nothing.
 #include <gtest/gtest.h>
 
-#include "app/scene.h"
-#include "app/scene_simulation.h"
+#include "app/scene/scene.h"
+#include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
 

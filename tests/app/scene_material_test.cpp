@@ -3,8 +3,8 @@
 // refused by name: a run with them gains energy from nothing.
 #include <gtest/gtest.h>
 
-#include "app/scene.h"
-#include "app/scene_simulation.h"
+#include "app/scene/scene.h"
+#include "app/scene/scene_simulation.h"
 #include "tests/support/ply_square.h"
 #include "tests/support/png_file.h"
 #include "tests/support/program.h"

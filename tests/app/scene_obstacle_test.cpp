@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "app/obstacle_shape.h"
-#include "app/scene_simulation.h"
+#include "app/scene/obstacle_shape.h"
+#include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"

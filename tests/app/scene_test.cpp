@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene file says must arrive in the simulation as it was written; a value that is read wrongly, or a
 // default that changes, makes every figure of a run wrong without a word.
-#include "app/scene.h"
+#include "app/scene/scene.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/profile.h"
-#include "app/scene_mesh.h"
-#include "app/toml_table.h"
+#include "app/scene/profile.h"
+#include "app/scene/scene_mesh.h"
+#include "app/scene/toml_table.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "tests/support/temporary_directory.h"

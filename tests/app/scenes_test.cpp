@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "app/recording.h"
-#include "app/scene.h"
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
 #include "tests/support/corner_rule.h"
 #include "tests/support/frame_intersections.h"
 #include "tests/support/mesh_shapes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // If one of these fails, a sheet is weak elsewhere than its map or its score says.
-#include "app/strength_map.h"
+#include "app/scene/strength_map.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
-#include "app/recording.h"
-#include "app/scene.h"
-#include "app/scene_mesh.h"
-#include "app/scene_simulation.h"
-#include "app/score.h"
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
+#include "app/scene/scene_mesh.h"
+#include "app/scene/scene_simulation.h"
+#include "app/scene/score.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view.h"
+#include "app/view/view.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "app/view_assets.h"
-#include "app/view_data.h"
+#include "app/view/view_assets.h"
+#include "app/view/view_data.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
 #include "tests/support/synthetic_run.h"

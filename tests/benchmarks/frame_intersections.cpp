@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/recording.h"
+#include "app/recording/recording.h"
 
 namespace sherd {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "app/export.h"
+#include "app/export/export.h"
 #include "meshops/error.h"
 #include "meshops/read_mesh.h"
 #include "tests/support/synthetic_run.h"

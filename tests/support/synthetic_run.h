@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "app/recording.h"
+#include "app/recording/recording.h"
 
 namespace sherd::test {
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export.h"
+
+#include <fmt/format.h>
+
+#include "app/export/export_formats.h"
+#include "app/recording/recording_file.h"
+
+namespace sherd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes the folder of the files when the output names one.
+void prepare_folder(const ExportOptions& options, const fs::path& folder) {
+    if (folder.empty() || fs::is_directory(folder)) return;
+    std::error_code reason;
+    // Only the folder that was asked for: a missing one above it is more likely a mistake.
+    if (folder == (options.output / "file").parent_path()) fs::create_directory(folder, reason);
+    if (!fs::is_directory(folder))
+        throw Error(fmt::format("cannot write to the folder '{}': {}; create it first", folder.string(),
+                                reason ? reason.message() : "it does not exist"));
+}
+
+void write(const ExportJob& job, bool force) {
+    PendingFile pending(job.file, Fault::run);
+    if (job.write)
+        job.write(pending.path());
+    else
+        pending.write(job.content());
+    pending.publish(force);
+}
+
+}  // namespace
+
+ExportReport export_recording(const ExportOptions& options) {
+    const ExportFormat& format = export_format(options);
+    ExportSource source(options, format.extension, format.all_frames);
+    const std::vector<ExportJob> jobs = format.plan(source);
+    for (const ExportJob& job : jobs) check_free(job.file, options.force);
+    prepare_folder(options, jobs.front().file.parent_path());
+    ExportReport report;
+    for (const ExportJob& job : jobs) try {
+            write(job, options.force);
+            report.files.push_back(job.file);
+        } catch (const Error& error) {
+            const auto& done = report.files;
+            throw Error(fmt::format("{}; {} of {} files are complete{}", error.what(), done.size(),
+                                    jobs.size(), done.empty() ? "" : ", up to " + done.back().string()),
+                        error.fault);
+        }
+    report.warnings = source.warnings;
+    return report;
+}
+
+}  // namespace sherd

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export_clip.h"
+
+#include "app/export/export_sheet.h"
+#include "meshops/thicken.h"
+
+namespace sherd {
+
+Clip::Clip(ExportSource& source)
+    : source(source),
+      last(source.sheet(source.frames().back())),
+      last_sheet(frame_sheet(source.frame(source.frames().back()))),
+      origin(source.frame(source.frames().back()).original) {}
+
+double Clip::time(std::size_t i) {
+    return source.frame(source.frames()[i]).time;
+}
+
+std::vector<Vector3d> Clip::sheet_points(std::size_t i) {
+    // A face keeps its corners; a corner's vertex in an earlier frame is what the later one was split from.
+    const Snapshot& frame = source.frame(source.frames()[i]);
+    std::vector<Vector3d> points(last_sheet.points.size());
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+            points[last_sheet.triangles[f][k]] = frame.position.col(frame.faces[f][k]);
+    return points;
+}
+
+std::vector<Vector3d> Clip::points(std::size_t i) {
+    if (!source.options.solid) return sheet_points(i);
+    TriangleSheet sheet = last_sheet;
+    sheet.points = sheet_points(i);
+    return thickened(sheet, source.thickness(), origin).points;
+}
+
+}  // namespace sherd

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/export/export_source.h"
+
+namespace sherd {
+
+/// A kind of file that `sherd export` knows.
+struct ExportFormat {
+    const char* name;       ///< of --to
+    const char* extension;  ///< of -o
+    bool all_frames;        ///< what it is made for: the whole run, or a single moment
+    bool fragments, solid;  ///< whether it knows these options
+    /// What is to be written, in this order. The jobs refer to the source.
+    std::vector<ExportJob> (*plan)(ExportSource& source);
+};
+
+/// Throws Error (input) on an unknown name, and on options that the format does not know.
+const ExportFormat& export_format(const ExportOptions& options);
+std::string export_format_names();  ///< "obj, ply, ..."
+
+std::vector<ExportJob> plan_obj(ExportSource& source);
+std::vector<ExportJob> plan_ply(ExportSource& source);
+std::vector<ExportJob> plan_stl(ExportSource& source);
+std::vector<ExportJob> plan_pvd(ExportSource& source);
+std::vector<ExportJob> plan_pc2(ExportSource& source);
+std::vector<ExportJob> plan_mdd(ExportSource& source);
+std::vector<ExportJob> plan_glb(ExportSource& source);
+std::vector<ExportJob> plan_vdb(ExportSource& source);
+
+}  // namespace sherd

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "app/export/export.h"
+#include "meshops/error.h"
+
+namespace sherd {
+
+namespace {
+
+/// A selection of frames, with what a message about it needs.
+struct Selection {
+    const std::string& text;
+    std::int64_t count;
+
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(
+            fmt::format("--frames {}: {}; give last, all, a number, START:STOP:STEP, or several of these "
+                        "with commas",
+                        text, why));
+    }
+
+    std::int64_t number(const std::string& word) const {
+        std::int64_t value = 0;
+        const char* end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, value);
+        if (word.empty() || stop != end || error != std::errc())
+            fail(fmt::format("'{}' is not a frame", word));
+        return value;
+    }
+
+    /// From the end when negative.
+    std::size_t frame(const std::string& word) const {
+        const std::int64_t value = number(word), index = value < 0 ? value + count : value;
+        if (index < 0 || index >= count)
+            fail(
+                fmt::format("there is no frame {}, the recording has {} (0 to {})", value, count, count - 1));
+        return static_cast<std::size_t>(index);
+    }
+
+    /// A bound of a range, cut off where the frames end.
+    std::int64_t bound(const std::string& word, std::int64_t otherwise) const {
+        if (word.empty()) return otherwise;
+        const std::int64_t value = number(word);
+        return std::clamp<std::int64_t>(value < 0 ? value + count : value, 0, count);
+    }
+};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> words(1);
+    for (const char c : text) {
+        if (c == separator)
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
+void add_range(const Selection& selection, const std::vector<std::string>& words,
+               std::vector<std::size_t>& frames) {
+    if (words.size() > 3) selection.fail("a range has at most three parts");
+    const std::int64_t step = words.size() == 3 && !words[2].empty() ? selection.number(words[2]) : 1;
+    if (step < 1) selection.fail("the step of a range must be at least 1");
+    const std::int64_t stop = selection.bound(words[1], selection.count);
+    for (std::int64_t i = selection.bound(words[0], 0); i < stop; i += std::min(step, selection.count))
+        frames.push_back(static_cast<std::size_t>(i));
+}
+
+}  // namespace
+
+std::vector<std::size_t> selected_frames(const std::string& text, std::size_t count) {
+    const Selection selection{text, static_cast<std::int64_t>(count)};
+    if (count == 0) selection.fail("the recording has no frame yet");
+    std::vector<std::size_t> frames;
+    for (const std::string& part : split(text, ',')) {
+        const std::vector<std::string> words = split(part == "all" ? ":" : part, ':');
+        if (words.size() > 1)
+            add_range(selection, words, frames);
+        else
+            frames.push_back(part == "last" ? count - 1 : selection.frame(part));
+    }
+    if (frames.empty()) selection.fail("that selects no frame");
+    std::ranges::sort(frames);
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+}  // namespace sherd

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// glb: the fragments of the last frame as nodes, moved rigidly or by morph targets.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/export/export_clip.h"
+#include "app/export/export_formats.h"
+#include "app/export/export_sheet.h"
+#include "app/export/glb_file.h"
+
+namespace sherd {
+
+namespace {
+
+/// Of a solid, whose second half of points lies below the first: that of the sheet, so that the rim looks
+/// rounded; else the mean of the triangles' normals, weighted by area.
+std::vector<Vector3d> normals(const std::vector<Vector3d>& points,
+                              const std::vector<std::array<Index, 3>>& triangles, bool solid) {
+    std::vector<Vector3d> normals(points.size(), Vector3d::Zero());
+    const std::size_t half = points.size() / 2;
+    for (std::size_t i = 0; solid && i < half; ++i) {
+        normals[i] = points[i] - points[half + i];
+        normals[half + i] = -normals[i];
+    }
+    for (const auto& [a, b, c] : solid ? std::vector<std::array<Index, 3>>() : triangles) {
+        const Vector3d normal = (points[b] - points[a]).cross(points[c] - points[a]);
+        for (const Index corner : {a, b, c}) normals[corner] += normal;
+    }
+    for (Vector3d& normal : normals)
+        normal = normal.norm() > 0 ? Vector3d(normal.normalized()) : Vector3d(Vector3d::UnitZ());
+    return normals;
+}
+
+std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion) {
+    std::vector<Vector3d> result;
+    for (const Vector3d& point : points) result.push_back(motion * point);
+    return result;
+}
+
+Positions columns(const std::vector<Vector3d>& points) {
+    Positions result(3, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = points[i];
+    return result;
+}
+
+Vector3d centroid(const std::vector<Vector3d>& points) {
+    return columns(points).rowwise().mean();
+}
+
+/// The rigid motion that takes `from` nearest to `to` (Umeyama 1991).
+Eigen::Isometry3d best_fit(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
+    const bool with_scaling = false;
+    Eigen::Isometry3d motion;
+    motion.matrix() = Eigen::umeyama(columns(from), columns(to), with_scaling);
+    return motion;
+}
+
+/// Makes the nodes of a clip.
+class Animation {
+  public:
+    Animation(ExportSource& source, Clip& clip) : source(source), clip(clip) {}
+    GlbScene scene();
+
+  private:
+    void add_times(GlbScene& scene);
+    void add_nodes(GlbScene& scene);
+    void add_bodies(GlbScene& scene);
+    void add_motions(GlbScene& scene);
+    void add_shapes(GlbScene& scene);
+    void warn_of_deviation(double deviation);
+
+    ExportSource& source;
+    Clip& clip;
+    std::vector<std::vector<std::size_t>> vertices;  ///< of each fragment
+    std::vector<std::vector<Vector3d>> local;        ///< their places about the fragment's centroid, m
+};
+
+GlbScene Animation::scene() {
+    GlbScene scene;
+    scene.name = source.options.recording.stem().string();
+    scene.double_sided = !source.options.solid;
+    add_times(scene);
+    add_nodes(scene);
+    if (source.options.animate == "morph") {
+        add_shapes(scene);
+    } else {
+        add_bodies(scene);
+        add_motions(scene);
+    }
+    return scene;
+}
+
+void Animation::add_times(GlbScene& scene) {
+    for (std::size_t i = 0; i < clip.frame_count(); ++i) scene.times.push_back(clip.time(i) - clip.time(0));
+}
+
+void Animation::add_nodes(GlbScene& scene) {
+    const TriangleSheet& topology = clip.topology();
+    for (std::size_t i = 0; i < topology.group_names.size(); ++i) {
+        GlbNode node;
+        node.name = topology.group_names[i];
+        node.triangles = group_part(topology, static_cast<Index>(i)).triangles;
+        scene.nodes.push_back(node);
+    }
+}
+
+/// Each node has the last frame's shape about its centroid.
+void Animation::add_bodies(GlbScene& scene) {
+    const std::size_t last = clip.frame_count() - 1;
+    const std::vector<Vector3d> sheet_points = clip.sheet_points(last), points = clip.points(last);
+    const TriangleSheet sheet = frame_sheet(source.frame(source.frames().back()));
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const auto fragment = static_cast<Index>(i);
+        vertices.push_back(group_points(sheet, fragment));
+        const std::vector<Vector3d> own = gathered(sheet_points, vertices[i]);
+        const Eigen::Isometry3d to_origin(Eigen::Translation3d(-centroid(own)));
+        local.push_back(moved(own, to_origin));
+        GlbShape shape{moved(gathered(points, group_points(clip.topology(), fragment)), to_origin), {}};
+        shape.normals = normals(shape.points, scene.nodes[i].triangles, source.options.solid);
+        scene.nodes[i].shapes.push_back(shape);
+    }
+}
+
+void Animation::add_motions(GlbScene& scene) {
+    double deviation = 0;
+    for (std::size_t k = 0; k < clip.frame_count(); ++k) {
+        const std::vector<Vector3d> points = clip.sheet_points(k);
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+            const std::vector<Vector3d> target = gathered(points, vertices[i]);
+            const Eigen::Isometry3d motion = best_fit(local[i], target);
+            scene.nodes[i].motions.push_back(motion);
+            const Positions off = columns(moved(local[i], motion)) - columns(target);
+            deviation = std::max(deviation, off.colwise().norm().maxCoeff());
+        }
+    }
+    warn_of_deviation(deviation);
+}
+
+/// deviation: m, of the recording from the rigid motions.
+void Animation::warn_of_deviation(double deviation) {
+    const Positions all = columns(clip.sheet_points(clip.frame_count() - 1));
+    const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
+    if (deviation > 0.01 * size)
+        source.warnings.push_back(
+            fmt::format("the fragments bend: rigid motion is up to {:.2g} m off the recording; --animate "
+                        "morph shows how",
+                        deviation));
+}
+
+void Animation::add_shapes(GlbScene& scene) {
+    for (GlbNode& node : scene.nodes) node.motions.push_back(Eigen::Isometry3d::Identity());
+    for (std::size_t k = 0; k < clip.frame_count(); ++k) {
+        const std::vector<Vector3d> points = clip.points(k);
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+            GlbNode& node = scene.nodes[i];
+            GlbShape shape{gathered(points, group_points(clip.topology(), static_cast<Index>(i))), {}};
+            shape.normals = normals(shape.points, node.triangles, source.options.solid);
+            node.shapes.push_back(shape);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<ExportJob> plan_glb(ExportSource& source) {
+    const auto clip = std::make_shared<Clip>(source);
+    return {
+        {source.clip_file(".glb"), [&source, clip] { return glb_bytes(Animation(source, *clip).scene()); }}};
+}
+
+}  // namespace sherd

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/export/export_sheet.h"
+#include "app/interruption.h"
+#include "meshops/body_check.h"
+#include "meshops/error.h"
+#include "meshops/thicken.h"
+
+namespace sherd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<double> thickness_of_faces(const ExportOptions& options, const RecordingHeader& header) {
+    if (!options.thickness) return header.rest_thickness;
+    return std::vector<double>(header.rest_faces.size(), *options.thickness);
+}
+
+}  // namespace
+
+ExportSource::ExportSource(const ExportOptions& options_, const std::string& extension, bool all_frames)
+    : options(options_),
+      header(Recording(options.recording).header()),
+      recording(options.recording),
+      face_thickness(thickness_of_faces(options, header)) {
+    const std::string wanted = !options.frames.empty() ? options.frames : all_frames ? "all" : "last";
+    chosen = selected_frames(wanted, recording.frame_count());
+    fs::path output = options.output;
+    if (output.empty()) output = fs::path(options.recording).replace_extension(extension);
+    const std::string given = output.extension().string();
+    single = given == extension && chosen.size() == 1;
+    stem = given == extension ? output.replace_extension() : output / options.recording.stem();
+    for (const char* other : {".obj", ".ply", ".stl", ".off", ".vtp", ".pvd", ".pc2", ".mdd", ".glb", ".vdb"})
+        if (given == other && given != extension)
+            throw Error(fmt::format("-o {}: the extension does not fit --to {}; name a {} file or a folder",
+                                    options.output.string(), options.format, extension));
+}
+
+const Snapshot& ExportSource::frame(std::size_t number) {
+    if (interrupted()) throw Error("interrupted", Fault::run);
+    if (loaded == number) return current;
+    loaded.reset();
+    current = recording.frame(number);
+    if (current.faces.size() != header.rest_faces.size())
+        throw Error(fmt::format("the recording '{}' is damaged: frame {} has {} faces, /rest has {}",
+                                options.recording.string(), number, current.faces.size(),
+                                header.rest_faces.size()));
+    loaded = number;
+    return current;
+}
+
+const std::vector<double>& ExportSource::thickness() const {
+    if (face_thickness.empty())
+        throw Error(
+            fmt::format("'{}' does not say how thick its sheets are, it was made by an earlier version; give "
+                        "--thickness, in m",
+                        options.recording.string()));
+    return face_thickness;
+}
+
+const TriangleSheet& ExportSource::sheet(std::size_t number) {
+    if (made == number) return current_sheet;
+    made.reset();
+    const Snapshot& shown = frame(number);
+    current_sheet = frame_sheet(shown);
+    current_sheet.quality = face_quality(shown, options.quality);
+    if (options.solid) {
+        current_sheet = thickened(current_sheet, thickness(), shown.original);
+        check_bodies(number);
+    }
+    made = number;
+    return current_sheet;
+}
+
+void ExportSource::check_bodies(std::size_t number) {
+    for (std::size_t i = 0; i < current_sheet.group_names.size(); ++i) {
+        const BodyCheck check = check_body(group_part(current_sheet, static_cast<std::int32_t>(i)));
+        if (check.closed && check.intersections.empty()) continue;
+        warnings.push_back(fmt::format("frame {}: the body of {} {}", number, fragment_name(i),
+                                       check.closed ? fmt::format("intersects itself ({} pairs of triangles)",
+                                                                  check.intersections.size())
+                                                    : "is not closed"));
+    }
+}
+
+fs::path ExportSource::clip_file(const std::string& extension) const {
+    return stem.string() + extension;
+}
+
+fs::path ExportSource::numbered_file(std::size_t frame, const std::string& extension) const {
+    return fmt::format("{}_{:06}{}", stem.string(), frame, extension);
+}
+
+fs::path ExportSource::frame_file(std::size_t frame, const std::string& extension) const {
+    return single ? clip_file(extension) : numbered_file(frame, extension);
+}
+
+}  // namespace sherd

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "app/export/export.h"
+#include "app/recording/recording.h"
+#include "meshops/write_mesh.h"
+
+namespace sherd {
+
+/// A file that is to be written, and what makes its content or, where a library insists on it, writes it
+/// under the name that it gets at first.
+struct ExportJob {
+    std::filesystem::path file;
+    std::function<std::string()> content;
+    std::function<void(const std::filesystem::path&)> write = nullptr;
+};
+
+/// The recording that is exported: the chosen frames, as surfaces, and the names of their files.
+class ExportSource {
+  public:
+    /// Throws Error (input) on a bad recording, selection of frames or output; `extension` is that of -o,
+    /// `all_frames` what no selection means (else the last).
+    ExportSource(const ExportOptions& options, const std::string& extension, bool all_frames);
+
+    const std::vector<std::size_t>& frames() const { return chosen; }  ///< ascending, at least one
+    /// Keeps the frame until another one is asked for. Throws Error (run) when interrupted().
+    const Snapshot& frame(std::size_t number);
+    /// m, of each face. Throws Error (input) when the recording does not say and the options do not either.
+    const std::vector<double>& thickness() const;
+
+    /// A frame as it is to be written: a solid when that is asked for, and a warning for each fragment whose
+    /// body intersects itself. The groups are the fragments. Keeps it, too.
+    const TriangleSheet& sheet(std::size_t number);
+
+    /// NAME, for what holds all frames.
+    std::filesystem::path clip_file(const std::string& extension) const;
+    /// NAME_000007, or NAME when only one frame is asked for by a file's name.
+    std::filesystem::path frame_file(std::size_t frame, const std::string& extension) const;
+    std::filesystem::path numbered_file(std::size_t frame, const std::string& extension) const;
+
+    const ExportOptions options;
+    const RecordingHeader header;
+    std::vector<std::string> warnings;  ///< what the user should know at the end
+
+  private:
+    void check_bodies(std::size_t number);
+
+    Recording recording;
+    std::vector<std::size_t> chosen;
+    std::vector<double> face_thickness;
+    std::filesystem::path stem;  ///< without number and extension
+    bool single = false;
+    std::optional<std::size_t> loaded, made;
+    Snapshot current;
+    TriangleSheet current_sheet;
+};
+
+}  // namespace sherd

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/glb_file.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "meshops/error.h"
+
+namespace sherd {
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+/// A glTF model under construction.
+class Model {
+  public:
+    explicit Model(const GlbScene& scene);
+    void add(const GlbNode& node);
+    std::string bytes();
+
+  private:
+    int add_accessor(const void* data, std::size_t bytes, std::size_t count, int component, int type,
+                     int target);
+    int add_rows(const Rows& rows, int type, bool bounds, int target);
+    int add_vectors(const std::vector<Vector3d>& vectors, bool bounds);
+    int add_mesh(const GlbNode& node);
+    void animate(int node, const char* path, int output);
+    void animate_motion(int number, const GlbNode& node);
+    void animate_shape(int number);
+
+    tinygltf::Model model;
+    std::vector<unsigned char> data;
+    int times = -1, weights = -1;
+    std::size_t time_count;
+};
+
+Rows rows_of(const std::vector<double>& values) {
+    Rows rows;
+    for (const double value : values) rows.push_back({value});
+    return rows;
+}
+
+Model::Model(const GlbScene& scene) : time_count(scene.times.size()) {
+    model.asset.version = "2.0";
+    model.asset.generator = "sherd " SHERD_VERSION;
+    tinygltf::Material material;
+    material.name = "sheet";
+    material.doubleSided = scene.double_sided;
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 0.6;
+    model.materials.push_back(material);
+    tinygltf::Node root;
+    root.name = scene.name;
+    root.rotation = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+    model.nodes.push_back(root);
+    tinygltf::Scene shown;
+    shown.nodes = {0};
+    model.scenes.push_back(shown);
+    model.defaultScene = 0;
+    if (time_count < 2) return;
+    model.animations.emplace_back().name = scene.name;
+    times = add_rows(rows_of(scene.times), TINYGLTF_TYPE_SCALAR, true, 0);
+}
+
+int Model::add_accessor(const void* values, std::size_t bytes, std::size_t count, int component, int type,
+                        int target) {
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = data.size();
+    view.byteLength = bytes;
+    view.target = target;
+    model.bufferViews.push_back(view);
+    const auto* begin = static_cast<const unsigned char*>(values);
+    data.insert(data.end(), begin, begin + bytes);
+    // The file's sizes have 32 bits, and many readers' have a sign.
+    if (data.size() > std::numeric_limits<std::int32_t>::max())
+        throw Error("a glb file holds 2 GB at most: choose fewer --frames, or --animate rigid");
+    tinygltf::Accessor accessor;
+    accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
+    accessor.componentType = component;
+    accessor.count = count;
+    accessor.type = type;
+    model.accessors.push_back(accessor);
+    return static_cast<int>(model.accessors.size()) - 1;
+}
+
+int Model::add_rows(const Rows& rows, int type, bool bounds, int target) {
+    std::vector<float> values;
+    for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
+    const int accessor = add_accessor(values.data(), values.size() * sizeof(float), rows.size(),
+                                      TINYGLTF_COMPONENT_TYPE_FLOAT, type, target);
+    if (!bounds) return accessor;
+    // Of the rounded values: that is what a reader compares them with.
+    const std::size_t width = rows.front().size();
+    auto &lower = model.accessors.back().minValues, &upper = model.accessors.back().maxValues;
+    lower.assign(values.begin(), values.begin() + static_cast<long>(width));
+    upper = lower;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        lower[i % width] = std::min<double>(lower[i % width], values[i]);
+        upper[i % width] = std::max<double>(upper[i % width], values[i]);
+    }
+    return accessor;
+}
+
+int Model::add_vectors(const std::vector<Vector3d>& vectors, bool bounds) {
+    Rows rows;
+    for (const Vector3d& vector : vectors) rows.push_back({vector.x(), vector.y(), vector.z()});
+    return add_rows(rows, TINYGLTF_TYPE_VEC3, bounds, TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
+std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::vector<Vector3d>& from) {
+    std::vector<Vector3d> result;
+    for (std::size_t i = 0; i < to.size(); ++i) result.push_back(to[i] - from[i]);
+    return result;
+}
+
+int Model::add_mesh(const GlbNode& node) {
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.material = 0;
+    primitive.indices = add_accessor(node.triangles.data(), node.triangles.size() * sizeof node.triangles[0],
+                                     3 * node.triangles.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                                     TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const GlbShape& first = node.shapes.front();
+    primitive.attributes["POSITION"] = add_vectors(first.points, true);
+    primitive.attributes["NORMAL"] = add_vectors(first.normals, false);
+    for (std::size_t i = 1; i < node.shapes.size(); ++i)
+        primitive.targets.push_back(
+            {{"POSITION", add_vectors(differences(node.shapes[i].points, first.points), true)},
+             {"NORMAL", add_vectors(differences(node.shapes[i].normals, first.normals), false)}});
+    tinygltf::Mesh mesh;
+    mesh.name = node.name;
+    mesh.primitives.push_back(primitive);
+    mesh.weights.assign(node.shapes.size() - 1, 0.0);
+    model.meshes.push_back(mesh);
+    return static_cast<int>(model.meshes.size()) - 1;
+}
+
+void Model::animate(int node, const char* path, int output) {
+    tinygltf::Animation& animation = model.animations.front();
+    tinygltf::AnimationSampler sampler;
+    sampler.input = times;
+    sampler.output = output;
+    sampler.interpolation = "LINEAR";
+    animation.samplers.push_back(sampler);
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(animation.samplers.size()) - 1;
+    channel.target_node = node;
+    channel.target_path = path;
+    animation.channels.push_back(channel);
+}
+
+void Model::animate_motion(int number, const GlbNode& node) {
+    Rows translations, rotations;
+    Eigen::Quaterniond last(1, 0, 0, 0);
+    for (const Eigen::Isometry3d& motion : node.motions) {
+        const Vector3d t = motion.translation();
+        translations.push_back({t.x(), t.y(), t.z()});
+        Eigen::Quaterniond q(motion.linear());
+        q.normalize();
+        // q and -q are the same rotation, but not half-way between two of them.
+        if (q.dot(last) < 0) q.coeffs() *= -1;
+        last = q;
+        rotations.push_back({q.x(), q.y(), q.z(), q.w()});
+    }
+    model.nodes[number].translation = translations.front();
+    model.nodes[number].rotation = rotations.front();
+    if (node.motions.size() < 2) return;
+    animate(number, "translation", add_rows(translations, TINYGLTF_TYPE_VEC3, false, 0));
+    animate(number, "rotation", add_rows(rotations, TINYGLTF_TYPE_VEC4, false, 0));
+}
+
+/// At time i target i - 1 alone has its full weight; all nodes share the numbers.
+void Model::animate_shape(int number) {
+    if (weights < 0) {
+        Rows values;
+        for (std::size_t i = 0; i < time_count; ++i)
+            for (std::size_t target = 1; target < time_count; ++target)
+                values.push_back({i == target ? 1.0 : 0.0});
+        weights = add_rows(values, TINYGLTF_TYPE_SCALAR, false, 0);
+    }
+    animate(number, "weights", weights);
+}
+
+void Model::add(const GlbNode& part) {
+    const int number = static_cast<int>(model.nodes.size());
+    tinygltf::Node node;
+    node.name = part.name;
+    node.mesh = add_mesh(part);
+    model.nodes.push_back(node);
+    model.nodes[0].children.push_back(number);
+    animate_motion(number, part);
+    if (part.shapes.size() > 1) animate_shape(number);
+}
+
+std::string Model::bytes() {
+    tinygltf::Buffer buffer;
+    buffer.data = std::move(data);
+    model.buffers.push_back(std::move(buffer));
+    std::ostringstream stream;
+    tinygltf::TinyGLTF writer;
+    const bool pretty = false, binary = true;
+    if (!writer.WriteGltfSceneToStream(&model, stream, pretty, binary))
+        throw Error("the glb file cannot be put together", Fault::run);
+    return std::move(stream).str();
+}
+
+}  // namespace
+
+std::string glb_bytes(const GlbScene& scene) {
+    Model model(scene);
+    for (const GlbNode& node : scene.nodes) model.add(node);
+    return model.bytes();
+}
+
+}  // namespace sherd

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/hdf5.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "meshops/error.h"
+
+namespace sherd::hdf5 {
+
+namespace {
+
+herr_t keep_innermost(unsigned depth, const H5E_error2_t* entry, void* text) {
+    if (depth == 0 && entry->desc) *static_cast<std::string*>(text) = entry->desc;
+    return 0;
+}
+
+/// Why the last call of HDF5 failed.
+std::string last_reason() {
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
+    return reason;
+}
+
+[[noreturn]] void fail(const std::string& what) {
+    const std::string reason = last_reason();
+    throw Error(what + (reason.empty() ? "" : " (HDF5: " + reason + ")"), Fault::run);
+}
+
+template <class Result>
+Result checked(Result result, const std::string& what) {
+    if (result < 0) fail(what);
+    return result;
+}
+
+Handle open_dataset(hid_t where, const std::string& name) {
+    return Handle(checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), "cannot open dataset '" + name + "'"));
+}
+
+Handle text_type() {
+    Handle type(checked(H5Tcopy(H5T_C_S1), "cannot make a text type"));
+    H5Tset_size(type, H5T_VARIABLE);
+    H5Tset_cset(type, H5T_CSET_UTF8);
+    return type;
+}
+
+void store_attribute(hid_t where, const std::string& name, hid_t type, const void* value) {
+    const std::string what = "cannot write attribute '" + name + "'";
+    const bool exists = checked(H5Aexists(where, name.c_str()), what) > 0;
+    const Handle space(H5Screate(H5S_SCALAR));
+    const Handle attribute(
+        checked(exists ? H5Aopen(where, name.c_str(), H5P_DEFAULT)
+                       : H5Acreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                what));
+    checked(H5Awrite(attribute, type, value), what);
+}
+
+/// Opens an attribute of one value and of class `kind`.
+Handle open_attribute(hid_t where, const std::string& name, H5T_class_t kind) {
+    const std::string what = "cannot read attribute '" + name + "'";
+    Handle attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), what));
+    const Handle type(checked(H5Aget_type(attribute), what));
+    const Handle space(checked(H5Aget_space(attribute), what));
+    if (H5Tget_class(type) != kind || H5Sget_simple_extent_npoints(space) != 1)
+        throw Error(what + ": not of the expected type", Fault::run);
+    return attribute;
+}
+
+template <class T>
+T read_number(hid_t where, const std::string& name, H5T_class_t kind) {
+    T value{};
+    const Handle attribute = open_attribute(where, name, kind);
+    checked(H5Aread(attribute, native_type<T>(), &value), "cannot read attribute '" + name + "'");
+    return value;
+}
+
+/// The text of a variable-length string that HDF5 allocated.
+std::string taken(char* text) {
+    const std::string value = text ? text : "";
+    H5free_memory(text);
+    return value;
+}
+
+/// Link creation that makes the groups on the way.
+Handle with_parents() {
+    Handle links(checked(H5Pcreate(H5P_LINK_CREATE), "cannot prepare HDF5"));
+    checked(H5Pset_create_intermediate_group(links, 1), "cannot prepare HDF5");
+    return links;
+}
+
+/// Properties of a dataset that keeps no time of its making: the same run is to give the same file.
+Handle timeless() {
+    Handle layout(checked(H5Pcreate(H5P_DATASET_CREATE), "cannot prepare HDF5"));
+    checked(H5Pset_obj_track_times(layout, false), "cannot prepare HDF5");
+    return layout;
+}
+
+Handle create_dataset(hid_t where, const std::string& name, hid_t type, hid_t space, hid_t layout) {
+    return Handle(checked(H5Dcreate2(where, name.c_str(), type, space, with_parents(), layout, H5P_DEFAULT),
+                          "cannot create dataset '" + name + "'"));
+}
+
+void write_lines(hid_t where, const std::string& name, const Handle& space, const char* const* lines) {
+    const Handle type = text_type();
+    const Handle dataset = create_dataset(where, name, type, space, timeless());
+    if (H5Sget_simple_extent_npoints(space) > 0)
+        checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, lines),
+                "cannot write dataset '" + name + "'");
+}
+
+void read_lines(const Handle& dataset, const std::string& name, char** lines) {
+    checked(H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, lines),
+            "cannot read dataset '" + name + "'");
+}
+
+void describe(hid_t dataset, const Meaning& meaning) {
+    write_attribute(dataset, "unit", std::string(meaning.unit));
+    if (*meaning.description) write_attribute(dataset, "description", std::string(meaning.description));
+}
+
+int rank_of(hsize_t width) {
+    return width == 1 ? 1 : 2;
+}
+
+Handle file_access(bool locking) {
+    // HDF5 prints its error stack unless told not to; ours goes into the Error.
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), "cannot prepare HDF5"));
+    // Closing the file closes what is still open in it, so that it is closed for good when we say so.
+    checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "cannot prepare HDF5");
+    checked(H5Pset_file_locking(access, locking, true), "cannot prepare HDF5");
+    return access;
+}
+
+/// Opens `file`, waiting up to `patience` for others who have locked it; an invalid handle when that was not
+/// enough.
+Handle open_patiently(const std::filesystem::path& file, unsigned flags, std::chrono::milliseconds patience) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    const Handle access = file_access(true);
+    for (;;) {
+        const hid_t id = H5Fopen(file.c_str(), flags, access);
+        if (id >= 0) return Handle(id);
+        if (last_reason().find("unable to lock file") == std::string::npos)
+            fail("cannot open '" + file.string() + "'");
+        if (std::chrono::steady_clock::now() > deadline) return Handle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+bool only_readers_hold(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool shared = descriptor >= 0 && ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    if (descriptor >= 0) ::close(descriptor);
+    return shared;
+}
+
+}  // namespace
+
+void Handle::close(const std::string& what) {
+    checked(H5Idec_ref(std::exchange(id, H5I_INVALID_HID)), "cannot close " + what);
+}
+
+Handle create_file(const std::filesystem::path& file) {
+    const Handle access = file_access(true);
+    return Handle(checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+                          "cannot create '" + file.string() + "'"));
+}
+
+Handle open_to_read(const std::filesystem::path& file) {
+    const std::string name = "'" + file.string() + "'";
+    if (!std::filesystem::exists(file)) throw Error("there is no file " + name + "; check the path");
+    if (!std::filesystem::is_regular_file(file)) throw Error(name + " is not a file; name a recording (.h5)");
+    if (::access(file.c_str(), R_OK) != 0) throw Error("cannot read " + name + "; check its permissions");
+    file_access(true);
+    if (H5Fis_hdf5(file.c_str()) == 0)
+        throw Error(name + " is not an HDF5 file; name a recording written by 'sherd run'");
+    Handle opened;
+    try {
+        opened = open_patiently(file, H5F_ACC_RDONLY, std::chrono::seconds(10));
+    } catch (const Error& error) {
+        throw Error(std::string(error.what()) + "; the file is damaged or cut off");
+    }
+    if (opened < 0)
+        throw Error(name + " is locked by a program that writes to it; try again later", Fault::run);
+    return opened;
+}
+
+Handle open_to_write(const std::filesystem::path& file) {
+    Handle opened = open_patiently(file, H5F_ACC_RDWR, std::chrono::seconds(2));
+    if (opened < 0 && only_readers_hold(file)) {
+        // A run of hours must not die because somebody left a notebook open on its recording.
+        const Handle access = file_access(false);
+        opened = Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access));
+    }
+    if (opened < 0)
+        throw Error(
+            "cannot write to '" + file.string() + "': another program has locked it; close that program",
+            Fault::run);
+    return opened;
+}
+
+Handle create_group(hid_t where, const std::string& name) {
+    return Handle(checked(H5Gcreate2(where, name.c_str(), with_parents(), H5P_DEFAULT, H5P_DEFAULT),
+                          "cannot create group '" + name + "'"));
+}
+
+Handle open_group(hid_t where, const std::string& name) {
+    return Handle(checked(H5Gopen2(where, name.c_str(), H5P_DEFAULT), "cannot open group '" + name + "'"));
+}
+
+bool contains(hid_t where, const std::string& name) {
+    return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::size_t member_count(hid_t where, const std::string& group) {
+    H5G_info_t info;
+    checked(H5Gget_info_by_name(where, group.c_str(), &info, H5P_DEFAULT),
+            "cannot open group '" + group + "'");
+    return info.nlinks;
+}
+
+void remove(hid_t where, const std::string& name) {
+    checked(H5Ldelete(where, name.c_str(), H5P_DEFAULT), "cannot remove '" + name + "'");
+}
+
+void write_attribute(hid_t where, const std::string& name, const std::string& value) {
+    const char* text = value.c_str();
+    store_attribute(where, name, text_type(), &text);
+}
+
+void write_attribute(hid_t where, const std::string& name, double value) {
+    store_attribute(where, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void write_attribute(hid_t where, const std::string& name, std::int64_t value) {
+    store_attribute(where, name, H5T_NATIVE_INT64, &value);
+}
+
+std::string read_text_attribute(hid_t where, const std::string& name) {
+    const Handle attribute = open_attribute(where, name, H5T_STRING);
+    char* text = nullptr;
+    checked(H5Aread(attribute, text_type(), &text), "cannot read attribute '" + name + "'");
+    return taken(text);
+}
+
+double read_real_attribute(hid_t where, const std::string& name) {
+    return read_number<double>(where, name, H5T_FLOAT);
+}
+
+std::int64_t read_integer_attribute(hid_t where, const std::string& name) {
+    return read_number<std::int64_t>(where, name, H5T_INTEGER);
+}
+
+void write_text(hid_t where, const std::string& name, const std::string& text) {
+    const char* line = text.c_str();
+    write_lines(where, name, Handle(H5Screate(H5S_SCALAR)), &line);
+}
+
+std::string read_text(hid_t where, const std::string& name) {
+    const Handle dataset = open_dataset(where, name);
+    const Handle space(H5Dget_space(dataset));
+    char* line = nullptr;
+    if (H5Sget_simple_extent_npoints(space) != 1)
+        throw Error("dataset '" + name + "' is not one text", Fault::run);
+    read_lines(dataset, name, &line);
+    return taken(line);
+}
+
+void write_texts(hid_t where, const std::string& name, const std::vector<std::string>& texts) {
+    std::vector<const char*> lines;
+    for (const std::string& text : texts) lines.push_back(text.c_str());
+    const hsize_t rows = lines.size();
+    write_lines(where, name, Handle(H5Screate_simple(1, &rows, nullptr)), lines.data());
+}
+
+std::vector<std::string> read_texts(hid_t where, const std::string& name) {
+    std::vector<char*> lines(row_count(where, name, 1), nullptr);
+    if (!lines.empty()) read_lines(open_dataset(where, name), name, lines.data());
+    std::vector<std::string> texts;
+    for (char* line : lines) texts.push_back(taken(line));
+    return texts;
+}
+
+void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+                  const void* values, const Meaning& meaning) {
+    const std::string what = "cannot write dataset '" + name + "'";
+    const std::array<hsize_t, 2> shape{rows, width};
+    const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), nullptr), what));
+    const Handle layout = timeless();
+    if (rows > 0) {
+        // Large enough that a frame of an ordinary plate is one chunk, small enough for HDF5's chunk cache.
+        const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, 32768), width};
+        checked(H5Pset_chunk(layout, rank_of(width), chunk.data()), what);
+        checked(H5Pset_shuffle(layout), what);
+        checked(H5Pset_deflate(layout, 4), what);
+    }
+    const Handle dataset = create_dataset(where, name, type, space, layout);
+    if (rows > 0) checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+    describe(dataset, meaning);
+}
+
+void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning) {
+    const std::string what = "cannot create dataset '" + name + "'";
+    const std::array<hsize_t, 2> shape{0, width}, limit{H5S_UNLIMITED, width}, chunk{128, width};
+    const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), limit.data()), what));
+    const Handle layout = timeless();
+    checked(H5Pset_chunk(layout, rank_of(width), chunk.data()), what);
+    const Handle dataset = create_dataset(where, name, type, space, layout);
+    describe(dataset, meaning);
+}
+
+void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+                  const void* values) {
+    if (rows == 0) return;
+    const std::string what = "cannot append to dataset '" + name + "'";
+    const std::array<hsize_t, 2> start{row_count(where, name, width), 0}, count{rows, width},
+        shape{start[0] + rows, width};
+    const Handle dataset = open_dataset(where, name);
+    checked(H5Dset_extent(dataset, shape.data()), what);
+    const Handle target(checked(H5Dget_space(dataset), what));
+    checked(H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), what);
+    const Handle source(checked(H5Screate_simple(rank_of(width), count.data(), nullptr), what));
+    checked(H5Dwrite(dataset, type, source, target, H5P_DEFAULT, values), what);
+}
+
+void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values) {
+    if (row_count(where, name, width) == 0) return;
+    const Handle dataset = open_dataset(where, name);
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+            "cannot read dataset '" + name + "'");
+}
+
+hsize_t row_count(hid_t where, const std::string& name, hsize_t width) {
+    const Handle dataset = open_dataset(where, name);
+    const Handle space(checked(H5Dget_space(dataset), "cannot read dataset '" + name + "'"));
+    std::array<hsize_t, 2> shape{};
+    const int rank = H5Sget_simple_extent_ndims(space);
+    if (rank == rank_of(width)) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    if (rank != rank_of(width) || (rank == 2 && shape[1] != width))
+        throw Error("dataset '" + name + "' does not have " + std::to_string(width) + " value(s) a row",
+                    Fault::run);
+    return shape[0];
+}
+
+void resize_table(hid_t where, const std::string& name, hsize_t rows) {
+    const Handle dataset = open_dataset(where, name);
+    const Handle space(checked(H5Dget_space(dataset), "cannot resize dataset '" + name + "'"));
+    std::array<hsize_t, 2> shape{};
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    shape[0] = rows;
+    checked(H5Dset_extent(dataset, shape.data()), "cannot resize dataset '" + name + "'");
+}
+
+}  // namespace sherd::hdf5

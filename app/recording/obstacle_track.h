@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
+#include "core/contact/obstacle.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// What a recording shows of a scene's obstacles: those with a surface, the free ones last.
+class ObstacleTrack {
+  public:
+    /// made: of scene.obstacles, in their order.
+    ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& made);
+
+    const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
+    /// From the frame of each to space, as the simulation stands.
+    std::vector<Eigen::Isometry3d> poses(const Simulation& simulation) const;
+
+  private:
+    std::vector<RecordedObstacle> recorded;
+    std::vector<Motion> motions;  ///< of those that are not free
+};
+
+}  // namespace sherd

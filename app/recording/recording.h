@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/recording/xdmf.h"
+#include "fracture/events.h"
+#include "fracture/snapshot.h"
+#include "fracture/step_report.h"
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+/// What a recording says about its run once, at its head.
+struct RecordingHeader {
+    std::string scene_file;  ///< as given by the user
+    std::string scene_text;  ///< TOML, as read, with the overrides of the command line appended as comments
+    std::int64_t seed = 0;
+    std::vector<std::string> sheet_names;          ///< by face_sheet
+    Positions rest_position;                       ///< [3, V0] of the unbroken mesh, m
+    std::vector<std::array<Index, 3>> rest_faces;  ///< [F]
+    std::vector<double> rest_area;                 ///< [F] m^2
+    std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
+};
+
+/// An obstacle that can be drawn.
+struct RecordedObstacle {
+    std::string name;
+    GridSurface surface;  ///< in the obstacle's own frame
+};
+
+/// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
+/// replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
+/// later append fails. The layout of the file is in app/README.md. The program must ignore SIGXFSZ, so that a
+/// file size limit is an error like a full disk.
+class RecordingWriter {
+  public:
+    /// Creates the file. Throws Error (input) when it or the index exists and not `force`, or cannot be
+    /// created; nothing is left behind then.
+    RecordingWriter(std::filesystem::path file, const RecordingHeader& header, bool force,
+                    std::span<const RecordedObstacle> obstacles = {});
+
+    /// Adds a frame, the steps since the last append, and the events since then. poses: of each obstacle,
+    /// from its frame to space. Throws Error (run) when the disk is full or the file cannot be written; the
+    /// file is then as it was before.
+    void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
+                std::span<const Eigen::Isometry3d> poses = {});
+
+    /// Stores how the run ended: its wall time and whether it was complete, interrupted or failed.
+    void finish(double wall_seconds, const std::string& end);
+
+  private:
+    std::filesystem::path file;
+    std::vector<XdmfFrame> frames;
+};
+
+/// Reads a recording, while it is being written too. Every member throws Error (input) when what it reads is
+/// damaged.
+class Recording {
+  public:
+    /// Throws Error when the file is missing, not HDF5 or not a recording of ours.
+    explicit Recording(const std::filesystem::path& file);
+
+    RecordingHeader header() const;
+    std::size_t frame_count() const;
+    Snapshot frame(std::size_t number) const;         ///< number < frame_count()
+    std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
+    std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
+    std::vector<StepReport> steps() const;
+    CrackEvents events() const;
+    double wall_seconds() const;  ///< 0 while the run goes on
+    std::string end() const;      ///< "running", "complete", "interrupted" or "failed: ..."
+
+  private:
+    std::filesystem::path file;
+};
+
+}  // namespace sherd

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/recording/hdf5.h"
+#include "app/recording/recording.h"
+#include "fracture/events.h"
+#include "fracture/snapshot.h"
+#include "fracture/step_report.h"
+
+/// Where each member of a snapshot, a step report and a crack event stands in a recording, with its unit.
+/// Writer and reader both walk these lists, so they cannot disagree.
+namespace sherd::recording_format {
+
+inline constexpr const char* format = "sherd recording";
+inline constexpr std::int64_t version = 2;
+
+/// Calls visit(dataset name, meaning, array) for every array of a frame.
+template <class S, class Visit>
+void visit_arrays(S& snapshot, Visit visit) {
+    visit("vertex/position", {"m"}, snapshot.position);
+    visit("vertex/velocity", {"m/s"}, snapshot.velocity);
+    visit("vertex/mass", {"kg"}, snapshot.mass);
+    visit("vertex/original", {"1", "vertex of the unbroken mesh (/rest) that this one came from"},
+          snapshot.original);
+    visit("face/vertices", {"1", "the three corners, as rows of vertex/*"}, snapshot.faces);
+    visit("face/fragment", {"1", "number of the piece, which lasts: see /events/fragment"},
+          snapshot.face_fragment);
+    visit("face/sheet", {"1", "row of /rest/sheet_names"}, snapshot.face_sheet);
+    visit("edge/vertices", {"1", "the two end points, as rows of vertex/*"}, snapshot.edges);
+    visit("edge/state",
+          {"1", "0 interior (carries a hinge), 1 fractured interior (failed, still closed), 2 boundary"},
+          snapshot.edge_state);
+    visit("edge/strain", {"1/m", "hinge strain, signed; 0 where there is no hinge"}, snapshot.edge_strain);
+}
+
+/// A table with a row for each `Row`: its group, and visit(column name, meaning, member) for every column.
+template <class Row>
+struct Table;
+
+template <>
+struct Table<StepReport> {
+    static constexpr const char* group = "steps";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = StepReport;
+        visit("step", {"1", "number of the step, from 1"}, &R::step);
+        visit("time", {"s", "at the end of the step"}, &R::time);
+        visit("step_size", {"s"}, &R::step_size);
+        visit("kinetic", {"J"}, &R::kinetic);
+        visit("bending", {"J"}, &R::bending);
+        visit("membrane", {"J"}, &R::membrane);
+        visit("gravity", {"J", "potential energy, zero at the origin"}, &R::gravity);
+        visit("contact", {"J"}, &R::contact);
+        visit("linear_momentum", {"kg m/s"}, &R::linear_momentum);
+        visit("angular_momentum", {"kg m^2/s", "about the origin"}, &R::angular_momentum);
+        visit("newton_iterations", {"1", "over all stages"}, &R::newton_iterations);
+        visit("halvings", {"1", "of this step, because longer ones could not be solved"}, &R::halvings);
+        visit("stages", {"1", "stages of breaking"}, &R::stages);
+        visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
+        visit("contacts", {"1", "vertices in contact"}, &R::contacts);
+        visit("obstacle_overlap", {"m", "how deep a sheet's surface is in an obstacle"},
+              &R::obstacle_overlap);
+        visit("lip_overlap", {"m", "largest of the lips of cracks that have not moved apart yet"},
+              &R::lip_overlap);
+        visit("fragments", {"1", "number of pieces"}, &R::fragments);
+        visit("peak_strain",
+              {"1/m",
+               "surface strain over half the thickness; largest of an unbroken hinge before anything "
+               "broke in the step, as are all peaks"},
+              &R::peak_strain);
+        visit("peak_stress", {"Pa", "surface stress"}, &R::peak_stress);
+        visit("peak_bending_strain", {"1/m", "the paper's measure"}, &R::peak_bending_strain);
+        visit("peak_overload", {"1", "measure over strength; 0 where nothing can break"}, &R::peak_overload);
+    }
+};
+
+template <>
+struct Table<EdgeFailure> {
+    static constexpr const char* group = "events/failure";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = EdgeFailure;
+        visit("time", {"s", "end of the step in which the hinge failed"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("stage", {"1", "stage of the step's breaking, from 0"}, &R::stage);
+        visit("edge", {"1", "row of edge/* of the frames"}, &R::edge);
+        visit("vertices", {"1", "end points, rows of vertex/* of the frames"}, &R::vertices);
+        visit("boundary_vertices", {"1", "0, 1, 2: B0, B1, B2"}, &R::boundary_vertices);
+        visit("strain", {"1/m", "surface strain over half the thickness"}, &R::strain);
+        visit("stress", {"Pa", "surface stress"}, &R::stress);
+        visit("overload", {"1", "what it was judged by over its strength"}, &R::overload);
+    }
+};
+
+template <>
+struct Table<EdgeOpening> {
+    static constexpr const char* group = "events/opening";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = EdgeOpening;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("edge", {"1", "the edge that opened; stays with one face"}, &R::edge);
+        visit("created", {"1", "the new edge of the other face"}, &R::created);
+    }
+};
+
+template <>
+struct Table<VertexSplit> {
+    static constexpr const char* group = "events/split";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = VertexSplit;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("vertex", {"1", "the vertex that was split"}, &R::vertex);
+        visit("created", {"1", "its copy"}, &R::created);
+    }
+};
+
+template <>
+struct Table<FragmentBirth> {
+    static constexpr const char* group = "events/fragment";
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = FragmentBirth;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("fragment", {"1", "number of the new piece"}, &R::fragment);
+        visit("parent", {"1", "the piece that it was a part of, whose largest part keeps the number"},
+              &R::parent);
+    }
+};
+
+/// Name of the group of a frame.
+std::string frame_group(std::size_t number);
+
+/// Name of the group of an obstacle's surface.
+std::string obstacle_group(std::size_t number);
+
+/// An obstacle's pose as it is stored: the three rows of rotation | translation.
+using StoredPose = std::array<double, 12>;
+
+/// What is wrong with the array lengths and indices of a snapshot; empty when nothing is.
+std::string inconsistency(const Snapshot& snapshot);
+/// Likewise of the mesh at rest.
+std::string inconsistency(const RecordingHeader& header);
+/// Likewise of an obstacle's surface.
+std::string inconsistency(const RecordedObstacle& obstacle);
+
+}  // namespace sherd::recording_format

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "app/recording/recording.h"
+#include "app/recording/recording_table.h"
+
+namespace sherd {
+
+namespace {
+
+using namespace recording_format;
+
+void read_array(hid_t where, const std::string& name, Positions& values) {
+    values.resize(3, static_cast<Eigen::Index>(hdf5::row_count(where, name, 3)));
+    hdf5::read_array(where, name, H5T_NATIVE_DOUBLE, 3, values.data());
+}
+
+void read_array(hid_t where, const std::string& name, VectorXd& values) {
+    values.resize(static_cast<Eigen::Index>(hdf5::row_count(where, name, 1)));
+    hdf5::read_array(where, name, H5T_NATIVE_DOUBLE, 1, values.data());
+}
+
+template <class T>
+void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
+    values = hdf5::read<T>(where, name);
+}
+
+/// Opens a recording and calls read(file); says which file it was when something in it cannot be read.
+template <class Read>
+auto read_from(const std::filesystem::path& file, Read read) {
+    const hdf5::Handle opened = hdf5::open_to_read(file);
+    try {
+        return read(static_cast<hid_t>(opened));
+    } catch (const Error& error) {
+        throw Error(fmt::format("the recording '{}' is damaged: {}", file.string(), error.what()));
+    }
+}
+
+bool is_recording(hid_t file) {
+    try {
+        return hdf5::read_text_attribute(file, "format") == format;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+Recording::Recording(const std::filesystem::path& file) : file(file) {
+    const hdf5::Handle opened = hdf5::open_to_read(file);
+    if (!is_recording(opened))
+        throw Error(
+            fmt::format("'{}' is an HDF5 file, but not a recording written by 'sherd run'", file.string()));
+    const std::int64_t found = hdf5::read_integer_attribute(opened, "format_version");
+    if (found != version)
+        throw Error(
+            fmt::format("'{}' has format version {}, this program reads version {}; use the sherd that "
+                        "wrote it",
+                        file.string(), found, version));
+}
+
+RecordingHeader Recording::header() const {
+    return read_from(file, [](hid_t opened) {
+        RecordingHeader header;
+        header.scene_file = hdf5::read_text_attribute(opened, "scene_file");
+        header.scene_text = hdf5::read_text(opened, "scene");
+        header.seed = hdf5::read_integer_attribute(opened, "seed");
+        header.sheet_names = hdf5::read_texts(opened, "rest/sheet_names");
+        read_array(opened, "rest/position", header.rest_position);
+        read_array(opened, "rest/faces", header.rest_faces);
+        read_array(opened, "rest/area", header.rest_area);
+        if (hdf5::contains(opened, "rest/thickness"))
+            read_array(opened, "rest/thickness", header.rest_thickness);
+        if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
+        return header;
+    });
+}
+
+std::size_t Recording::frame_count() const {
+    return read_from(file, [](hid_t opened) { return hdf5::member_count(opened, "frames"); });
+}
+
+Snapshot Recording::frame(std::size_t number) const {
+    return read_from(file, [number](hid_t opened) {
+        Snapshot snapshot;
+        const hdf5::Handle group = hdf5::open_group(opened, frame_group(number));
+        snapshot.time = hdf5::read_real_attribute(group, "time");
+        snapshot.step = hdf5::read_integer_attribute(group, "step");
+        visit_arrays(snapshot,
+                     [&](const char* name, hdf5::Meaning, auto& values) { read_array(group, name, values); });
+        if (const std::string what = inconsistency(snapshot); !what.empty())
+            throw Error(fmt::format("frame {}: {}", number, what));
+        return snapshot;
+    });
+}
+
+std::vector<RecordedObstacle> Recording::obstacles() const {
+    return read_from(file, [](hid_t opened) {
+        std::vector<RecordedObstacle> obstacles;
+        if (!hdf5::contains(opened, "obstacles")) return obstacles;
+        for (const std::string& name : hdf5::read_texts(opened, "obstacles/names")) {
+            const hdf5::Handle group = hdf5::open_group(opened, obstacle_group(obstacles.size()));
+            obstacles.push_back({name, {}});
+            read_array(group, "position", obstacles.back().surface.points);
+            read_array(group, "face", obstacles.back().surface.triangles);
+            if (const std::string what = inconsistency(obstacles.back()); !what.empty()) throw Error(what);
+        }
+        return obstacles;
+    });
+}
+
+std::vector<Eigen::Isometry3d> Recording::poses(std::size_t number) const {
+    return read_from(file, [number](hid_t opened) {
+        std::vector<Eigen::Isometry3d> poses;
+        if (!hdf5::contains(opened, "obstacles")) return poses;
+        const auto stored = hdf5::read<StoredPose>(opened, frame_group(number) + "/obstacle/pose");
+        const std::size_t obstacles = hdf5::read_texts(opened, "obstacles/names").size();
+        if (stored.size() != obstacles)
+            throw Error(
+                fmt::format("frame {} has {} poses of {} obstacles", number, stored.size(), obstacles));
+        for (const StoredPose& rows : stored) {
+            poses.push_back(Eigen::Isometry3d::Identity());
+            poses.back().affine() =
+                Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(rows.data());
+        }
+        return poses;
+    });
+}
+
+std::vector<StepReport> Recording::steps() const {
+    return read_from(file, read_table<StepReport>);
+}
+
+CrackEvents Recording::events() const {
+    return read_from(file, [](hid_t opened) {
+        return CrackEvents{read_table<EdgeFailure>(opened), read_table<EdgeOpening>(opened),
+                           read_table<VertexSplit>(opened), read_table<FragmentBirth>(opened)};
+    });
+}
+
+double Recording::wall_seconds() const {
+    return read_from(file, [](hid_t opened) { return hdf5::read_real_attribute(opened, "wall_seconds"); });
+}
+
+std::string Recording::end() const {
+    return read_from(file, [](hid_t opened) { return hdf5::read_text_attribute(opened, "end"); });
+}
+
+}  // namespace sherd

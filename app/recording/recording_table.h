@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include "app/recording/recording_format.h"
+#include "meshops/error.h"
+
+/// Rows of plain structs as columns of a recording, one dataset a member.
+namespace sherd::recording_format {
+
+/// The member type of a column as it is stored (HDF5 has no bool that all readers know).
+template <class T>
+using Stored = std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>;
+
+template <class Row>
+std::string column(const char* name) {
+    return fmt::format("{}/{}", Table<Row>::group, name);
+}
+
+template <class Row>
+void create_table(hid_t file) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
+        hdf5::create_column<Stored<T>>(file, column<Row>(name), meaning);
+    });
+}
+
+template <class Row>
+void append_table(hid_t file, std::span<const Row> rows) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+        std::vector<Stored<T>> values;
+        for (const Row& row : rows) values.push_back(row.*member);
+        hdf5::append<Stored<T>>(file, column<Row>(name), values);
+    });
+}
+
+/// Number of rows that are complete.
+template <class Row>
+std::size_t table_rows(hid_t file) {
+    std::size_t rows = SIZE_MAX;
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
+        rows = std::min<std::size_t>(
+            rows, hdf5::row_count(file, column<Row>(name), hdf5::Element<Stored<T>>::width));
+    });
+    return rows;
+}
+
+template <class Row>
+std::vector<Row> read_table(hid_t file) {
+    std::vector<Row> rows(table_rows<Row>(file));
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+        const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column<Row>(name));
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
+    });
+    return rows;
+}
+
+/// Forgets all but the first `rows` rows.
+template <class Row>
+void shorten_table(hid_t file, std::size_t rows) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
+        if (hdf5::contains(file, column<Row>(name))) hdf5::resize_table(file, column<Row>(name), rows);
+    });
+}
+
+}  // namespace sherd::recording_format

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "app/recording/recording.h"
+#include "app/recording/recording_file.h"
+#include "app/recording/recording_table.h"
+
+namespace sherd {
+
+namespace {
+
+using namespace recording_format;
+
+std::filesystem::path index_of(std::filesystem::path file) {
+    return file.replace_extension(".xdmf");
+}
+
+void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
+                 const Positions& values) {
+    hdf5::create_array(where, name, H5T_NATIVE_DOUBLE, values.cols(), 3, values.data(), meaning);
+}
+
+void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning, const VectorXd& values) {
+    hdf5::create_array(where, name, H5T_NATIVE_DOUBLE, values.size(), 1, values.data(), meaning);
+}
+
+template <class T>
+void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
+                 const std::vector<T>& values) {
+    hdf5::write<T>(where, name, values, meaning);
+}
+
+void write_head(hid_t file, const RecordingHeader& header) {
+    hdf5::write_attribute(file, "format", std::string(format));
+    hdf5::write_attribute(file, "format_version", version);
+    hdf5::write_attribute(file, "sherd_version", std::string(SHERD_VERSION));
+    hdf5::write_attribute(file, "scene_file", header.scene_file);
+    hdf5::write_attribute(file, "seed", header.seed);
+    hdf5::write_attribute(file, "end", std::string("running"));
+    hdf5::write_attribute(file, "wall_seconds", 0.0);
+    hdf5::write_text(file, "scene", header.scene_text);
+    hdf5::write_texts(file, "rest/sheet_names", header.sheet_names);
+    write_array(file, "rest/position", {"m"}, header.rest_position);
+    write_array(file, "rest/faces", {"1", "the three corners, as rows of /rest/position"}, header.rest_faces);
+    write_array(file, "rest/area", {"m^2", "of each face"}, header.rest_area);
+    write_array(file, "rest/thickness", {"m", "of each face"}, header.rest_thickness);
+    hdf5::create_group(file, "frames");
+    create_table<StepReport>(file);
+    create_table<EdgeFailure>(file);
+    create_table<EdgeOpening>(file);
+    create_table<VertexSplit>(file);
+    create_table<FragmentBirth>(file);
+}
+
+void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
+    if (obstacles.empty()) return;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        names.push_back(obstacles[i].name);
+        const hdf5::Handle group = hdf5::create_group(file, obstacle_group(i));
+        write_array(group, "position", {"m", "in the obstacle's own frame"}, obstacles[i].surface.points);
+        write_array(group, "face", {"1", "the three corners, as rows of position"},
+                    obstacles[i].surface.triangles);
+    }
+    hdf5::write_texts(file, "obstacles/names", names);
+}
+
+void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {
+    if (poses.empty()) return;
+    std::vector<StoredPose> stored(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(stored[i].data()) = poses[i].affine();
+    write_array(group, "obstacle/pose",
+                {"1",
+                 "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
+                 "obstacle's own frame to space"},
+                stored);
+}
+
+void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot,
+                 std::span<const Eigen::Isometry3d> poses) {
+    const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
+    hdf5::write_attribute(group, "time", snapshot.time);
+    hdf5::write_attribute(group, "step", snapshot.step);
+    visit_arrays(snapshot, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
+        write_array(group, name, meaning, values);
+    });
+    const VectorXd speed = snapshot.velocity.colwise().norm();
+    write_array(group, "vertex/speed", {"m/s"}, speed);
+    write_poses(group, poses);
+}
+
+/// How much of a recording there is.
+struct Extent {
+    explicit Extent(hid_t file)
+        : steps(table_rows<StepReport>(file)),
+          failures(table_rows<EdgeFailure>(file)),
+          openings(table_rows<EdgeOpening>(file)),
+          splits(table_rows<VertexSplit>(file)),
+          births(table_rows<FragmentBirth>(file)) {}
+
+    std::size_t steps, failures, openings, splits, births;
+};
+
+/// Makes the file what it was before an append that failed half-way.
+void roll_back(hid_t file, std::size_t frame, const Extent& before) {
+    if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
+    shorten_table<StepReport>(file, before.steps);
+    shorten_table<EdgeFailure>(file, before.failures);
+    shorten_table<EdgeOpening>(file, before.openings);
+    shorten_table<VertexSplit>(file, before.splits);
+    shorten_table<FragmentBirth>(file, before.births);
+}
+
+void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<const StepReport> steps,
+         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
+    const Extent before(file);
+    try {
+        append_table<StepReport>(file, steps);
+        append_table<EdgeFailure>(file, events.failures);
+        append_table<EdgeOpening>(file, events.openings);
+        append_table<VertexSplit>(file, events.splits);
+        append_table<FragmentBirth>(file, events.births);
+        write_frame(file, frame, snapshot, poses);
+    } catch (const Error&) {
+        roll_back(file, frame, before);
+        throw;
+    }
+}
+
+/// What HDF5 itself takes for a head, an append or an attribute at most, measured and doubled.
+constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, attribute_overhead = 16 << 10;
+
+/// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
+std::size_t append_bytes(const Snapshot& snapshot, std::span<const StepReport> steps,
+                         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
+    return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
+           24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
+           2 * sizeof(EdgeFailure) * events.failures.size() +
+           2 * sizeof(EdgeOpening) * events.openings.size() + 2 * sizeof(VertexSplit) * events.splits.size() +
+           2 * sizeof(FragmentBirth) * events.births.size() + append_overhead;
+}
+
+std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedObstacle> obstacles) {
+    std::size_t surfaces = 0;
+    for (const RecordedObstacle& o : obstacles)
+        surfaces +=
+            32 * (o.surface.points.size() + o.surface.triangles.size()) + o.name.size() + attribute_overhead;
+    return surfaces + 32 * header.rest_position.cols() + 32 * header.rest_faces.size() +
+           header.scene_text.size() + head_overhead;
+}
+
+/// Opens a recording, changes it and closes it, with room for `bytes` more.
+void change(const std::filesystem::path& file, std::size_t bytes, const std::function<void(hid_t)>& edit) {
+    const DiskRoom room(file, bytes);
+    hdf5::Handle opened = hdf5::open_to_write(file);
+    edit(opened);
+    opened.close("'" + file.string() + "'");
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHeader& header, bool force,
+                                 std::span<const RecordedObstacle> obstacles)
+    : file(std::move(file_)) {
+    if (index_of(file) == file)
+        throw Error(
+            fmt::format("'{}' is the name of the index for ParaView; name the recording .h5", file.string()));
+    check_free(file, force);
+    check_free(index_of(file), force);
+    PendingFile pending(file, Fault::input);
+    {
+        const DiskRoom room(pending.path(), head_bytes(header, obstacles));
+        hdf5::Handle created = hdf5::create_file(pending.path());
+        write_head(created, header);
+        write_obstacles(created, obstacles);
+        created.close("'" + file.string() + "'");
+    }
+    pending.publish(force);
+    std::error_code ignored;
+    std::filesystem::remove(index_of(file), ignored);
+}
+
+void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
+                             const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) try {
+    if (const std::string what = inconsistency(snapshot); !what.empty()) throw Error(what, Fault::run);
+    std::vector<XdmfFrame> longer = frames;
+    longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
+                      snapshot.faces.size(), snapshot.edges.size()});
+    // All that needs space comes before the recording is touched; what follows it is only a change of name.
+    PendingFile index(index_of(file), Fault::run);
+    index.write(xdmf_text(file.filename().string(), longer));
+    change(file, append_bytes(snapshot, steps, events, poses),
+           [&](hid_t opened) { add(opened, frames.size(), snapshot, steps, events, poses); });
+    index.publish(true);
+    frames = std::move(longer);
+} catch (const Error& error) {
+    throw Error(
+        fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",
+                    frames.size(), snapshot.time, error.what(), file.string()),
+        Fault::run);
+}
+
+void RecordingWriter::finish(double wall_seconds, const std::string& end) {
+    change(file, attribute_overhead, [&](hid_t opened) {
+        hdf5::write_attribute(opened, "wall_seconds", wall_seconds);
+        hdf5::write_attribute(opened, "end", end);
+    });
+}
+
+}  // namespace sherd

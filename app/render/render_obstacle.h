@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "app/render/render_scene.h"
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+/// An obstacle as it is drawn: grey, with sharp edges where its triangles meet at more than some 30 degrees.
+/// pose: from its own frame to space; origin: m, subtracted from all positions.
+RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose,
+                          const Eigen::Vector3d& origin);
+
+/// m, around its points as they stand in space.
+Eigen::AlignedBox3d box_of(const GridSurface& surface, const Eigen::Isometry3d& pose);
+
+}  // namespace sherd

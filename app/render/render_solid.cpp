@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/render_solid.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector3f;
+
+Vector3d face_normal(const Positions& position, const std::array<Index, 3>& face) {
+    const Vector3d a = position.col(face[0]);
+    const Vector3d normal = (position.col(face[1]) - a).cross(position.col(face[2]) - a);
+    const double length = normal.norm();
+    return length > 0 ? Vector3d(normal / length) : Vector3d::UnitZ();
+}
+
+double corner_angle(const Positions& position, const std::array<Index, 3>& face, int corner) {
+    const Vector3d p = position.col(face[corner]);
+    const Vector3d a = position.col(face[(corner + 1) % 3]) - p, b = position.col(face[(corner + 2) % 3]) - p;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Unit normals at the vertices [3, V], weighted by the faces' angles.
+Positions vertex_normals(const Positions& position, std::span<const std::array<Index, 3>> faces) {
+    Positions normals = Positions::Zero(3, position.cols());
+    for (const auto& face : faces) {
+        const Vector3d normal = face_normal(position, face);
+        for (int k = 0; k < 3; ++k) normals.col(face[k]) += corner_angle(position, face, k) * normal;
+    }
+    for (Eigen::Index v = 0; v < normals.cols(); ++v) normals.col(v).normalize();
+    return normals;
+}
+
+/// How far the vertices move out [V], m: farther at folds, so that the faces come to lie half the thickness
+/// out.
+VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::span<const double> thickness) {
+    constexpr double least_cosine = 0.5;  // no spikes on sharp folds
+    VectorXd cosine = VectorXd::Ones(normals.cols()), offset = VectorXd::Zero(normals.cols());
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        const Vector3d normal = face_normal(frame.position, frame.faces[f]);
+        for (const Index v : frame.faces[f]) {
+            cosine[v] = std::min(cosine[v], std::max(least_cosine, normal.dot(normals.col(v))));
+            offset[v] = thickness[f] / 2;
+        }
+    }
+    return offset.cwiseQuotient(cosine);
+}
+
+class SolidBuilder {
+  public:
+    SolidBuilder(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
+                 const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
+                 const Vector3d& origin)
+        : header(header),
+          rest_open(rest_open),
+          frame(frame),
+          paint(paint),
+          origin(origin),
+          normals(vertex_normals(frame.position, frame.faces)),
+          rest_normals(vertex_normals(header.rest_position, header.rest_faces)),
+          offsets(vertex_offsets(normals, frame, thickness)),
+          open(open_edges(frame.faces)) {}
+
+    RenderMesh build() {
+        mesh.striped = !paint.stripe.empty();
+        add_sides();
+        add_walls();
+        return std::move(mesh);
+    }
+
+  private:
+    /// side: 1 above, -1 below.
+    RenderVertex vertex(Index v, double side) const;
+    void add_sides();
+    void add_walls();
+    void add_wall(Index a, Index b, const std::array<Vector3d, 2>& outward, bool broken);
+    Vector3d outward(Index a, Index b) const;
+
+    const RecordingHeader& header;
+    std::span<const std::array<bool, 3>> rest_open;
+    const Snapshot& frame;
+    const SheetPaint& paint;
+    Vector3d origin;
+    Positions normals, rest_normals;
+    VectorXd offsets;
+    std::vector<std::array<bool, 3>> open;
+    RenderMesh mesh;
+};
+
+RenderVertex SolidBuilder::vertex(Index v, double side) const {
+    const Index rest = frame.original[v];
+    RenderVertex vertex;
+    vertex.position = (frame.position.col(v) - origin + side * offsets[v] * normals.col(v)).cast<float>();
+    vertex.normal = (side * normals.col(v)).cast<float>();
+    vertex.colour = paint.colour[v];
+    vertex.material =
+        (header.rest_position.col(rest) + side * offsets[v] * rest_normals.col(rest)).cast<float>();
+    vertex.stripe = paint.stripe.empty() ? 0 : paint.stripe[v];
+    return vertex;
+}
+
+void SolidBuilder::add_sides() {
+    const auto count = static_cast<Index>(frame.position.cols());
+    for (const double side : {1.0, -1.0})
+        for (Index v = 0; v < count; ++v) mesh.vertices.push_back(vertex(v, side));
+    for (const auto& [a, b, c] : frame.faces) {
+        const auto n = static_cast<std::uint32_t>(count), i = static_cast<std::uint32_t>(a),
+                   j = static_cast<std::uint32_t>(b), k = static_cast<std::uint32_t>(c);
+        mesh.triangles.push_back({i, j, k});
+        mesh.triangles.push_back({n + i, n + k, n + j});
+    }
+}
+
+/// Away from the face to the left of the edge, in the surface.
+Vector3d SolidBuilder::outward(Index a, Index b) const {
+    return (frame.position.col(b) - frame.position.col(a))
+        .cross(normals.col(a) + normals.col(b))
+        .normalized();
+}
+
+void SolidBuilder::add_walls() {
+    const auto each = [this](const auto& visit) {
+        for (std::size_t f = 0; f < frame.faces.size(); ++f)
+            for (int k = 0; k < 3; ++k)
+                if (open[f][k]) visit(frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rest_open[f][k]);
+    };
+    // A rim that was made is smooth; one that broke is not.
+    Positions rim = Positions::Zero(3, frame.position.cols());
+    each([&](Index a, Index b, bool broken) {
+        if (broken) return;
+        for (const Index v : {a, b}) rim.col(v) += outward(a, b);
+    });
+    each([&](Index a, Index b, bool broken) {
+        const Vector3d flat = outward(a, b);
+        std::array<Vector3d, 2> normal{flat, flat};
+        for (const int end : {0, 1}) {
+            const Vector3d round = rim.col(end == 0 ? a : b).normalized();
+            if (!broken && round.dot(flat) > 0.85) normal[end] = round;
+        }
+        add_wall(a, b, normal, broken);
+    });
+}
+
+void SolidBuilder::add_wall(Index a, Index b, const std::array<Vector3d, 2>& outward, bool broken) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& [v, side, end] :
+         {std::tuple{a, -1.0, 0}, std::tuple{b, -1.0, 1}, std::tuple{b, 1.0, 1}, std::tuple{a, 1.0, 0}}) {
+        RenderVertex corner = vertex(v, side);
+        corner.normal = outward[end].cast<float>();
+        corner.broken = broken;
+        mesh.vertices.push_back(corner);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+}  // namespace
+
+std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>> faces) {
+    struct Side {
+        Index low, high;
+        std::size_t face;
+        int corner;
+    };
+    std::vector<Side> sides;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(faces[f][k], faces[f][(k + 1) % 3]);
+            sides.push_back({low, high, f, k});
+        }
+    std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.face); });
+    std::vector<std::array<bool, 3>> open(faces.size(), {false, false, false});
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return sides[i].low == sides[j].low && sides[i].high == sides[j].high;
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const bool shared = (i > 0 && same(i - 1, i)) || (i + 1 < sides.size() && same(i, i + 1));
+        if (!shared) open[sides[i].face][sides[i].corner] = true;
+    }
+    return open;
+}
+
+RenderMesh sheet_solid(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
+                       const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
+                       const Vector3d& origin) {
+    return SolidBuilder(header, rest_open, frame, thickness, paint, origin).build();
+}
+
+}  // namespace sherd

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/render_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/render/render_light.h"
+#include "app/render/render_obstacle.h"
+#include "app/render/render_stripes.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr std::uint32_t porcelain = 0xd8d2c6;
+constexpr double largest_share =
+    0.99;  // what lies above is drawn like this: one splinter must not darken the rest
+
+constexpr double largest_widening = 2;  // of the picture for an obstacle's sake
+
+/// The lines that recordings add to a scene: `# --set KEY=VALUE` at its end.
+std::vector<std::string> recorded_overrides(const std::string& text) {
+    constexpr std::string_view mark = "# --set ";
+    std::vector<std::string> overrides;
+    std::size_t end = text.size();
+    while (end > 0 && text[end - 1] == '\n') {
+        const std::size_t before = end < 2 ? std::string::npos : text.rfind('\n', end - 2);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+        const std::string line = text.substr(begin, end - 1 - begin);
+        if (!line.starts_with(mark)) break;
+        overrides.push_back(line.substr(mark.size()));
+        end = begin;
+    }
+    std::ranges::reverse(overrides);
+    return overrides;
+}
+
+}  // namespace
+
+Scene recorded_scene(const RecordingHeader& header) {
+    return parse_scene(header.scene_text, header.scene_file, recorded_overrides(header.scene_text));
+}
+
+RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
+                         std::vector<std::string>& warnings)
+    : options(options),
+      header(recording.header()),
+      obstacles(recording.obstacles()),
+      rest_open(open_edges(header.rest_faces)) {
+    read_scene(warnings);
+    find_thickness(warnings);
+    measure(recording);
+    measure_obstacles(recording);
+    if (options.colour == RenderColour::axis) {
+        double area = 0;
+        for (const double a : header.rest_area) area += a;
+        stripes = axis_stripes(header, recorded_axes(*scene_spec, header, warnings), std::sqrt(area) / 30);
+    }
+    placed = place_camera(options.camera, boxes, up, options.aspect);
+    placed.eye -= box.center();
+    placed.target -= box.center();
+    if (options.ground) add_ground();
+}
+
+void RenderStage::read_scene(std::vector<std::string>& warnings) {
+    try {
+        scene_spec = recorded_scene(header);
+        if (scene_spec->sheets.size() != header.sheet_names.size())
+            throw Error(fmt::format("it has {} sheets, the recording {}", scene_spec->sheets.size(),
+                                    header.sheet_names.size()));
+        if (!scene_spec->gravity.isZero(0)) up = -scene_spec->gravity.normalized();
+    } catch (const Error& error) {
+        if (options.colour == RenderColour::axis) throw;
+        scene_spec.reset();
+        warnings.push_back(fmt::format(
+            "the scene in the recording cannot be read, so the picture is without the scene's planes: {}",
+            error.what()));
+    }
+}
+
+void RenderStage::find_thickness(std::vector<std::string>& warnings) {
+    thickness = header.rest_thickness;
+    if (!thickness.empty()) return;
+    const Positions& rest = header.rest_position;
+    const double guess = 0.005 * (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
+    thickness.assign(header.rest_faces.size(), guess);
+    warnings.push_back(
+        fmt::format("the recording, made by an earlier version, does not say how thick its "
+                    "sheets are: they are drawn {:.2g} m thick, which is a guess",
+                    guess));
+}
+
+void RenderStage::measure(const Recording& recording) {
+    lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        const Snapshot frame = recording.frame(i);
+        Eigen::AlignedBox3d around;
+        for (Eigen::Index v = 0; v < frame.position.cols(); ++v) {
+            const Vector3d p = frame.position.col(v);
+            if (!p.allFinite()) continue;
+            around.extend(p);
+            lowest = std::min(lowest, p.dot(up));
+        }
+        if (!around.isEmpty()) boxes.push_back(around);
+        box.extend(around);
+        RenderScalar scalar = render_scalar(frame, options.colour);
+        range.second = std::max(range.second, quantile(std::move(scalar.values), largest_share));
+        scalar_name = scalar.name;
+        scalar_unit = scalar.unit;
+    }
+    if (box.isEmpty())
+        throw Error("the recording has no frame with a place in it, so there is nothing to draw");
+    if (options.range) range = *options.range;
+}
+
+void RenderStage::measure_obstacles(const Recording& recording) {
+    if (obstacles.empty()) return;
+    std::vector<Eigen::AlignedBox3d> around(obstacles.size());
+    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
+        const std::vector<Eigen::Isometry3d> poses = recording.poses(i);
+        for (std::size_t k = 0; k < obstacles.size(); ++k)
+            if (poses[k].matrix().allFinite()) around[k].extend(box_of(obstacles[k].surface, poses[k]));
+    }
+    for (const Eigen::AlignedBox3d& obstacle : around) {
+        // One that would make the sheets small is cut off by the picture instead.
+        const double widened = box.merged(obstacle).diagonal().norm();
+        if (obstacle.isEmpty() || !(widened <= largest_widening * box.diagonal().norm())) continue;
+        boxes.push_back(obstacle);
+        for (int corner = 0; corner < 8; ++corner)
+            lowest = std::min(lowest,
+                              obstacle.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
+    }
+}
+
+void RenderStage::add_ground() {
+    const auto add = [&](const Vector3d& point, const Vector3d& normal) {
+        planes.push_back({(point - box.center()).cast<float>(), normal.cast<float>()});
+    };
+    if (scene_spec)
+        for (const ObstacleSpec& obstacle : scene_spec->obstacles)
+            if (const auto* plane = std::get_if<PlaneShape>(&obstacle.shape))
+                add(plane->point, plane->normal.normalized());
+    if (planes.empty()) add((lowest - 0.01 * box.diagonal().norm()) * up, up);
+}
+
+SheetPaint RenderStage::paint(const Snapshot& frame) const {
+    SheetPaint paint;
+    paint.colour.assign(frame.position.cols(), linear_colour(porcelain));
+    if (options.colour == RenderColour::fragment)
+        for (std::size_t f = 0; f < frame.faces.size(); ++f)
+            for (const Index v : frame.faces[f])
+                paint.colour[v] = linear_colour(fragment_colour(frame.face_fragment[f]));
+    const std::vector<double> values = render_scalar(frame, options.colour).values;
+    const double span = range.second > range.first ? range.second - range.first : 1;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / span));
+    if (options.colour == RenderColour::axis)
+        for (const Index original : frame.original)
+            paint.stripe.push_back(static_cast<float>(stripes[original]));
+    return paint;
+}
+
+RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const {
+    RenderScene scene;
+    scene.meshes.push_back(sheet_solid(header, rest_open, frame, thickness, paint(frame), box.center()));
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (poses[i].matrix().allFinite())
+            scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], box.center()));
+    scene.planes = planes;
+    scene.centre = Eigen::Vector3f::Zero();
+    scene.up = up.cast<float>();
+    scene.radius = static_cast<float>(radius());
+    return scene;
+}
+
+double RenderStage::radius() const {
+    return std::max(box.diagonal().norm() / 2, 1e-6);
+}
+
+std::string RenderStage::legend() const {
+    if (options.colour == RenderColour::axis) return "stripes: along the first axis of the material";
+    if (scalar_name.empty()) return "";
+    return fmt::format("{}: {:.4g} {} (dark violet) to {:.4g} {} (yellow)", scalar_name, range.first,
+                       scalar_unit, range.second, scalar_unit);
+}
+
+}  // namespace sherd

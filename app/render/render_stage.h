@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "app/render/camera.h"
+#include "app/render/render_colour.h"
+#include "app/render/render_scene.h"
+#include "app/render/render_solid.h"
+#include "app/scene/scene.h"
+
+namespace sherd {
+
+struct StageOptions {
+    RenderColour colour = RenderColour::fragment;
+    std::optional<std::pair<double, double>> range;  ///< of the scalar's colours; none: that of the recording
+    CameraChoice camera;
+    bool ground = true;  ///< the scene's planes; without any, one below everything
+    double aspect = 16.0 / 9;
+};
+
+/// What stays the same in all pictures of a recording: camera, ground and the range of the colours, which all
+/// follow from the whole recording, so that pictures of single frames fit together.
+class RenderStage {
+  public:
+    /// Looks at every frame. Throws Error (input) on a recording without frames or finite positions, and when
+    /// axes are wanted that the scene has not.
+    RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
+
+    /// poses: of the recording's obstacles in that frame.
+    RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const;
+    /// Camera and ground are seen from the middle of the action.
+    const Camera& camera() const { return placed; }
+    const std::vector<RenderPlane>& ground() const { return planes; }
+    const Vector3d& upward() const { return up; }
+    const Eigen::AlignedBox3d& action() const { return box; }
+    double radius() const;                           ///< m, of the action
+    double largest() const { return range.second; }  ///< what the brightest colour stands for
+    /// What the colours say, in words; empty when there is nothing to say.
+    std::string legend() const;
+
+  private:
+    void read_scene(std::vector<std::string>& warnings);
+    void find_thickness(std::vector<std::string>& warnings);
+    void measure(const Recording& recording);
+    void measure_obstacles(const Recording& recording);
+    void add_ground();
+    SheetPaint paint(const Snapshot& frame) const;
+
+    StageOptions options;
+    RecordingHeader header;
+    std::vector<RecordedObstacle> obstacles;
+    std::optional<Scene> scene_spec;  ///< none: it cannot be read any more
+    std::vector<std::array<bool, 3>> rest_open;
+    std::vector<double> thickness;           ///< [F] m
+    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, of the sheets in each frame, and obstacles
+    Eigen::AlignedBox3d box;                 ///< m, of the sheets in all frames
+    Vector3d up = Vector3d::UnitZ();
+    double lowest = 0;  ///< m, along up
+    std::pair<double, double> range{0, 0};
+    std::string scalar_name, scalar_unit;
+    VectorXd stripes;  ///< [V0], of the material's axes
+    std::vector<RenderPlane> planes;
+    Camera placed;
+};
+
+/// The scene of a recording, from the text that it keeps. Throws Error like read_scene.
+Scene recorded_scene(const RecordingHeader& header);
+
+}  // namespace sherd

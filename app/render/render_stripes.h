@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
+
+namespace sherd {
+
+/// The first material axis of each face of a recording [F], at rest: unit vectors, made from the scene as the
+/// run made them. Throws Error when the scene's meshes are not to be had any more, or are others than those
+/// recorded.
+std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& header,
+                                    std::vector<std::string>& warnings);
+
+/// Numbers at the vertices of the unbroken mesh [V0] that grow by one over `spacing` (m) across the axes and
+/// stay the same along them, as nearly as there are such: where they pass whole numbers are stripes along the
+/// axes. (Least squares of the gradient, a Poisson equation.)
+VectorXd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing);
+
+}  // namespace sherd

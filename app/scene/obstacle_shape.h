@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene.h"
+#include "core/contact/obstacle.h"
+#include "core/contact/rigid_body.h"
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+/// Obstacles of a scene, in its order, as they are without being free. Meshes and level sets are read here.
+/// Throws Error naming the scene's line and key; warnings are sentences.
+std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<ObstacleSpec>& specs,
+                                     std::vector<std::string>& warnings);
+
+/// The scene's free bodies, in its order.
+std::vector<RigidBody> make_bodies(const Scene& scene);
+
+/// Triangles to draw an obstacle with, in its own frame; none of a plane.
+GridSurface obstacle_surface(const ObstacleSpec& spec, const Obstacle& made);
+
+}  // namespace sherd

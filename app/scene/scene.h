@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/scene/material_axis.h"
+#include "app/scene/mesh_spec.h"
+#include "app/scene/obstacle_spec.h"
+#include "app/scene/score.h"
+#include "app/scene/strength_map.h"
+#include "core/damping.h"
+#include "core/material.h"
+#include "core/sheet_energies.h"
+#include "fracture/breaking.h"
+
+namespace sherd {
+
+/// Where the vertices are that something holds.
+struct Selection {
+    std::optional<std::pair<Vector3d, Vector3d>> box;  ///< lower and upper corner, placed positions
+    bool boundary = false;                             ///< all boundary vertices
+    std::string group;                                 ///< of faces; their vertices
+    std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// A plane that the sheet goes on behind like its mirror image.
+struct SymmetrySpec {
+    Vector3d point = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitX();
+    std::string where;  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[force.load]]`.
+struct LoadSpec {
+    std::string kind;                   ///< point, line, area, pressure
+    Vector3d force = Vector3d::Zero();  ///< N, N/m, N/m^2, of the first three
+    double pressure = 0;                ///< Pa
+    double ramp = 0;                    ///< s
+    std::string sheet;                  ///< its name; empty: all sheets
+    Selection on;                       ///< without box, boundary and group: everything
+    std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[sheet.NAME.fracture]`.
+struct FractureSpec {
+    Strength strength;                             ///< without factors
+    double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
+    std::optional<StrengthMap> map;                ///< none: the same strength everywhere
+    std::vector<Score> scores;
+};
+
+struct SheetSpec {
+    std::string name;
+    std::variant<GeneratedMesh, MeshFile> mesh;
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    Vector3d velocity = Vector3d::Zero();  ///< m/s
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
+    Material material;
+    MaterialAxis axis;                     ///< of a material that has directions
+    std::optional<FractureSpec> fracture;  ///< none: it does not break
+    std::vector<Selection> pins, clamps;
+    std::vector<SymmetrySpec> symmetries;
+    std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
+};
+
+/// `[contact]`: of sheets and fragments with each other and with themselves.
+struct ContactSpec {
+    bool sheets = true;   ///< whether they meet at all
+    double friction = 0;  ///< Coulomb coefficient
+};
+
+struct SolverSpec {
+    double step = 1e-4;       ///< s
+    BendingOptions bending;   ///< energy and Jacobian of the hinges
+    int max_iterations = 50;  ///< Newton iterations a step
+    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
+    BreakingRule rule = BreakingRule::staged;
+    int max_stages = 100;  ///< of staged breaking, a step
+    Damping damping;
+};
+
+/// A scene file, read and checked: every value is in SI units and in its allowed range.
+struct Scene {
+    std::filesystem::path file;
+    std::string text;     ///< as read, with the overrides in comments at its end
+    double duration = 0;  ///< s
+    std::int64_t seed = 1;
+    std::vector<SheetSpec> sheets;
+    std::vector<ObstacleSpec> obstacles;  ///< that rest, or move by keys
+    std::vector<ObstacleSpec> bodies;     ///< that are free
+    Vector3d gravity{0, 0, -9.81};        ///< m/s^2
+    std::vector<LoadSpec> loads;
+    ContactSpec contact;
+    SolverSpec solver;
+    double frame_interval = 0;  ///< s, output.every; at least solver.step
+};
+
+/// Steps that cover the duration; a remainder is a whole step, one due to round-off is not.
+std::int64_t step_count(const Scene& scene);
+
+/// Reads and checks a scene. `overrides` are KEY=VALUE with dotted keys, applied before checking.
+/// Throws Error with file:line, the key and what to do on: a missing file, a TOML syntax error (line and
+/// column), an unknown key (with the nearest known one), a missing key, a wrong type, sign or range. The
+/// message has a line for each mistake. Mesh files are opened by make_mesh only.
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same from the text of a scene; `file`: where it comes from, for errors and for the names of files in
+/// it.
+Scene parse_scene(std::string text, const std::filesystem::path& file,
+                  const std::vector<std::string>& overrides = {});
+
+}  // namespace sherd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// A sheet of a scene, ready to be simulated. Throws Error naming the scene's line and key, also when the
+/// sheet is too thick for its mesh to hold its shape; warnings are sentences.
+SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+/// inputs: of all sheets, in the scene's order. Throws Error naming the scene's line and key of a load or
+/// support that reaches nothing, of an obstacle that cannot be made, and of one that a sheet starts in, or
+/// naming the faces of sheets that do not start apart.
+SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     std::vector<std::string>& warnings);
+
+/// The head of the recording of a simulation that has not made a step yet.
+RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);
+
+}  // namespace sherd

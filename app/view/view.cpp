@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/view.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "app/commands.h"
+#include "app/recording/recording_file.h"
+#include "app/recording/xdmf.h"
+#include "app/view/view_assets.h"
+#include "app/view/view_data.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+/// JSON that may stand in a script element, whatever the scene is called.
+std::string script_json(const nlohmann::json& data) {
+    std::string text = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+        text.replace(at, 1, "\\u003c");
+    return text;
+}
+
+using Filling = std::pair<std::string_view, std::string_view>;  ///< %NAME% and what takes its place
+
+std::string filled(std::string_view page, std::initializer_list<Filling> fillings) {
+    std::string text;
+    while (!page.empty()) {
+        std::size_t next = page.size();
+        const Filling* chosen = nullptr;
+        for (const Filling& filling : fillings)
+            if (const std::size_t at = page.find(filling.first); at < next) {
+                next = at;
+                chosen = &filling;
+            }
+        text += page.substr(0, next);
+        page.remove_prefix(next);
+        if (!chosen) break;
+        text += chosen->second;
+        page.remove_prefix(chosen->first.size());
+    }
+    return text;
+}
+
+/// About what a frame takes in the page.
+std::size_t frame_bytes(const Recording& recording) {
+    const Snapshot last = recording.frame(recording.frame_count() - 1);
+    constexpr std::size_t vertex = 3 * 2 + 1 + 1, base64_length = 4, of_bytes = 3;
+    return static_cast<std::size_t>(last.position.cols()) * vertex * base64_length / of_bytes;
+}
+
+int view(ViewOptions options) {
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.recording).replace_extension(".html");
+    check_free(options.output, options.force);
+    std::vector<std::string> warnings;
+    const std::string page = view_page(options, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    PendingFile pending(options.output, Fault::input);
+    pending.write(page);
+    pending.publish(options.force);
+    fmt::print("{}\n", options.output.string());
+    return 0;
+}
+
+}  // namespace
+
+std::string view_page(const ViewOptions& options, std::vector<std::string>& warnings) {
+    const Recording recording(options.recording);
+    StageOptions stage_options;
+    stage_options.colour = RenderColour::strain;
+    const RenderStage stage(recording, stage_options, warnings);
+    const std::vector<std::size_t> frames = shown_frames(recording.frame_count(), frame_bytes(recording),
+                                                         static_cast<std::size_t>(1e6 * options.megabytes));
+    if (frames.size() < recording.frame_count())
+        warnings.push_back(
+            fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
+                        "makes room for more",
+                        frames.size(), recording.frame_count(), options.megabytes));
+    const std::string title = xml_escaped(options.recording.stem().string());
+    const std::string data = script_json(view_data(recording, stage, frames));
+    return filled(view_assets::page, {{"%TITLE%", title},
+                                      {"%THREE%", view_assets::three},
+                                      {"%CONTROLS%", view_assets::controls},
+                                      {"%RECORDING%", data}});
+}
+
+void add_view(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("view", "Make a page that plays a run in a browser");
+    auto options = std::make_shared<ViewOptions>();
+    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+        ->required()
+        ->option_text("RUN.h5");
+    command->add_option("-o,--output", options->output, "HTML file (default: beside RUN.h5)")
+        ->option_text("FILE.html");
+    command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
+        ->check(CLI::Range(1.0, 400.0))
+        ->option_text("N");
+    command->add_flag("--force", options->force, "Replace a file that exists");
+    command->footer("Example:\n  sherd view plate_drop.h5 -o plate.html");
+    command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });
+}
+
+}  // namespace sherd

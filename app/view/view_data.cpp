@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/view_data.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "app/render/render_colour.h"
+#include "app/render/render_solid.h"
+
+namespace sherd {
+namespace {
+
+using Json = nlohmann::json;
+static_assert(std::endian::native == std::endian::little, "browsers read the arrays as they are here");
+
+template <class Number>
+std::string base64_of(const std::vector<Number>& numbers) {
+    return base64({reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size() * sizeof(Number)});
+}
+
+Json vector_json(const Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// States of a vertex and of a line on the page.
+enum ViewState : std::uint8_t { unbroken, failed_closed, cracked_open };
+
+struct Line {
+    Index a, b;
+    ViewState state;
+};
+
+/// Edges that are drawn: those that failed, and all that are open; the rim as it was made counts as unbroken.
+std::vector<Line> lines_of(const Snapshot& frame, std::span<const std::array<bool, 3>> rest_open) {
+    std::vector<Line> lines;
+    const std::vector<std::array<bool, 3>> open = open_edges(frame.faces);
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (open[f][k])
+                lines.push_back({frame.faces[f][k], frame.faces[f][(k + 1) % 3],
+                                 rest_open[f][k] ? unbroken : cracked_open});
+    for (std::size_t e = 0; e < frame.edges.size(); ++e)
+        if (frame.edge_state[e] == EdgeState::fractured_interior)
+            lines.push_back({frame.edges[e][0], frame.edges[e][1], failed_closed});
+    return lines;
+}
+
+std::vector<std::uint16_t> packed_positions(const Positions& position, const Vector3d& low,
+                                            const Vector3d& step) {
+    std::vector<std::uint16_t> packed;
+    for (Eigen::Index v = 0; v < position.cols(); ++v)
+        for (int k = 0; k < 3; ++k) {
+            const double x = (position(k, v) - low[k]) / step[k];
+            packed.push_back(std::isfinite(x) ? static_cast<std::uint16_t>(std::clamp(x, 0.0, 65535.0) + 0.5)
+                                              : 0);
+        }
+    return packed;
+}
+
+std::vector<std::uint8_t> packed_strain(const Snapshot& frame, double largest) {
+    std::vector<std::uint8_t> packed;
+    for (const double strain : render_scalar(frame, RenderColour::strain).values)
+        packed.push_back(strain > 0 ? static_cast<std::uint8_t>(255 * std::min(1.0, strain / largest) + 0.5)
+                                    : 0);
+    return packed;
+}
+
+std::vector<std::uint32_t> corners_of(const Snapshot& frame) {
+    std::vector<std::uint32_t> corners;
+    for (const auto& face : frame.faces) corners.insert(corners.end(), face.begin(), face.end());
+    return corners;
+}
+
+std::vector<std::uint32_t> owners_of(const Snapshot& frame) {
+    return {frame.face_fragment.begin(), frame.face_fragment.end()};
+}
+
+/// Pairs of a place and its new value.
+std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
+                                   const std::vector<std::uint32_t>& after) {
+    std::vector<std::uint32_t> pairs;
+    for (std::size_t i = 0; i < after.size(); ++i)
+        if (before[i] != after[i]) pairs.insert(pairs.end(), {static_cast<std::uint32_t>(i), after[i]});
+    return pairs;
+}
+
+/// Packs one frame after the other.
+class Packer {
+  public:
+    Packer(const RecordingHeader& header, const RenderStage& stage)
+        : rest_open(open_edges(header.rest_faces)),
+          low(stage.action().min()),
+          step((stage.action().sizes() / 65535).cwiseMax(1e-12)),
+          largest(stage.largest() > 0 ? stage.largest() : 1) {}
+
+    Json frame(const Snapshot& snapshot) {
+        const std::vector<Line> lines = lines_of(snapshot, rest_open);
+        std::vector<std::uint8_t> state(snapshot.position.cols(), unbroken);
+        std::vector<std::uint32_t> ends;
+        for (const Line& line : lines) {
+            for (const Index v : {line.a, line.b}) state[v] = std::max<std::uint8_t>(state[v], line.state);
+            ends.insert(ends.end(), {static_cast<std::uint32_t>(line.a), static_cast<std::uint32_t>(line.b),
+                                     static_cast<std::uint32_t>(line.state)});
+        }
+        std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
+        const bool first = corners.empty();
+        const Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
+                          {"strain", base64_of(packed_strain(snapshot, largest))},
+                          {"state", base64_of(state)},
+                          {"lines", base64_of(ends)},
+                          {"corners", first ? "" : base64_of(changes(corners, new_corners))},
+                          {"owners", first ? "" : base64_of(changes(owners, new_owners))}};
+        corners = std::move(new_corners);
+        owners = std::move(new_owners);
+        return packed;
+    }
+
+    std::vector<std::array<bool, 3>> rest_open;
+    Vector3d low, step;
+    double largest;
+    std::vector<std::uint32_t> corners, owners;  ///< of the frame before
+};
+
+Json stage_json(const RenderStage& stage) {
+    Json planes = Json::array();
+    for (const RenderPlane& plane : stage.ground())
+        planes.push_back({vector_json(plane.point.cast<double>()), vector_json(plane.normal.cast<double>())});
+    Json palette = Json::array(), map = Json::array();
+    for (Index i = 0; i < 21; ++i) palette.push_back(fragment_colour(i));
+    for (int i = 0; i < 256; ++i) map.push_back(map_colour(i / 255.0));
+    const Camera& camera = stage.camera();
+    return {{"up", vector_json(stage.upward())},
+            {"eye", vector_json(camera.eye)},
+            {"target", vector_json(camera.target)},
+            {"angle", camera.view_angle},
+            {"radius", stage.radius()},
+            {"planes", planes},
+            {"palette", palette},
+            {"map", map}};
+}
+
+}  // namespace
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes) {
+    const std::size_t wanted =
+        std::min(count, std::max<std::size_t>(2, most_bytes / std::max<std::size_t>(1, frame_bytes)));
+    std::vector<std::size_t> frames;
+    for (std::size_t i = 0; i < wanted; ++i)
+        frames.push_back(wanted < 2 ? 0 : i * (count - 1) / (wanted - 1));
+    return frames;
+}
+
+Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames) {
+    Packer packer(recording.header(), stage);
+    Json data = stage_json(stage), packed = Json::array(), times = Json::array();
+    for (const std::size_t number : frames) {
+        const Snapshot snapshot = recording.frame(number);
+        packed.push_back(packer.frame(snapshot));
+        times.push_back(snapshot.time);
+        if (number != frames.front()) continue;
+        data["faces"] = base64_of(packer.corners);
+        data["fragments"] = base64_of(packer.owners);
+    }
+    data["low"] = vector_json(packer.low - stage.action().center());
+    data["step"] = vector_json(packer.step);
+    data["strain"] = packer.largest;
+    data["time"] = times;
+    data["number"] = frames;
+    data["frames"] = packed;
+    return data;
+}
+
+}  // namespace sherd

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "app/render/render_stage.h"
+
+namespace sherd {
+
+/// The bytes of numbers, little-endian, in base64.
+std::string base64(std::span<const std::uint8_t> bytes);
+
+/// Frames of `count` that are shown when a frame takes `frame_bytes` and there are `most_bytes` for all:
+/// every one, or as many as there is room for at nearly equal distances; the first and the last always.
+std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes);
+
+/// What the page of a recording has to know, as view_page.html reads it. Arrays are in base64: positions as
+/// 16 bits of the box of the action in each direction; corners and owners of the faces (fragments) as pairs
+/// of a place and its new value, against the frame before.
+nlohmann::json view_data(const Recording& recording, const RenderStage& stage,
+                         const std::vector<std::size_t>& frames);
+
+}  // namespace sherd
