@@ -69,13 +69,13 @@ class Projection {
     std::vector<Vector3d> candidates;
 };
 
-std::vector<Vector3d> projected_axes(const Vector3d& direction, double degrees, const Mesh& mesh,
-                                     const Eigen::Isometry3d& place, std::vector<std::string>& warnings) {
-    Projection projection(direction, place);
+std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const Eigen::Isometry3d& place,
+                              std::vector<std::string>& warnings) {
+    Projection projection(axis.direction, place);
     std::vector<Vector3d> axes;
     for (const Face face : mesh.faces()) {
         const Vector3d normal = shape_of(mesh, face).normal;
-        axes.push_back(turned(projection.on(face, normal), normal, degrees * std::numbers::pi / 180));
+        axes.push_back(turned(projection.on(face, normal), normal, axis.degrees * std::numbers::pi / 180));
     }
     if (!projection.replaced.empty())
         warnings.push_back(fmt::format(
@@ -83,16 +83,6 @@ std::vector<Vector3d> projected_axes(const Vector3d& direction, double degrees, 
             "z, is taken; give a direction along the surface, or a texture",
             projection.replaced.size(), projection.replaced.front().idx()));
     return axes;
-}
-
-std::vector<Vector3d> axes_of(const AxisAngle& axis, const Mesh& mesh, const Eigen::Isometry3d& place,
-                              std::vector<std::string>& warnings) {
-    return projected_axes(Vector3d::UnitX(), axis.degrees, mesh, place, warnings);
-}
-
-std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const Eigen::Isometry3d& place,
-                              std::vector<std::string>& warnings) {
-    return projected_axes(axis.direction, 0, mesh, place, warnings);
 }
 
 /// The axis at `angle` (rad) from the direction in which u grows and v does not, towards that of v.

@@ -11,14 +11,11 @@
 
 namespace sherd {
 
-/// The mesh's own x axis, projected to the surface and turned counterclockwise about the face's normal.
-struct AxisAngle {
-    double degrees = 0;
-};
-
-/// A direction in the mesh's own frame, projected to the surface.
+/// A direction in the mesh's own frame, projected to the surface and turned counterclockwise about the face's
+/// normal.
 struct AxisDirection {
-    Eigen::Vector3d direction;
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+    double degrees = 0;
 };
 
 /// The mesh file's own: property::axis, projected to the surface.
@@ -26,7 +23,7 @@ struct AxisField {};
 
 /// Where a sheet's first material axis comes from. Its directions are those of the mesh before it is placed.
 struct MaterialAxis {
-    std::variant<AxisAngle, AxisDirection, AxisTexture, AxisField> kind;
+    std::variant<AxisDirection, AxisTexture, AxisField> kind;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 

@@ -67,19 +67,20 @@ MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directo
     axis.where = material.where("axis");
     std::optional<TomlTable> table = material.table("axis");
     if (!table) return axis;
-    const bool degrees = table->has("degrees"), direction = table->has("direction"),
+    const bool direction = table->has("direction"), degrees = table->has("degrees"),
                texture = table->has("texture"), field = table->has("field");
-    if (degrees + direction + texture + field != 1) {
-        table->report("", "needs one of degrees, direction, texture and field");
+    if ((direction || degrees) + texture + field != 1) {
+        table->report("", "needs direction, degrees or both, or texture, or field");
         return axis;
     }
-    if (degrees) {
-        axis.kind = AxisAngle{table->number("degrees", "degrees", any_number)};
-    } else if (direction) {
-        const Eigen::Vector3d given = table->vector("direction", "");
-        if (given.isZero(0)) table->report("direction", "must not be zero: give one such as [1, 0, 0]");
-        axis.kind = AxisDirection{given.stableNormalized()};
-        axis.where = table->where("direction");
+    if (direction || degrees) {
+        AxisDirection given;
+        if (direction) given.direction = table->vector("direction", "").stableNormalized();
+        if (given.direction.isZero(0))
+            table->report("direction", "must not be zero: give one such as [1, 0, 0]");
+        if (degrees) given.degrees = table->number("degrees", "degrees", any_number);
+        axis.kind = given;
+        if (direction) axis.where = table->where("direction");
     } else if (field) {
         if (!table->flag("field", true)) table->report("field", "must be true, or left out");
         axis.kind = AxisField{};

@@ -46,7 +46,7 @@ TEST(MaterialAxis, DegreesCountFromTheMeshsOwnXAxisAndTurnWithThePlace) {
         Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.7, Vector3d(1, 2, -1).normalized());
     const Mesh mesh = placed(generate_rectangle(1, 0.5, {.edge_length = 0.2}), place);
     const Vector3d expected = place.linear() * Vector3d(std::cos(30 * degree), std::sin(30 * degree), 0);
-    for (const Vector3d& axis : axes_of({AxisAngle{30}, "here"}, mesh, place))
+    for (const Vector3d& axis : axes_of({AxisDirection{Vector3d::UnitX(), 30}, "here"}, mesh, place))
         EXPECT_LT((axis - expected).norm(), 1e-14);
 }
 
@@ -61,6 +61,16 @@ TEST(MaterialAxis, DirectionIsProjectedToEachFace) {
         EXPECT_NEAR(axis.dot((b - a).cross(c - a).normalized()), 0, 1e-13) << "in the face's plane";
         EXPECT_GT(axis.z(), 0.99);
         EXPECT_NEAR(axis.norm(), 1, 1e-14);
+    }
+}
+
+TEST(MaterialAxis, DirectionIsTurnedInEachFace) {
+    const Mesh tube = generate_cylinder(0.1, 0.3, {.edge_length = 0.03});
+    const auto along = axes_of({AxisDirection{Vector3d::UnitZ()}, "here"}, tube),
+               around = axes_of({AxisDirection{Vector3d::UnitZ(), 90}, "here"}, tube);
+    for (std::size_t face = 0; face < along.size(); ++face) {
+        EXPECT_NEAR(along[face].dot(around[face]), 0, 1e-14);
+        EXPECT_LT(std::abs(around[face].z()), 0.1) << "around the tube";
     }
 }
 

@@ -44,10 +44,13 @@ TEST(SceneMaterial, OrthotropicConstantsArrive) {
 
 TEST(SceneMaterial, AxisArrivesAndTurnsWithTheSheet) {
     const MaterialAxis axis = scene_of("axis = { degrees = 45 }").sheets[0].axis;
-    EXPECT_EQ(std::get<AxisAngle>(axis.kind).degrees, 45);
-    EXPECT_EQ(std::get<AxisAngle>(scene_of("").sheets[0].axis.kind).degrees, 0);
+    EXPECT_EQ(std::get<AxisDirection>(axis.kind).degrees, 45);
+    EXPECT_EQ(std::get<AxisDirection>(scene_of("").sheets[0].axis.kind).degrees, 0);
     const MaterialAxis along = scene_of("axis = { direction = [0, 0, 2] }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisDirection>(along.kind).direction, Vector3d(0, 0, 1));
+    const MaterialAxis around = scene_of("axis = { direction = [0, 0, 1], degrees = 90 }").sheets[0].axis;
+    EXPECT_EQ(std::get<AxisDirection>(around.kind).direction, Vector3d(0, 0, 1));
+    EXPECT_EQ(std::get<AxisDirection>(around.kind).degrees, 90);
     const MaterialAxis texture =
         scene_of("axis = { texture = \"a.png\", encoding = \"vector\" }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisTexture>(texture.kind).path.filename(), "a.png");
