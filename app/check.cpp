@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/scene/scene_simulation.h"
+#include "app/scene/scene_variant.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -79,8 +80,9 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
     return input;
 }
 
-int check(const SceneOptions& options) {
-    const Scene scene = read_scene(options.file, options.overrides);
+/// Throws Error with all mistakes that only the meshes show.
+void check(const Scene& scene) {
+    if (!scene.variant.empty()) fmt::print("variant {}\n", scene.variant);
     fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
                scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
     std::vector<std::string> mistakes;
@@ -96,6 +98,17 @@ int check(const SceneOptions& options) {
     std::vector<std::string> warnings;
     simulation_options(scene, inputs, warnings);  // throws where a load or a support reaches nothing
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+}
+
+int check_all(const SceneOptions& options) {
+    VariantMistakes mistakes;
+    for (const Scene& scene : read_scenes(options)) try {
+            check(scene);
+            mistakes.add(scene.variant, "");
+        } catch (const Error& error) {
+            mistakes.add(scene.variant, error.what());
+        }
+    mistakes.throw_if_any();
     return 0;
 }
 
@@ -107,7 +120,7 @@ void add_check(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
     command->footer("Example:\n  sherd check scenes/plate_drop.toml");
-    command->callback([&chosen, options] { chosen = [options] { return check(*options); }; });
+    command->callback([&chosen, options] { chosen = [options] { return check_all(*options); }; });
 }
 
 }  // namespace sherd

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
+#include "app/scene/scene.h"
+#include "app/scene/scene_variant.h"
+#include "meshops/error.h"
+
 namespace sherd {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
@@ -8,10 +12,29 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->required()
         ->option_text("SCENE.toml");
     command
-        .add_option("--set", options.overrides,
+        .add_option("--variant", options.choice.variant,
+                    "Take this [[variant]] of the scene; without it, all that it has")
+        ->option_text("NAME");
+    command
+        .add_option("--set", options.choice.overrides,
                     "Override a key of the scene, such as solver.step=1e-4; repeatable")
         ->option_text("KEY=VALUE ...")
         ->allow_extra_args(false);
+}
+
+std::vector<Scene> read_scenes(const SceneOptions& options) {
+    std::vector<std::string> names = variant_names(options.file);
+    if (names.empty() || !options.choice.variant.empty()) return {read_scene(options.file, options.choice)};
+    std::vector<Scene> scenes;
+    VariantMistakes mistakes;
+    for (const std::string& name : names) try {
+            scenes.push_back(read_scene(options.file, {options.choice.overrides, name}));
+            mistakes.add(name, "");
+        } catch (const Error& error) {
+            mistakes.add(name, error.what());
+        }
+    mistakes.throw_if_any();
+    return scenes;
 }
 
 }  // namespace sherd

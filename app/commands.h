@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/scene_choice.h"
+
 namespace sherd {
+
+struct Scene;
 
 /// What the chosen subcommand does once the command line is parsed; returns the exit code.
 using Command = std::function<int()>;
@@ -26,10 +30,14 @@ void add_view(CLI::App& program, Command& chosen);
 /// A scene as the command line gives it.
 struct SceneOptions {
     std::filesystem::path file;
-    std::vector<std::string> overrides;  ///< KEY=VALUE
+    SceneChoice choice;
 };
 
-/// Adds SCENE.toml and --set to a subcommand; `options` must outlive the parsing.
+/// Adds SCENE.toml, --variant and --set to a subcommand; `options` must outlive the parsing.
 void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// The scene in the variant that is asked for; else in each of its variants, or as it is when it has none.
+/// Throws Error with the mistakes of all of them.
+std::vector<Scene> read_scenes(const SceneOptions& options);
 
 }  // namespace sherd

@@ -78,16 +78,6 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
     return files;
 }
 
-/// Makes the folder of the pictures; those above it must be there.
-void make_folder(const fs::path& folder) {
-    if (folder.empty() || fs::is_directory(folder)) return;
-    std::error_code reason;
-    fs::create_directory(folder, reason);
-    if (!fs::is_directory(folder))
-        throw Error(fmt::format("cannot make the folder '{}': {}", folder.string(),
-                                reason ? reason.message() : "something else has its name"));
-}
-
 void write_whole(const fs::path& file, const std::string& bytes, bool force) {
     PendingFile pending(file, Fault::run);
     pending.write(bytes);

@@ -9,17 +9,12 @@
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "app/recording/obstacle_track.h"
+#include "app/run_variants.h"
 #include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
-
-struct RunOptions {
-    SceneOptions scene;
-    std::filesystem::path output;  ///< empty: the scene's name with .h5, in the working directory
-    bool force = false;
-};
 
 /// What the run adds up over its steps.
 struct Totals {
@@ -125,9 +120,7 @@ void warn(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
 }
 
-int run(RunOptions options) {
-    const Scene scene = read_scene(options.scene.file, options.scene.overrides);
-    if (options.output.empty()) options.output = scene.file.stem().string() + ".h5";
+int run(const Scene& scene, const std::filesystem::path& output, bool force) {
     std::vector<std::string> warnings;
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
@@ -135,20 +128,26 @@ int run(RunOptions options) {
     warn(warnings);
     Simulation simulation(sheets, simulated);
     const ObstacleTrack obstacles(scene, simulated.obstacles);
-    RecordingWriter writer(options.output, recording_header(scene, simulation), options.force,
-                           obstacles.obstacles());
-
     watch_for_interruption();
+    RecordingWriter writer(output, recording_header(scene, simulation), force, obstacles.obstacles());
+
     Runner runner(scene, obstacles, simulation, writer);
     try {
         const std::string end = runner.run();
         writer.finish(runner.wall_seconds(), end);
-        runner.print_summary(end, options.output);
+        runner.print_summary(end, output);
         return end == "complete" ? 0 : 1;
     } catch (const std::exception& error) {
         writer.finish(runner.wall_seconds(), std::string("failed: ") + error.what());
         throw;
     }
+}
+
+int run(const RunOptions& options) {
+    const std::vector<Scene> scenes = read_scenes(options.scene);
+    const Scene& first = scenes.front();
+    if (options.scene.choice.variant.empty() && !first.variant.empty()) return run_variants(scenes, options);
+    return run(first, options.output.empty() ? recording_name(first) : options.output, options.force);
 }
 
 }  // namespace
@@ -157,10 +156,14 @@ void add_run(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand("run", "Simulate a scene and record it");
     auto options = std::make_shared<RunOptions>();
     add_scene_options(*command, options->scene);
-    command->add_option(
-        "-o,--output", options->output,
-        "Recording to write (.h5); an .xdmf for ParaView goes beside it. Default: the scene's name");
+    command->add_option("-o,--output", options->output,
+                        "Recording to write (.h5); an .xdmf for ParaView goes beside it. Default: the "
+                        "scene's name. Of all variants: NAME.h5 becomes NAME-VARIANT.h5 for each; anything "
+                        "else is a folder for them");
     command->add_flag("--force", options->force, "Replace a recording that exists");
+    command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     command->footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5 --set duration=0.02");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }

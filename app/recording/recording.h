@@ -18,7 +18,8 @@ namespace sherd {
 /// What a recording says about its run once, at its head.
 struct RecordingHeader {
     std::string scene_file;  ///< as given by the user
-    std::string scene_text;  ///< TOML, as read, with the overrides of the command line appended as comments
+    std::string
+        scene_text;  ///< TOML, as read, with variant and overrides of the command line appended as comments
     std::int64_t seed = 0;
     std::vector<std::string> sheet_names;          ///< by face_sheet
     Positions rest_position;                       ///< [3, V0] of the unbroken mesh, m

@@ -107,6 +107,15 @@ void check_free(const std::filesystem::path& file, bool force) {
             fmt::format("'{}' exists; name another file, or pass --force to replace it", file.string()));
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    if (folder.empty() || std::filesystem::is_directory(folder)) return;
+    std::error_code reason;
+    std::filesystem::create_directory(folder, reason);
+    if (!std::filesystem::is_directory(folder))
+        throw Error(fmt::format("cannot make the folder '{}': {}", folder.string(),
+                                reason ? reason.message() : "something else has its name"));
+}
+
 DiskRoom::DiskRoom(std::filesystem::path file_, std::size_t bytes) : file(std::move(file_)) {
     const Descriptor opened(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
     struct stat status {};

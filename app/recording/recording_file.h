@@ -31,6 +31,9 @@ class PendingFile {
 /// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
 void check_free(const std::filesystem::path& file, bool force);
 
+/// Makes a folder unless it is there; those above it must be there. Throws Error (input).
+void make_folder(const std::filesystem::path& folder);
+
 /// Space on disk behind the end of a file, so that a full disk is noticed before the file is touched: the
 /// destructor gives back what has not been used.
 class DiskRoom {

@@ -21,27 +21,10 @@ constexpr double largest_share =
 
 constexpr double largest_widening = 2;  // of the picture for an obstacle's sake
 
-/// The lines that recordings add to a scene: `# --set KEY=VALUE` at its end.
-std::vector<std::string> recorded_overrides(const std::string& text) {
-    constexpr std::string_view mark = "# --set ";
-    std::vector<std::string> overrides;
-    std::size_t end = text.size();
-    while (end > 0 && text[end - 1] == '\n') {
-        const std::size_t before = end < 2 ? std::string::npos : text.rfind('\n', end - 2);
-        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-        const std::string line = text.substr(begin, end - 1 - begin);
-        if (!line.starts_with(mark)) break;
-        overrides.push_back(line.substr(mark.size()));
-        end = begin;
-    }
-    std::ranges::reverse(overrides);
-    return overrides;
-}
-
 }  // namespace
 
 Scene recorded_scene(const RecordingHeader& header) {
-    return parse_scene(header.scene_text, header.scene_file, recorded_overrides(header.scene_text));
+    return parse_scene(header.scene_text, header.scene_file, recorded_choice(header.scene_text));
 }
 
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,

@@ -2,6 +2,7 @@
 #include "app/scene/scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include "app/scene/scene_obstacle.h"
 #include "app/scene/scene_override.h"
 #include "app/scene/scene_sheet.h"
+#include "app/scene/scene_variant.h"
 #include "app/scene/toml_file.h"
 #include "app/scene/toml_table.h"
 #include "meshops/error.h"
@@ -113,7 +115,23 @@ void read_root(TomlTable& root, Scene& scene) {
         }
     if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
+    if (root.has("variant"))
+        root.report("variant",
+                    "has its place in the scene itself only: a variant has none, and --set cannot make one");
     root.finish();
+}
+
+void choose_variant(toml::table& document, const Scene& scene, Problems& problems) {
+    TomlTable root(document, "", problems);
+    const std::vector<std::string> names = read_variant_names(root);
+    if (!scene.variant.empty() && std::find(names.begin(), names.end(), scene.variant) == names.end()) {
+        const std::string nearest = nearest_name(scene.variant, names);
+        throw Error(fmt::format(
+            "--variant {}: {} has no variant of this name; {}{}", scene.variant, scene.file.string(),
+            nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
+            names.empty() ? "it has no variants at all" : fmt::format("it has: {}", fmt::join(names, ", "))));
+    }
+    apply_variant(document, scene.variant);
 }
 
 }  // namespace
@@ -122,22 +140,28 @@ std::int64_t step_count(const Scene& scene) {
     return static_cast<std::int64_t>(std::ceil(scene.duration / scene.solver.step - 1e-6));
 }
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    return parse_scene(read_toml_text(file, "scene"), file, overrides);
+std::vector<std::string> variant_names(const std::filesystem::path& file) {
+    const toml::table document = parse_toml(read_toml_text(file, "scene"), file);
+    Problems problems;
+    TomlTable root(document, "", problems);
+    const std::vector<std::string> names = read_variant_names(root);
+    problems.throw_if_any();
+    return names;
 }
 
-Scene parse_scene(std::string text, const std::filesystem::path& file,
-                  const std::vector<std::string>& overrides) {
+Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice) {
+    return parse_scene(read_toml_text(file, "scene"), file, choice);
+}
+
+Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice) {
     Scene scene;
     scene.file = file;
-    scene.text = std::move(text);
-    toml::table document = parse_toml(scene.text, file);
-    for (const std::string& assignment : overrides) {
-        apply_override(document, assignment);
-        if (!scene.text.ends_with('\n')) scene.text += '\n';
-        scene.text += fmt::format("# --set {}\n", assignment);
-    }
+    scene.variant = choice.variant;
+    toml::table document = parse_toml(text, file);
+    scene.text = recorded_text(std::move(text), choice);
     Problems problems;
+    choose_variant(document, scene, problems);
+    for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
     TomlTable root(document, "", problems);
     read_root(root, scene);
     problems.throw_if_any();

@@ -13,6 +13,7 @@
 #include "app/scene/material_axis.h"
 #include "app/scene/mesh_spec.h"
 #include "app/scene/obstacle_spec.h"
+#include "app/scene/scene_choice.h"
 #include "app/scene/score.h"
 #include "app/scene/strength_map.h"
 #include "core/damping.h"
@@ -89,7 +90,8 @@ struct SolverSpec {
 /// A scene file, read and checked: every value is in SI units and in its allowed range.
 struct Scene {
     std::filesystem::path file;
-    std::string text;     ///< as read, with the overrides in comments at its end
+    std::string variant;  ///< its name; empty: none
+    std::string text;     ///< as read, with variant and overrides in comments at its end
     double duration = 0;  ///< s
     std::int64_t seed = 1;
     std::vector<SheetSpec> sheets;
@@ -105,15 +107,18 @@ struct Scene {
 /// Steps that cover the duration; a remainder is a whole step, one due to round-off is not.
 std::int64_t step_count(const Scene& scene);
 
-/// Reads and checks a scene. `overrides` are KEY=VALUE with dotted keys, applied before checking.
-/// Throws Error with file:line, the key and what to do on: a missing file, a TOML syntax error (line and
-/// column), an unknown key (with the nearest known one), a missing key, a wrong type, sign or range. The
-/// message has a line for each mistake. Mesh files are opened by make_mesh only.
-Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// The names of the scene's variants, in the order of the file; none when it has no variants. Throws Error
+/// like read_scene when they have no proper names.
+std::vector<std::string> variant_names(const std::filesystem::path& file);
+
+/// Reads and checks a scene: the keys of the file, then those of the variant, then the overrides. Throws
+/// Error with file:line, the key and what to do on: a missing file, a TOML syntax error (line and column), an
+/// unknown variant, an unknown key (with the nearest known one), a missing key, a wrong type, sign or range.
+/// The message has a line for each mistake. Mesh files are opened by make_mesh only.
+Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice = {});
 
 /// The same from the text of a scene; `file`: where it comes from, for errors and for the names of files in
 /// it.
-Scene parse_scene(std::string text, const std::filesystem::path& file,
-                  const std::vector<std::string>& overrides = {});
+Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {});
 
 }  // namespace sherd

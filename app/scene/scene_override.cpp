@@ -38,13 +38,14 @@ toml::table parse_assignment(const std::string& assignment) {
     throw Error(fmt::format("{}: '{}' is not a TOML value; {}", source, value, advice));
 }
 
-/// Tables named by a dotted key are merged; everything else, inline tables too, is replaced.
-void merge(toml::table& into, toml::table&& from) {
+}  // namespace
+
+void merge_keys(toml::table& into, toml::table&& from) {
     for (auto&& [key, node] : from) {
         toml::node* present = into.get(key.str());
         toml::table* added = node.as_table();
         if (added && !added->is_inline() && present && present->is_table()) {
-            merge(*present->as_table(), std::move(*added));
+            merge_keys(*present->as_table(), std::move(*added));
             continue;
         }
         into.erase(key.str());
@@ -52,10 +53,8 @@ void merge(toml::table& into, toml::table&& from) {
     }
 }
 
-}  // namespace
-
 void apply_override(toml::table& scene, const std::string& assignment) {
-    merge(scene, parse_assignment(assignment));
+    merge_keys(scene, parse_assignment(assignment));
 }
 
 bool is_override(std::string_view source_path) {

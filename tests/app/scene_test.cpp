@@ -29,7 +29,7 @@ material = { preset = "glass" }
 
 Scene scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
     const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", text), overrides);
+    return read_scene(directory.write("scene.toml", text), {overrides, ""});
 }
 
 TEST(Scene, EveryKeyArrives) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -61,9 +62,11 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
 
 }  // namespace detail
 
-/// Runs the real program in `directory` and waits for its end.
+/// Runs the real program in `directory` and waits for its end. meanwhile: called with its process number once
+/// it has been started.
 inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::filesystem::path& directory,
-                               const ProgramLimits& limits = {}) {
+                               const ProgramLimits& limits = {},
+                               const std::function<void(pid_t)>& meanwhile = {}) {
     std::string program = SHERD_PROGRAM;
     std::vector<char*> pointers{program.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -72,6 +75,7 @@ inline ProgramResult run_sherd(std::vector<std::string> arguments, const std::fi
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child == 0) detail::become(pointers, directory, out.get(), err.get(), limits);
+    if (meanwhile) meanwhile(child);
     int status = 0;
     if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for the program");
     const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sherd {
+
+/// This program once more, running beside the first one with its output in pipes.
+class ChildProcess {
+  public:
+    /// arguments: without the program's name. Throws Error (run) when it cannot be started.
+    explicit ChildProcess(std::vector<std::string> arguments);
+    /// Interrupts it, if it is still running, and waits for its end.
+    ~ChildProcess();
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    /// Does to it what Ctrl-C does.
+    void interrupt() const;
+    /// Waits for its end. Returns its exit code; 128 + signal when one ended it.
+    int wait();
+
+    int out = -1, err = -1;  ///< descriptors to read its stdout and stderr from
+
+  private:
+    int process = 0;  ///< 0: it has ended
+};
+
+}  // namespace sherd
