@@ -59,7 +59,7 @@ TEST(SceneVariant, ChangesItsKeysAndNothingElse) {
 
     const Scene vertical = scene_of(tube + variants, {{}, "vertical"});
     EXPECT_EQ(vertical.variant, "vertical");
-    EXPECT_EQ(std::get<AxisAngle>(vertical.sheets[0].axis.kind).degrees, 90);
+    EXPECT_EQ(std::get<AxisDirection>(vertical.sheets[0].axis.kind).degrees, 90);
     EXPECT_EQ(vertical.solver.step, 2e-4);
     EXPECT_EQ(vertical.sheets[0].material.density, plain.sheets[0].material.density) << "preset was lost";
     EXPECT_EQ(vertical.loads.size(), 2u);
