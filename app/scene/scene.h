@@ -31,6 +31,13 @@ struct Selection {
     std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
 };
 
+/// `[[sheet.NAME.pin]]` and `clamp`: vertices that are held.
+struct PinSpec {
+    Selection on;
+    Motion motion;                   ///< without keys: they stay where they are; its pivot is not yet known
+    std::optional<Vector3d> centre;  ///< m, what they turn about; none: the middle of them
+};
+
 /// A plane that the sheet goes on behind like its mirror image.
 struct SymmetrySpec {
     Vector3d point = Vector3d::Zero();
@@ -66,7 +73,7 @@ struct SheetSpec {
     Material material;
     MaterialAxis axis;                     ///< of a material that has directions
     std::optional<FractureSpec> fracture;  ///< none: it does not break
-    std::vector<Selection> pins, clamps;
+    std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 };

@@ -45,6 +45,7 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     SheetInput input;
     input.mesh = make_mesh(sheet, scene, warnings);
     input.pinned = pinned_vertices(sheet, input.mesh);
+    input.moving_pins = moving_pins(sheet, input.mesh);
     input.material = sheet.material;
     std::vector<std::string> axis_warnings;
     std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
