@@ -31,6 +31,8 @@ void TimeStep::prepare() {
     of_step.clear();
     if (!options.loads.empty())
         of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
+    if (!options.winds.empty())
+        of_step.push_back(std::make_unique<WindEnergy>(sheet, options.winds, start + step, step));
     if (options.damping.stiffness > 0)
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)

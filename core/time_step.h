@@ -11,6 +11,7 @@
 #include "core/mirror_hinge.h"
 #include "core/newton.h"
 #include "core/sheet_energies.h"
+#include "core/wind.h"
 
 namespace sherd {
 
@@ -22,6 +23,7 @@ struct TimeStepOptions {
     std::vector<Obstacle> obstacles;
     std::vector<RigidBody> bodies;  ///< at the start
     std::vector<Load> loads;
+    std::vector<Wind> winds;
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
     bool sheet_contact = false;  ///< whether sheets meet each other, and themselves
@@ -81,7 +83,7 @@ class TimeStep {
     std::unique_ptr<SheetContact> sheet_contact;    ///< none if not asked for
     LipContact lips;
     std::vector<RigidBody> start_bodies, moved_bodies;  ///< at `start` and at `time`
-    std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, damping
+    std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, wind, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;
 };

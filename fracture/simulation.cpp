@@ -31,6 +31,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.bodies = options.bodies;
     result.bending = options.bending;
     result.loads = options.loads;
+    result.winds = options.winds;
     result.mirrors = options.mirrors;
     result.damping = options.damping;
     result.sheet_contact = options.sheet_contact;

@@ -19,6 +19,7 @@
 #include "core/damping.h"
 #include "core/material.h"
 #include "core/sheet_energies.h"
+#include "core/wind.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -54,6 +55,20 @@ struct LoadSpec {
     std::string sheet;                  ///< its name; empty: all sheets
     Selection on;                       ///< without box, boundary and group: everything
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// Of `gust` of a wind.
+struct GustSpec {
+    double amplitude = 0;         ///< m/s, root mean square
+    double time = 0, length = 0;  ///< s, m, of a typical gust
+};
+
+/// `[[force.wind]]`.
+struct WindSpec {
+    Wind wind;  ///< without gusts and triangles
+    std::optional<GustSpec> gust;
+    std::string sheet;  ///< its name; empty: all sheets
+    std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 
 /// `[sheet.NAME.fracture]`.
@@ -106,6 +121,7 @@ struct Scene {
     std::vector<ObstacleSpec> bodies;     ///< that are free
     Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
+    std::vector<WindSpec> winds;
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step

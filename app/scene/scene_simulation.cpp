@@ -10,6 +10,7 @@
 #include "app/scene/scene_mesh.h"
 #include "app/scene/scene_start.h"
 #include "app/scene/scene_support.h"
+#include "app/scene/scene_wind.h"
 #include "app/scene/sheet_strength.h"
 #include "core/stability.h"
 #include "meshops/error.h"
@@ -85,6 +86,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);
     add_loads(scene, inputs, all.mechanics(), options);
+    add_winds(scene, all.mechanics(), options);
     return options;
 }
 
