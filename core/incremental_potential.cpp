@@ -6,12 +6,21 @@
 namespace sherd {
 
 IncrementalPotential::IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies,
-                                           double step, const Vector3d& gravity)
+                                           double step, const Vector3d& gravity, double end)
     : sheet(sheet), energies(std::move(energies)), step(step) {
     Positions displacement = step * sheet.velocity;
     displacement.colwise() += step * step * gravity;
     constrain(displacement);
     inertial = sheet.position + displacement;
+    carry(end);
+}
+
+void IncrementalPotential::carry(double end) {
+    std::vector<Eigen::Isometry3d> poses;
+    for (const Motion& motion : sheet.motions) poses.push_back(motion.at(end));
+    for (std::size_t v = 0; v < sheet.carrier.size(); ++v)
+        if (sheet.carrier[v] != 0)
+            inertial.col(v) = poses[sheet.carrier[v] - 1] * Vector3d(sheet.rest.col(v));
 }
 
 void IncrementalPotential::constrain(Positions& displacement) const {

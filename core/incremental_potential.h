@@ -8,16 +8,18 @@ namespace sherd {
 
 /// The function whose minimum is the end of an implicit Euler step:
 ///     E(x) = 1 / (2 h^2) (x - y)^T M (x - y) + sum of energies,   y = x_n + h v_n + h^2 g.
-/// Fixed vertices stay where they are: their rows of gradient and Hessian are those of the identity. Guided
-/// vertices do so in the directions that are not free.
+/// Fixed vertices do not take part: their rows of gradient and Hessian are those of the identity. They stay
+/// where they are, or, when a motion carries them, where x has them, which must be where `predicted` does.
+/// Guided vertices stay in the directions that are not free.
 class IncrementalPotential {
   public:
-    /// All energies and the sheet must outlive it. step: s; gravity: m/s^2.
+    /// All energies and the sheet must outlive it. step: s; gravity: m/s^2; end: s, time of the step's end.
     IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies, double step,
-                         const Vector3d& gravity);
+                         const Vector3d& gravity, double end = 0);
 
-    const Positions& predicted() const { return inertial; }  ///< y, and x_n of fixed vertices, m
-    double value(const Positions& x) const;                  ///< J
+    /// y, m; of fixed vertices where they are at the end of the step.
+    const Positions& predicted() const { return inertial; }
+    double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< bound on the value's error by cancellation, J
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
     /// Zero matrix of the pattern of Hessians at x, and near it.
@@ -31,6 +33,8 @@ class IncrementalPotential {
   private:
     /// Takes away what pins and guides do not let through.
     void constrain(Positions& displacement) const;
+    /// Predicts the vertices that motions carry.
+    void carry(double end);
 
     const Sheet& sheet;
     std::vector<const Energy*> energies;

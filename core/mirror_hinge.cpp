@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mirror_hinge.h"
 
-#include <Eigen/Geometry>
-
 namespace sherd {
 namespace {
 
@@ -22,7 +20,10 @@ HingePositions with_image(const TrianglePositions& x, const Vector3d& normal, do
 MirrorHinge clamp_hinge(const Sheet& sheet, const TriangleSide& side, double stiffness) {
     const TrianglePositions x = triangle_positions(sheet.rest, side_vertices(sheet, side));
     const Vector3d along = (x.col(1) - x.col(0)).normalized(), across = x.col(2) - x.col(0);
-    return symmetry_hinge(sheet, side, (across - along * along.dot(across)).normalized(), stiffness);
+    MirrorHinge hinge =
+        symmetry_hinge(sheet, side, (across - along * along.dot(across)).normalized(), stiffness);
+    hinge.carrier = sheet.carrier[side_vertices(sheet, side)[0]];
+    return hinge;
 }
 
 MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const Vector3d& normal,
@@ -30,6 +31,13 @@ MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const V
     const TrianglePositions x = triangle_positions(sheet.rest, side_vertices(sheet, side));
     const double offset = normal.dot(Vector3d(x.col(0)));
     return {side, normal, offset, cubic_hinge(with_image(x, normal, offset), stiffness)};
+}
+
+MirrorHinge moved(MirrorHinge hinge, const Eigen::Isometry3d& pose) {
+    const Vector3d point = pose * Vector3d(hinge.offset * hinge.normal);
+    hinge.normal = pose.linear() * hinge.normal;
+    hinge.offset = hinge.normal.dot(point);
+    return hinge;
 }
 
 HingePositions MirrorEnergy::mirrored(const MirrorHinge& hinge, const Positions& x) const {

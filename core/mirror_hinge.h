@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "core/energy.h"
 #include "core/sides.h"
 
@@ -15,14 +17,19 @@ struct MirrorHinge {
     Vector3d normal;  ///< of the plane, unit length
     double offset;    ///< m, normal . x of the plane's points
     CubicHinge bending;
+    Index carrier = 0;  ///< 0, or the number, from 1, of the motion that carries the plane
 };
 
-/// The hinge that holds the sheet's rest tangent across a side whose ends are fixed. stiffness: lambda, N m.
+/// The hinge that holds the sheet's rest tangent across a side whose ends are fixed, or carried by one
+/// motion, which then carries the tangent, too. stiffness: lambda, N m.
 MirrorHinge clamp_hinge(const Sheet& sheet, const TriangleSide& side, double stiffness);
 
 /// The hinge across a symmetry plane through the side. normal: unit length. stiffness: lambda, N m.
 MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const Vector3d& normal,
                            double stiffness);
+
+/// The hinge with its plane where `pose` takes it.
+MirrorHinge moved(MirrorHinge hinge, const Eigen::Isometry3d& pose);
 
 /// Bending energy of all mirror hinges.
 class MirrorEnergy : public Energy {

@@ -25,6 +25,7 @@ void resize_vertices(Sheet& sheet, Index count) {
     for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
         resize(*values, count);
     sheet.fixed.resize(count, 0);
+    sheet.carrier.resize(count, 0);
     sheet.guide.resize(count, 0);
     sheet.body.resize(count, 0);
 }
@@ -35,6 +36,7 @@ void copy_vertex(Sheet& sheet, Index from, Index to) {
     for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
         (*values)[to] = (*values)[from];
     sheet.fixed[to] = sheet.fixed[from];
+    sheet.carrier[to] = sheet.carrier[from];
     sheet.guide[to] = sheet.guide[from];
     sheet.body[to] = sheet.body[from];
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/contact/lip.h"
+#include "core/contact/motion.h"
 #include "core/cubic_hinge.h"
 #include "core/hinge.h"
 #include "core/material.h"
@@ -39,6 +40,8 @@ struct Sheet {
     VectorXd
         footprint;  ///< [V] m^2, area by which the vertex touches an obstacle: see contact/obstacle_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
+    std::vector<Index>
+        carrier;              ///< [V] 0, or the number, from 1, of the motion that carries the fixed vertex
     std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
     std::vector<Index> body;  ///< [V] number of the sheet that the vertex is of, whatever broke off it since
     /// Vertices that lie on each other because a crack between them has only just opened: elements that have
@@ -46,6 +49,7 @@ struct Sheet {
     std::vector<std::array<Index, 2>> twins;
     std::vector<LipStencil> lips;  ///< of these cracks
     std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
+    std::vector<Motion> motions;   ///< of carried vertices, from where they are at rest
     std::vector<TriangleStencil> triangles;
     std::vector<HingeStencil> hinges;
 };

@@ -12,17 +12,27 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       step(options.step),
       bending(sheet.hinges, options.bending),
       membrane(sheet.triangles),
-      mirrors(sheet, this->options.mirrors),
+      mirror_hinges(options.mirrors),
+      mirrors(sheet, mirror_hinges),
       lips(sheet.lips),
       start_bodies(options.bodies),
       moved_bodies(options.bodies) {
     if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
 }
 
+void TimeStep::carry_mirrors() {
+    for (std::size_t i = 0; i < mirror_hinges.size(); ++i)
+        if (const Index carrier = options.mirrors[i].carrier; carrier != 0)
+            mirror_hinges[i] = moved(options.mirrors[i], sheet.motions[carrier - 1].at(start + step));
+}
+
 void TimeStep::prepare() {
+    carry_mirrors();
     of_step.clear();
     if (!options.loads.empty())
         of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
+    if (!options.winds.empty())
+        of_step.push_back(std::make_unique<WindEnergy>(sheet, options.winds, start + step, step));
     if (options.damping.stiffness > 0)
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
@@ -44,19 +54,35 @@ void TimeStep::prepare() {
         energies.push_back(&lips);
     }
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
-    potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity);
+    potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity,
+                                                       start + step);
 }
 
-void TimeStep::begin(double length) {
+bool TimeStep::predict() {
+    const Positions motion = potential->predicted() - sheet.position;
+    const double fraction = potential->safe_fraction(sheet.position, motion);
+    position = fraction == 1 ? potential->predicted() : sheet.position + fraction * motion;
+    if (fraction == 1 || sheet.motions.empty()) return true;
+    // What is carried has to arrive, so it goes first, and the others as far as there is room.
+    Positions carried = motion;
+    for (std::size_t v = 0; v < sheet.carrier.size(); ++v)
+        if (sheet.carrier[v] == 0) carried.col(v).setZero();
+    if (potential->safe_fraction(sheet.position, carried) < 1) return false;
+    const Positions others = motion - carried;
+    position = sheet.position + carried;
+    position += potential->safe_fraction(position, others) * others;
+    return true;
+}
+
+bool TimeStep::begin(double length) {
     step = length;
     start = time;
     start_bodies = moved_bodies;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
-    const Positions motion = potential->predicted() - sheet.position;
-    const double fraction = potential->safe_fraction(sheet.position, motion);
-    position = fraction == 1 ? potential->predicted() : sheet.position + fraction * motion;
+    const bool carried = predict();
     if (!system) system = std::make_unique<NewtonSystem>(*potential, position);
+    return carried;
 }
 
 NewtonResult TimeStep::solve(int max_iterations) {

@@ -11,6 +11,7 @@
 #include "core/mirror_hinge.h"
 #include "core/newton.h"
 #include "core/sheet_energies.h"
+#include "core/wind.h"
 
 namespace sherd {
 
@@ -22,6 +23,7 @@ struct TimeStepOptions {
     std::vector<Obstacle> obstacles;
     std::vector<RigidBody> bodies;  ///< at the start
     std::vector<Load> loads;
+    std::vector<Wind> winds;
     std::vector<MirrorHinge> mirrors;  ///< at clamps and symmetry planes
     Damping damping;
     bool sheet_contact = false;  ///< whether sheets meet each other, and themselves
@@ -42,9 +44,10 @@ class TimeStep {
 
     /// Starts a step of TimeStepOptions::step, or of `length` s, from the sheet's positions and velocities;
     /// `position` is the inertial prediction, or as much of the way there as is free. A step that is open is
-    /// given up. Throws std::runtime_error if sheets overlap.
-    void begin() { begin(options.step); }
-    void begin(double length);
+    /// given up. Returns whether what motions carry can get where it has to be; if not, the step is too long.
+    /// Throws std::runtime_error if sheets overlap.
+    bool begin() { return begin(options.step); }
+    bool begin(double length);
     /// Advances `position` towards the minimum by at most `max_iterations` of Newton's method.
     NewtonResult solve(int max_iterations);
     /// To be called when vertices were added or stencils changed. New vertices of the sheet get their
@@ -63,6 +66,8 @@ class TimeStep {
 
   private:
     void prepare();
+    void carry_mirrors();
+    bool predict();
 
     Sheet& sheet;
     TimeStepOptions options;
@@ -71,13 +76,14 @@ class TimeStep {
     double step;       ///< s, its length
     BendingEnergy bending;
     MembraneEnergy membrane;
+    std::vector<MirrorHinge> mirror_hinges;  ///< at the end of the open step, or the last one
     MirrorEnergy mirrors;
     std::vector<BodyContact> body_contact;
     std::vector<ObstacleContact> obstacle_contact;  ///< of the open step, or the last one
     std::unique_ptr<SheetContact> sheet_contact;    ///< none if not asked for
     LipContact lips;
     std::vector<RigidBody> start_bodies, moved_bodies;  ///< at `start` and at `time`
-    std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, damping
+    std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, wind, damping
     std::unique_ptr<IncrementalPotential> potential;
     std::unique_ptr<NewtonSystem> system;
 };

@@ -90,6 +90,10 @@ void BreakableSheet::add_vertices(const SheetInput& input, Index body, Index fir
         sheet.body[v] = body;
     }
     for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
+    for (const MovingPin& pin : input.moving_pins) {
+        sheet.motions.push_back(pin.motion);
+        for (const Index v : pin.vertices) sheet.carrier[first_vertex + v] = number(sheet.motions.size());
+    }
 }
 
 void BreakableSheet::add_coincident_vertices() {

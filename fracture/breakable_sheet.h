@@ -11,6 +11,12 @@
 
 namespace sherd {
 
+/// Pinned vertices that move together, from where they are placed.
+struct MovingPin {
+    std::vector<Index> vertices;
+    Motion motion;
+};
+
 /// One sheet of a simulation as it starts.
 struct SheetInput {
     Mesh mesh;  ///< at rest, where it starts, m
@@ -20,7 +26,8 @@ struct SheetInput {
     Strength strength;                     ///< by default it does not break
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
-    std::vector<Index> pinned;             ///< vertices that stay where they are
+    std::vector<Index> pinned;             ///< vertices that stay where they are, or are carried
+    std::vector<MovingPin> moving_pins;    ///< of pinned vertices; none has two of them
 };
 
 /// All sheets of a simulation: their mesh and their mechanics, kept in step. A crack removes hinges and

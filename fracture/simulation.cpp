@@ -31,6 +31,7 @@ TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet&
     result.bodies = options.bodies;
     result.bending = options.bending;
     result.loads = options.loads;
+    result.winds = options.winds;
     result.mirrors = options.mirrors;
     result.damping = options.damping;
     result.sheet_contact = options.sheet_contact;
@@ -79,11 +80,13 @@ void Simulation::give_up(const StepReport& report) const {
     text << "step " << report.step << ", at " << time() << " s: even a step of " << step_size.size()
          << " s cannot be solved within " << options.max_iterations
          << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
+    if (!breakable.mechanics().motions.empty())
+        text << "; or a moving pin meets what cannot get out of its way";
     throw std::runtime_error(text.str());
 }
 
 bool Simulation::attempt(StepReport& report) {
-    time_step.begin(step_size.size());
+    if (!time_step.begin(step_size.size())) return false;
     NewtonResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const HingeMeasures measures = hinge_measures(breakable, time_step.position);

@@ -24,6 +24,7 @@ struct SimulationOptions {
     std::vector<RigidBody> bodies;  ///< at the start
     BendingOptions bending;         ///< energy and Jacobian of the hinges
     std::vector<Load> loads;        ///< on the triangles of all sheets, numbered in the order of the inputs
+    std::vector<Wind> winds;        ///< on the same triangles
     std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
     std::vector<SlidingVertex> sliding;
     Damping damping;

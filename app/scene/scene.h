@@ -19,6 +19,7 @@
 #include "core/damping.h"
 #include "core/material.h"
 #include "core/sheet_energies.h"
+#include "core/wind.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -29,6 +30,13 @@ struct Selection {
     bool boundary = false;                             ///< all boundary vertices
     std::string group;                                 ///< of faces; their vertices
     std::string where;                                 ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[sheet.NAME.pin]]` and `clamp`: vertices that are held.
+struct PinSpec {
+    Selection on;
+    Motion motion;                   ///< without keys: they stay where they are; its pivot is not yet known
+    std::optional<Vector3d> centre;  ///< m, what they turn about; none: the middle of them
 };
 
 /// A plane that the sheet goes on behind like its mirror image.
@@ -49,6 +57,20 @@ struct LoadSpec {
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
 };
 
+/// Of `gust` of a wind.
+struct GustSpec {
+    double amplitude = 0;         ///< m/s, root mean square
+    double time = 0, length = 0;  ///< s, m, of a typical gust
+};
+
+/// `[[force.wind]]`.
+struct WindSpec {
+    Wind wind;  ///< without gusts and triangles
+    std::optional<GustSpec> gust;
+    std::string sheet;  ///< its name; empty: all sheets
+    std::string where;  ///< "FILE:LINE: dotted.key", for errors
+};
+
 /// `[sheet.NAME.fracture]`.
 struct FractureSpec {
     Strength strength;                             ///< without factors
@@ -66,7 +88,7 @@ struct SheetSpec {
     Material material;
     MaterialAxis axis;                     ///< of a material that has directions
     std::optional<FractureSpec> fracture;  ///< none: it does not break
-    std::vector<Selection> pins, clamps;
+    std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
 };
@@ -99,6 +121,7 @@ struct Scene {
     std::vector<ObstacleSpec> bodies;     ///< that are free
     Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
+    std::vector<WindSpec> winds;
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/scene/scene_support.h"
+#include "app/scene/scene_wind.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -33,12 +34,7 @@ LoadSpec read_load(TomlTable& table, const Scene& scene) {
     LoadSpec load;
     load.where = table.where("");
     read_amount(table, load);
-    if (table.has("sheet")) load.sheet = table.string("sheet", "the name of a sheet");
-    const bool known = std::any_of(scene.sheets.begin(), scene.sheets.end(),
-                                   [&](const SheetSpec& sheet) { return sheet.name == load.sheet; });
-    if (!load.sheet.empty() && !known)
-        table.report("sheet",
-                     fmt::format("names no sheet of this scene: there is no [sheet.{}]", load.sheet));
+    load.sheet = read_sheet_name(table, scene);
     if (table.has("box") || table.has("boundary") || table.has("group")) {
         load.on = read_selection(table);
     } else if (load.kind == "point") {
@@ -67,9 +63,20 @@ std::vector<Index> selected_triangles(const Sheet& mechanics, const std::vector<
 
 }  // namespace
 
+std::string read_sheet_name(TomlTable& table, const Scene& scene) {
+    if (!table.has("sheet")) return {};
+    const std::string name = table.string("sheet", "the name of a sheet");
+    const bool known = std::any_of(scene.sheets.begin(), scene.sheets.end(),
+                                   [&](const SheetSpec& sheet) { return sheet.name == name; });
+    if (!name.empty() && !known)
+        table.report("sheet", fmt::format("names no sheet of this scene: there is no [sheet.{}]", name));
+    return name;
+}
+
 void read_forces(TomlTable& table, Scene& scene) {
     scene.gravity = table.vector("gravity", "m/s^2", scene.gravity);
     for (TomlTable& load : table.tables("load")) scene.loads.push_back(read_load(load, scene));
+    read_winds(table, scene);
     table.finish();
 }
 

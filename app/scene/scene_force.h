@@ -7,8 +7,11 @@
 
 namespace sherd {
 
-/// Reads [force]: gravity and loads. The sheets must have been read.
+/// Reads [force]: gravity, loads and wind. The sheets must have been read.
 void read_forces(TomlTable& table, Scene& scene);
+
+/// Reads the key sheet of a load or a wind; empty when it is missing.
+std::string read_sheet_name(TomlTable& table, const Scene& scene);
 
 /// Adds the scene's loads. mechanics: of all inputs. Throws Error, naming the scene's line and key, on a load
 /// that acts on nothing.

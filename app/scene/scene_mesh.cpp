@@ -99,9 +99,10 @@ void check_group(const Selection& selection, const std::vector<std::string>& kno
 
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed) {
     std::vector<bool> held(placed.number_of_vertices(), false);
-    std::vector<Selection> holds = sheet.pins;
+    std::vector<PinSpec> holds = sheet.pins;
     holds.insert(holds.end(), sheet.clamps.begin(), sheet.clamps.end());
-    for (const Selection& pin : holds) {
+    for (const PinSpec& hold : holds) {
+        const Selection& pin = hold.on;
         check_group(pin, group_names(placed));
         bool any = false;
         for (const Vertex v : placed.vertices())

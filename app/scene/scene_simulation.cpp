@@ -10,6 +10,7 @@
 #include "app/scene/scene_mesh.h"
 #include "app/scene/scene_start.h"
 #include "app/scene/scene_support.h"
+#include "app/scene/scene_wind.h"
 #include "app/scene/sheet_strength.h"
 #include "core/stability.h"
 #include "meshops/error.h"
@@ -45,6 +46,7 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     SheetInput input;
     input.mesh = make_mesh(sheet, scene, warnings);
     input.pinned = pinned_vertices(sheet, input.mesh);
+    input.moving_pins = moving_pins(sheet, input.mesh);
     input.material = sheet.material;
     std::vector<std::string> axis_warnings;
     std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
@@ -84,6 +86,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);
     add_loads(scene, inputs, all.mechanics(), options);
+    add_winds(scene, all.mechanics(), options);
     return options;
 }
 

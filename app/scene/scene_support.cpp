@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "app/scene/scene_mesh.h"
 #include "app/scene/scene_place.h"
@@ -16,6 +17,7 @@
 namespace sherd {
 namespace {
 
+constexpr double at_rest = 1e-12;  // of the first key's rotation and way, m
 constexpr double on_plane = 1e-6;  // of the mesh's diagonal: single-precision files are no better
 
 void read_box(TomlTable& table, Selection& selection) {
@@ -26,6 +28,19 @@ void read_box(TomlTable& table, Selection& selection) {
         table.report("box", "must be [lower corner, upper corner], two arrays of 3 numbers");
     if (selection.box && (selection.box->first.array() > selection.box->second.array()).any())
         table.report("box", "has a lower corner above its upper one: order them in x, y and z");
+}
+
+PinSpec read_pin(TomlTable& table) {
+    PinSpec pin;
+    pin.on = read_selection(table);
+    read_motion(table, pin.motion);
+    if (table.has("centre")) pin.centre = table.vector("centre", "m");
+    if (pin.centre && pin.motion.keys.empty())
+        table.report("centre", "needs keys = [{ time = 0 }, { time = 1, ... }]");
+    if (!pin.motion.at(0).matrix().isIdentity(at_rest))
+        table.report("keys", "must begin where the sheet is placed: without translate and rotate at first");
+    table.finish();
+    return pin;
 }
 
 SymmetrySpec read_symmetry(TomlTable& table) {
@@ -90,13 +105,43 @@ Selection read_selection(TomlTable& table) {
 }
 
 void read_supports(TomlTable& table, SheetSpec& sheet) {
-    for (const auto& [key, selections] : {std::pair("pin", &sheet.pins), std::pair("clamp", &sheet.clamps)}) {
-        for (TomlTable& entry : table.tables(key)) {
-            selections->push_back(read_selection(entry));
-            entry.finish();
-        }
-    }
+    for (const auto& [key, pins] : {std::pair("pin", &sheet.pins), std::pair("clamp", &sheet.clamps)})
+        for (TomlTable& entry : table.tables(key)) pins->push_back(read_pin(entry));
     for (TomlTable& plane : table.tables("symmetry")) sheet.symmetries.push_back(read_symmetry(plane));
+}
+
+namespace {
+
+/// The middle of the box around what a pin holds.
+Vector3d middle(const std::vector<Index>& vertices, const Mesh& placed) {
+    Eigen::AlignedBox3d box;
+    for (const Index v : vertices) box.extend(position(placed, Vertex(v)));
+    return box.center();
+}
+
+}  // namespace
+
+std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed) {
+    std::vector<PinSpec> pins = sheet.pins;
+    pins.insert(pins.end(), sheet.clamps.begin(), sheet.clamps.end());
+    std::vector<MovingPin> moving;
+    std::vector<const PinSpec*> holder(placed.number_of_vertices());
+    for (const PinSpec& pin : pins) {
+        MovingPin held{{}, pin.motion};
+        for (const Vertex v : placed.vertices()) {
+            if (!selects(pin.on, placed, v)) continue;
+            const PinSpec* const other = std::exchange(holder[v], &pin);
+            if (other && !(pin.motion.keys.empty() && other->motion.keys.empty()))
+                throw Error(
+                    fmt::format("{}: holds a vertex that {} holds too, and one of them moves: give "
+                                "each its own vertices",
+                                pin.on.where, other->on.where));
+            held.vertices.push_back(static_cast<Index>(v));
+        }
+        held.motion.pivot = pin.centre.value_or(middle(held.vertices, placed));
+        if (!pin.motion.keys.empty()) moving.push_back(held);
+    }
+    return moving;
 }
 
 std::vector<char> selected_vertices(const Selection& selection, const std::string& sheet, const Scene& scene,
@@ -137,14 +182,14 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
         const auto stiffness = [&](const TriangleSide& side) {
             return side_stiffness(inputs[i], mechanics, side, first_face);
         };
-        for (const Selection& clamp : scene.sheets[i].clamps) {
-            const std::vector<char> held = selected_vertices(clamp, scene.sheets[i].name, scene, inputs);
+        for (const PinSpec& clamp : scene.sheets[i].clamps) {
+            const std::vector<char> held = selected_vertices(clamp.on, scene.sheets[i].name, scene, inputs);
             const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
             if (sides.empty() && !holds_a_triangle(mechanics, held))
                 throw Error(
                     fmt::format("{}: holds no tangent: it must hold both ends of an edge of the "
                                 "boundary, or a whole face",
-                                clamp.where));
+                                clamp.on.where));
             for (const TriangleSide& side : sides)
                 options.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
         }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "app/scene/scene_simulation.h"
 #include "meshops/error.h"
@@ -105,6 +106,53 @@ step = 1e-2
         drop = std::max(drop, -now.z());
     }
     EXPECT_GT(drop, 1e-3);
+}
+
+// The left side turns about its own middle, the right one about the place that is given.
+TEST(SceneSupport, PinsAndClampsMoveAsTheirKeysSay) {
+    const Prepared prepared = prepare(plate + R"(
+pin = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], motion = "linear", keys = [
+    { time = 0 }, { time = 0.1, translate = [0.1, 0, 0], rotate = { axis = [1, 0, 0], degrees = 90 } } ] }
+clamp = { box = [[1.999, -1, -1], [3, 2, 1]], centre = [2, 0, 0], keys = [
+    { time = 0.02 }, { time = 0.04, rotate = { axis = [0, 1, 0], degrees = -90 } } ] }
+[solver]
+step = 5e-3
+)");
+    Simulation simulation(prepared.inputs, prepared.options);
+    const Sheet& sheet = simulation.sheet().mechanics();
+    const auto expect_place = [&](double x, const Vector3d& centre, const Vector3d& way,
+                                  const Vector3d& turn) {
+        for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
+            if (std::abs(sheet.rest(0, v) - x) > 1e-6) continue;
+            const Vector3d arm = Vector3d(sheet.rest.col(v)) - centre;
+            const Vector3d turned =
+                turn.isZero() ? arm : Eigen::AngleAxisd(turn.norm(), turn.normalized()) * arm;
+            EXPECT_LT((sheet.position.col(v) - centre - way - turned).norm(), 1e-12);
+        }
+    };
+    for (int i = 0; i < 4; ++i) simulation.step();
+    expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    for (int i = 0; i < 6; ++i) simulation.step();
+    expect_place(0, {0, 0.5, 0}, {0.05, 0, 0}, {std::numbers::pi / 4, 0, 0});
+    expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, -std::numbers::pi / 2, 0});
+    EXPECT_GT(linear_momentum(sheet).norm(), 0.1) << "the pinned vertices are a part of the momentum";
+    for (const MirrorHinge& hinge : prepared.options.mirrors) EXPECT_EQ(hinge.carrier, 2);
+}
+
+TEST(SceneSupport, MotionsThatCannotBeAreRefused) {
+    const auto pin = [](const std::string& keys) {
+        return message_of(plate + "pin = [{ boundary = true, " + keys + " }]\n");
+    };
+    const std::string later = "{ time = 1, translate = [0, 0, 1] }";
+    const auto says = [](const std::string& message, const std::string& wanted) {
+        EXPECT_NE(message.find("scene.toml:5: sheet.plate.pin" + wanted), std::string::npos) << message;
+    };
+    says(pin("keys = [" + later + "]"), "[0].keys: must begin where the sheet is placed");
+    says(pin("keys = [{ time = 1 }, " + later + "]"), "[0].keys[1].time: must be later");
+    says(pin("motion = \"linear\""), "[0].motion: needs keys");
+    says(pin("centre = [0, 0, 0]"), "[0].centre: needs keys");
+    says(pin("keys = [{ time = 0 }, " + later + "] }, { box = [[-1, -1, -1], [9, 9, 9]]"),
+         "[1]: holds a vertex that");
 }
 
 TEST(SceneForce, WhatReachesNothingIsNamed) {

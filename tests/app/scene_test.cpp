@@ -80,9 +80,9 @@ every = 0.25
     EXPECT_EQ(sheet.fracture->strength.along, 12.5);
     EXPECT_EQ(sheet.fracture->strength.across, 12.5);
     ASSERT_EQ(sheet.pins.size(), 2u);
-    EXPECT_TRUE(sheet.pins[0].boundary);
-    EXPECT_EQ(sheet.pins[1].box->first, Vector3d(0, 1, 2));
-    EXPECT_EQ(sheet.pins[1].box->second, Vector3d(3, 4, 5));
+    EXPECT_TRUE(sheet.pins[0].on.boundary);
+    EXPECT_EQ(sheet.pins[1].on.box->first, Vector3d(0, 1, 2));
+    EXPECT_EQ(sheet.pins[1].on.box->second, Vector3d(3, 4, 5));
     const auto& cylinder = std::get<GeneratedMesh>(scene.sheets[1].mesh);
     EXPECT_EQ(cylinder.shape, "cylinder");
     EXPECT_EQ(cylinder.height, 2);
@@ -221,14 +221,14 @@ pin = [{ box = [[9.9, -1, -1], [10.001, 2, 1]] }]
     EXPECT_EQ(pinned, expected);
 
     SheetSpec all = scene.sheets[0];
-    all.pins = {{.box = {}, .boundary = true, .group = "", .where = ""}};
+    all.pins = {{.on = {.box = {}, .boundary = true, .group = "", .where = ""}, .motion = {}, .centre = {}}};
     std::size_t border = 0;
     for (const Vertex v : mesh.vertices()) border += mesh.is_border(v);
     EXPECT_EQ(pinned_vertices(all, mesh).size(), border);
-    all.pins = {{.box = std::pair(Vector3d(0, 0, 0), Vector3d(1, 1, 1)),
-                 .boundary = false,
-                 .group = "",
-                 .where = "here"}};
+    all.pins[0].on = {.box = std::pair(Vector3d(0, 0, 0), Vector3d(1, 1, 1)),
+                      .boundary = false,
+                      .group = "",
+                      .where = "here"};
     EXPECT_THROW(pinned_vertices(all, mesh), Error);
 }
 

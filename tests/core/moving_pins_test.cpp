@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices that a motion carries. Were they late, or without their velocity, a flag would not follow its pole
+// and a shaken plate not feel the shaker.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/time_step.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+using std::numbers::pi;
+
+const Material rubber{.density = 1000, .thickness = 1e-3, .young = 2e6, .poisson = 0.4};
+
+Motion straight(const Vector3d& way, double duration) {
+    Motion motion;
+    motion.smooth = false;
+    motion.keys = {{0}, {duration, way}};
+    return motion;
+}
+
+/// Pins the vertices and lets the motion carry them.
+void carry(Sheet& sheet, const std::vector<Index>& vertices, const Motion& motion) {
+    sheet.motions.push_back(motion);
+    for (const Index v : vertices) {
+        sheet.fixed[v] = 1;
+        sheet.carrier[v] = static_cast<Index>(sheet.motions.size());
+    }
+}
+
+void advance(TimeStep& time_step) {
+    ASSERT_TRUE(time_step.begin());
+    ASSERT_TRUE(time_step.solve(100).converged);
+    time_step.finish();
+}
+
+TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
+    Sheet sheet = test::stacked_plates(1, 4, 0, rubber);
+    Motion motion;
+    motion.keys = {{0.01}, {0.05, Vector3d(0, 0.02, 0.01), Vector3d::UnitX(), pi / 2}};
+    motion.pivot = sheet.rest.col(0);
+    carry(sheet, {0, 1, 7}, motion);
+    sheet.fixed[20] = 1;
+    TimeStepOptions options;
+    options.step = 2e-3;
+    options.newton.tolerance = 1e-9;
+    TimeStep time_step(sheet, options);
+    for (int i = 1; i <= 30; ++i) {
+        const Positions before = sheet.position;
+        advance(time_step);
+        for (const Index v : {0, 1, 7}) {
+            const Vector3d place = motion.at(i * options.step) * Vector3d(sheet.rest.col(v));
+            EXPECT_LT((sheet.position.col(v) - place).norm(), 1e-15);
+            EXPECT_LT((sheet.velocity.col(v) * options.step - (place - before.col(v))).norm(), 1e-15);
+        }
+        EXPECT_EQ(sheet.position.col(20), sheet.rest.col(20));
+    }
+    EXPECT_GT((sheet.position.col(7) - sheet.rest.col(7)).norm(), 0.02) << "nothing moved";
+}
+
+// Whoever flies along sees pins that stand still.
+TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
+    const Vector3d velocity(3, -2, 1);
+    Sheet standing = test::stacked_plates(1, 6, 0, rubber), flying = standing;
+    standing.fixed[0] = standing.fixed[6] = 1;
+    carry(flying, {0, 6}, straight(velocity, 1));
+    flying.velocity.colwise() = velocity;
+    TimeStepOptions options;
+    options.step = 2e-3;
+    options.newton.tolerance = 1e-12;
+    TimeStep still(standing, options), moving(flying, options);
+    for (int i = 1; i <= 40; ++i) {
+        advance(still);
+        advance(moving);
+        const Positions seen = flying.position.colwise() - i * options.step * velocity;
+        ASSERT_LT((seen - standing.position).cwiseAbs().maxCoeff(), 1e-9) << "step " << i;
+    }
+    EXPECT_GT((standing.position - standing.rest).norm(), 0.01) << "nothing swings: the test proves nothing";
+    EXPECT_LT((linear_momentum(flying) - linear_momentum(standing) - flying.mass.sum() * velocity).norm(),
+              1e-7);
+}
+
+// A clamp that turns takes the sheet's tangent along: in the end the strip sticks out of it as it did.
+TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
+    Material stiff = rubber;
+    stiff.young *= 1000;
+    Sheet sheet = test::stacked_plates(1, 4, 0, stiff);
+    Motion motion;
+    motion.keys = {{0}, {0.1, Vector3d(0, 0, 0.1), Vector3d::UnitX(), pi / 2}};
+    motion.pivot = sheet.rest.col(2);
+    carry(sheet, {0, 1, 2, 3, 4}, motion);
+    TimeStepOptions options;
+    options.gravity.setZero();
+    options.step = 2e-3;
+    options.damping.mass = 100;
+    for (const TriangleSide& side : boundary_sides(sheet, sheet.fixed))
+        options.mirrors.push_back(clamp_hinge(sheet, side, hinge_stiffness(stiff)));
+    ASSERT_EQ(options.mirrors.size(), 4u);
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < 400; ++i) advance(time_step);
+    const Positions turned = motion.at(1) * sheet.rest;
+    EXPECT_LT((sheet.position - turned).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT(time_step.energies().bending, 1e-9);
+}
+
+// A plate that is carried into a free one has to arrive, and throws the other ahead of it.
+TEST(MovingPins, PushWhatIsInTheirWay) {
+    Sheet sheet = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    const Index half = static_cast<Index>(sheet.rest.cols()) / 2;
+    std::vector<Index> lower(half);
+    for (Index v = 0; v < half; ++v) lower[v] = v;
+    carry(sheet, lower, straight(Vector3d(0, 0, 0.1), 0.1));
+    sheet.velocity.rightCols(half).row(2).setConstant(-0.3);
+    TimeStepOptions options;
+    options.gravity.setZero();
+    options.sheet_contact = true;
+    options.step = 2e-4;
+    options.newton.tolerance = 1e-8;
+    TimeStep time_step(sheet, options);
+    for (int i = 1; i <= 50; ++i) {
+        advance(time_step);
+        EXPECT_NEAR(sheet.position(2, 0), i * options.step, 1e-15);
+        EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * rubber.thickness);
+    }
+    EXPECT_GT(sheet.velocity.rightCols(half).row(2).mean(), 1);
+    // Too far at once: the step is refused, not solved with the pins on their way or through the other plate.
+    Sheet near = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    carry(near, lower, straight(Vector3d(0, 0, 0.1), 0.1));
+    options.step = 5e-3;
+    EXPECT_FALSE(TimeStep(near, options).begin());
+}
+
+}  // namespace
+}  // namespace sherd

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force of the air. Each test is a statement of aerodynamics that a flag in the wind relies on.
+#include "core/wind.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <numbers>
+#include <numeric>
+
+#include "core/time_step.h"
+#include "tests/support/small_sheet.h"
+
+namespace sherd {
+namespace {
+
+const Material card{.density = 500, .thickness = 4e-3, .young = 1e8, .poisson = 0.3};
+
+double area_of(const Sheet& sheet) {
+    double sum = 0;
+    for (const TriangleStencil& triangle : sheet.triangles) sum += triangle.membrane.area;
+    return sum;
+}
+
+Wind wind_on(const Sheet& sheet, const Vector3d& velocity) {
+    Wind wind;
+    wind.velocity = velocity;
+    wind.triangles.resize(sheet.triangles.size());
+    std::iota(wind.triangles.begin(), wind.triangles.end(), 0);
+    return wind;
+}
+
+/// What the air does to a sheet that keeps its velocity.
+Positions forces(const Sheet& sheet, const Wind& wind, double step = 1e-3) {
+    Positions gradient = Positions::Zero(3, sheet.position.cols());
+    WindEnergy(sheet, {wind}, 1, step).add_gradient(sheet.position + step * sheet.velocity, gradient);
+    return -gradient;
+}
+
+/// On a flat sheet in the plane z = 0.
+Vector3d total_force(const Vector3d& velocity, const Vector3d& air = Vector3d::Zero()) {
+    Sheet sheet = test::two_triangles(card);
+    sheet.velocity.colwise() = velocity;
+    return forces(sheet, wind_on(sheet, air)).rowwise().sum();
+}
+
+Sheet moving_anyhow() {
+    Sheet sheet = test::tetrahedron(card);
+    test::Random random(3);
+    for (double& entry : sheet.velocity.reshaped()) entry = random.uniform(-5, 5);
+    for (double& entry : sheet.position.reshaped()) entry += random.uniform(-0.2, 0.2);
+    return sheet;
+}
+
+void advance(TimeStep& time_step) {
+    time_step.begin();
+    EXPECT_TRUE(time_step.solve(100).converged);
+    time_step.finish();
+}
+
+// Newton's method would not converge, or go uphill.
+TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
+    const Sheet sheet = moving_anyhow();
+    const WindEnergy energy(sheet, {wind_on(sheet, {4, -2, 1})}, 1, 1e-2);
+    test::expect_derivatives(energy, sheet.position, 1e-3, 1e-8);
+    BlockMatrix hessian(4, {}, std::vector<char>(4, 0));
+    energy.add_hessian(sheet.position, Curvature::exact, hessian);
+    const auto eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(hessian)).eigenvalues();
+    EXPECT_GT(eigenvalues.minCoeff(), 0);
+    EXPECT_GE(energy.value(sheet.position), 0);
+}
+
+TEST(Wind, APlateThatFallsBroadsideReachesItsTerminalSpeed) {
+    for (const double length : {1e-2, 1e-1, 0.5}) {
+        Sheet sheet = test::two_triangles(card);
+        TimeStepOptions options;
+        options.step = length;
+        options.winds = {wind_on(sheet, Vector3d::Zero())};
+        TimeStep time_step(sheet, options);
+        for (double time = 0; time < 8; time += length) advance(time_step);
+        const double speed =
+            std::sqrt(2 * sheet.mass.sum() * 9.81 / (1.225 * area_of(sheet) * options.winds[0].drag));
+        for (Index v = 0; v < 4; ++v)
+            EXPECT_NEAR(-sheet.velocity(2, v), speed, 0.01 * speed) << "step " << length;
+        EXPECT_LT(sheet.velocity.topRows(2).cwiseAbs().maxCoeff(), 1e-3 * speed) << "it slips sideways";
+    }
+}
+
+TEST(Wind, IsNotFeltByWhatGoesWithIt) {
+    Sheet sheet = test::tetrahedron(card);
+    const Vector3d velocity(3, 4, -2);
+    sheet.velocity.colwise() = velocity;
+    EXPECT_LT(forces(sheet, wind_on(sheet, velocity)).norm(), 1e-12);
+    EXPECT_GT(forces(sheet, wind_on(sheet, -velocity)).norm(), 1);
+}
+
+TEST(Wind, OnASheetAtRestIsASheetThatMovesThroughStillAir) {
+    const Vector3d velocity(6, 1, -3);
+    Sheet resting = test::tetrahedron(card), moving = resting;
+    moving.velocity.colwise() = -velocity;
+    TimeStepOptions options;
+    options.step = 2e-3;
+    options.newton.tolerance = 1e-12;
+    TimeStepOptions still = options;
+    options.winds = {wind_on(resting, velocity)};
+    still.winds = {wind_on(moving, Vector3d::Zero())};
+    TimeStep in_wind(resting, options), in_still_air(moving, still);
+    for (int i = 1; i <= 50; ++i) {
+        advance(in_wind);
+        advance(in_still_air);
+        const Positions seen = moving.position.colwise() + i * options.step * velocity;
+        ASSERT_LT((seen - resting.position).cwiseAbs().maxCoeff(), 1e-9);
+    }
+    EXPECT_GT(linear_momentum(resting).norm(), 0.1) << "nothing was blown: the test proves nothing";
+}
+
+TEST(Wind, EdgeOnOnlyFrictionIsLeft) {
+    const double pressure = 0.5 * 1.225 * 49 * area_of(test::two_triangles(card));
+    EXPECT_LT((total_force({7, 0, 0}) - Vector3d(-0.02 * pressure, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((total_force({0, 0, 0}, {0, 7, 0}) - Vector3d(0, 0.02 * pressure, 0)).norm(), 1e-12);
+    EXPECT_LT((total_force({0, 0, -7}) - Vector3d(0, 0, 1.2 * pressure)).norm(), 1e-12)
+        << "and broadside drag";
+}
+
+// A sheet that climbs at a small angle is carried: what is normal to the way of the air is lift.
+TEST(Wind, LiftsWhatIsAtAnAngleToIt) {
+    const double angle = 0.1, pressure = 0.5 * 1.225 * 100 * area_of(test::two_triangles(card));
+    const Vector3d direction(std::cos(angle), 0, std::sin(angle));
+    const Vector3d force = total_force(Vector3d::Zero(), 10 * direction);
+    const double normal = 1.2 * std::sin(angle) * std::sin(angle) + 1.5 * std::sin(angle) * std::cos(angle);
+    EXPECT_NEAR(force.z(), normal * pressure, 1e-12 * pressure);
+    EXPECT_NEAR(force.x(), 0.02 * std::cos(angle) * std::cos(angle) * pressure, 1e-12 * pressure);
+    const double lift = force.dot(Vector3d(-std::sin(angle), 0, std::cos(angle)));
+    EXPECT_NEAR(lift / (pressure * angle), 1.5, 0.15);
+    EXPECT_LT((total_force(-10 * direction) - force).norm(), 1e-12);
+}
+
+// Huge coefficients and steps take a sheet to the wind's speed, and never past it.
+TEST(Wind, NeverBlowsASheetFasterThanItself) {
+    for (const double step : {1e-4, 1e-2, 1.0}) {
+        Sheet sheet = test::tetrahedron(card);
+        TimeStepOptions options;
+        options.gravity.setZero();
+        options.step = step;
+        Wind wind = wind_on(sheet, {20, 0, 0});
+        wind.drag = wind.lift = wind.friction = 1e5;
+        options.winds = {wind};
+        TimeStep time_step(sheet, options);
+        double before = 0.5 * sheet.mass.sum() * 400;
+        for (int i = 0; i < 20; ++i) {
+            advance(time_step);
+            Sheet seen = sheet;
+            seen.velocity.colwise() -= wind.velocity;
+            const double energy =
+                kinetic_energy(seen) + time_step.energies().membrane + time_step.energies().bending;
+            EXPECT_LE(energy, before * (1 + 1e-9));
+            before = energy;
+        }
+        if (step == 1.0) {
+            EXPECT_LT((linear_momentum(sheet) / sheet.mass.sum() - wind.velocity).norm(), 0.2);
+        }
+    }
+}
+
+TEST(Wind, GrowsOverItsRampAndGustsAreWaves) {
+    Wind wind;
+    wind.velocity = {2, 0, 0};
+    wind.ramp = 4;
+    EXPECT_EQ(wind.at({0, 0, 0}, 1), Vector3d(0.5, 0, 0));
+    EXPECT_EQ(wind.at({5, 6, 7}, 9), Vector3d(2, 0, 0));
+    wind.ramp = 0;
+    EXPECT_EQ(wind.at({0, 0, 0}, 0), Vector3d(2, 0, 0));
+    using std::numbers::pi;
+    wind.gusts = {{{0, 3, 0}, {pi, 0, 0}, 2 * pi, pi / 2}};
+    EXPECT_LT((wind.at({0, 0, 0}, 0) - Vector3d(2, 0, 0)).norm(), 1e-14);
+    EXPECT_LT((wind.at({0.5, 9, 9}, 0) - Vector3d(2, -3, 0)).norm(), 1e-14);
+    EXPECT_LT((wind.at({0.5, 0, 0}, 0.5) - Vector3d(2, 3, 0)).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace sherd
