@@ -231,6 +231,10 @@ TEST_F(Render, TakesTheSceneAsItWasRun) {
     EXPECT_EQ(scene.sheets[0].material.thickness, 0.007);
     EXPECT_EQ(scene.sheets[1].material.thickness, 0.004);
     EXPECT_EQ(scene.seed, 3);
+    run.header.scene_text =
+        std::string(two_sheets) +
+        "[[variant]]\nname = \"thin\"\nsheet.left.material.thickness = 0.002\n# --variant thin\n";
+    EXPECT_EQ(recorded_scene(run.header).sheets[0].material.thickness, 0.002);
 }
 
 TEST_F(Render, DrawsARecordingWhoseSceneItCannotRead) {

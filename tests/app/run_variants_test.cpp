@@ -105,7 +105,7 @@ TEST(RunVariants, EndTogetherWhenInterrupted) {
         run_sherd({"run", "scene.toml", "--set", "duration=1000"}, directory.path, {}, end);
     EXPECT_EQ(result.exit_code, 1) << result.err;
     for (const std::string name : {"slow", "fast"}) {
-        EXPECT_GE(Recording(directory.path / ("scene-" + name + ".h5")).frame_count(), 2u);
+        EXPECT_GE(Recording(directory.path / ("scene-" + name + ".h5")).frame_count(), 1u);
         EXPECT_TRUE(contains(result.out, "variant " + name + "\nrun                   interrupted\n"))
             << result.out;
     }
