@@ -34,6 +34,10 @@ BlockMatrix::BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pa
     set_zero();
 }
 
+void BlockMatrix::blend(std::span<const double> from, std::span<const double> to, double share) {
+    for (std::size_t i = 0; i < value.size(); ++i) value[i] = (1 - share) * from[i] + share * to[i];
+}
+
 void BlockMatrix::set_zero() {
     std::fill(value.begin(), value.end(), 0.0);
     for (Index v = 0; v < static_cast<Index>(fixed.size()); ++v) {

@@ -29,6 +29,9 @@ class BlockMatrix {
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
 
+    /// Sets the values to (1 - share) `from` + share `to`, both values() of this pattern.
+    void blend(std::span<const double> from, std::span<const double> to, double share);
+
     Index size() const { return static_cast<Index>(column_start.size()) - 1; }  ///< scalar rows
     std::span<const Index> columns() const { return column_start; }             ///< [size + 1]
     std::span<const Index> rows() const { return row; }

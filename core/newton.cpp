@@ -11,10 +11,20 @@ constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
 constexpr double flattening = 0.9;            // of the slope, where round-off hides the decrease of the value
 constexpr int max_halvings = 40;
 
+/// Of the way from the exact Hessian to the convex one, where the former is not positive definite. Of a sheet
+/// that buckles the exact one lacks little, and the convex one, without all compression, is so much stiffer
+/// that iterations creep.
+constexpr double shares_of_convex[] = {0.25, 1};
+
 void factorize(const IncrementalPotential& potential, NewtonSystem& system, const Positions& x) {
     if (!potential.fits(x, system.matrix)) system = NewtonSystem(potential, x);
-    for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
-        potential.hessian(x, curvature, system.matrix);
+    potential.hessian(x, Curvature::exact, system.matrix);
+    if (system.solver.factorize(system.matrix)) return;
+    const std::vector<double> exact(system.matrix.values().begin(), system.matrix.values().end());
+    potential.hessian(x, Curvature::convex, system.matrix);
+    const std::vector<double> convex(system.matrix.values().begin(), system.matrix.values().end());
+    for (const double share : shares_of_convex) {
+        system.matrix.blend(exact, convex, share);
         if (system.solver.factorize(system.matrix)) return;
     }
     throw std::runtime_error(

@@ -29,9 +29,9 @@ struct NewtonSystem {
     }
 };
 
-/// Minimises the potential from x [3, V] on, by Newton's method with backtracking. Takes the exact Hessian,
-/// and its convex neighbour where that is not positive definite. x must be where the potential is finite; no
-/// motion leads through a place where it is not.
+/// Minimises the potential from x [3, V] on, by Newton's method with backtracking. Takes the exact Hessian;
+/// where that is not positive definite, a blend of it with its convex neighbour, or at last that one. x must
+/// be where the potential is finite; no motion leads through a place where it is not.
 NewtonResult minimise(const IncrementalPotential& potential, NewtonSystem& system,
                       const NewtonOptions& options, Positions& x);
 

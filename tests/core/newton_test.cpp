@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/sheet_energies.h"
+#include "tests/support/small_sheet.h"
+
+namespace sherd {
+namespace {
+
+constexpr Index along = 30, row = 3;
+constexpr double side = 0.01;  // m, of the squares
+
+/// A strip of rubber along x, held at both ends.
+Sheet strip() {
+    const Material rubber{.density = 1000, .thickness = 1e-3, .young = 5e6, .poisson = 0.3};
+    Positions rest(3, (along + 1) * row);
+    std::vector<std::array<Index, 3>> triangles;
+    for (Index i = 0; i <= along; ++i)
+        for (Index j = 0; j < row; ++j) {
+            const Index v = i * row + j;
+            rest.col(v) = side * Vector3d(i, j, 0);
+            if (i == along || j + 1 == row) continue;
+            triangles.push_back({v, v + row, v + row + 1});
+            triangles.push_back({v, v + row + 1, v + 1});
+        }
+    Sheet sheet = test::small_sheet(rest, triangles, rubber);
+    for (Index j = 0; j < row; ++j) sheet.fixed[j] = sheet.fixed[along * row + j] = 1;
+    return sheet;
+}
+
+/// Shortened by `strain`, beyond what it bears straight, and bowed by a micrometre.
+void press(Sheet& sheet, double strain) {
+    sheet.position.row(0) *= 1 - strain;
+    for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v)
+        sheet.position(2, v) = 1e-6 * std::sin(std::numbers::pi * sheet.rest(0, v) / (along * side));
+}
+
+// A sheet that buckles has an indefinite Hessian, and a convex one without all compression is so stiff that
+// Newton's method creeps: thin shells that are crushed could not be solved in 50 iterations (here: 160).
+TEST(Newton, BucklesInFewIterations) {
+    Sheet sheet = strip();
+    press(sheet, 1e-4);
+    const BendingEnergy bending(sheet.hinges, {});
+    const MembraneEnergy membrane(sheet.triangles);
+    const IncrementalPotential potential(sheet, {&bending, &membrane}, 0.1, Vector3d::Zero());
+    Positions x = sheet.position;
+    NewtonSystem system(potential, x);
+    const NewtonResult result = minimise(potential, system, {.max_iterations = 200, .tolerance = 1e-8}, x);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT(result.iterations, 40);
+    EXPECT_GT(x.row(2).cwiseAbs().maxCoeff(), 1e-4) << "it did not buckle";
+    EXPECT_LT(potential.gradient(x).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+}  // namespace
+}  // namespace sherd
