@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/scene/scene_simulation.h"
+#include "app/scene/sheet_parting.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -94,6 +95,7 @@ int check(const SceneOptions& options) {
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
     std::vector<std::string> warnings;
+    part_sheets(scene, inputs, warnings);
     simulation_options(scene, inputs, warnings);  // throws where a load or a support reaches nothing
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
     return 0;

@@ -10,6 +10,7 @@
 #include "app/progress.h"
 #include "app/recording/obstacle_track.h"
 #include "app/scene/scene_simulation.h"
+#include "app/scene/sheet_parting.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -131,6 +132,7 @@ int run(RunOptions options) {
     std::vector<std::string> warnings;
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
+    part_sheets(scene, sheets, warnings);
     const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
     Simulation simulation(sheets, simulated);
