@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/scene/scene_simulation.h"
 #include "app/scene/scene_variant.h"
+#include "app/scene/sheet_parting.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -96,6 +97,7 @@ void check(const Scene& scene) {
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
     std::vector<std::string> warnings;
+    part_sheets(scene, inputs, warnings);
     simulation_options(scene, inputs, warnings);  // throws where a load or a support reaches nothing
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
 }

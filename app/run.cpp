@@ -11,6 +11,7 @@
 #include "app/recording/obstacle_track.h"
 #include "app/run_variants.h"
 #include "app/scene/scene_simulation.h"
+#include "app/scene/sheet_parting.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -124,6 +125,7 @@ int run(const Scene& scene, const std::filesystem::path& output, bool force) {
     std::vector<std::string> warnings;
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
+    part_sheets(scene, sheets, warnings);
     const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
     Simulation simulation(sheets, simulated);

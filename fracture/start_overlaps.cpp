@@ -45,7 +45,17 @@ Face face_with(const Mesh& mesh, std::span<const Index> vertices) {
 FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
     const std::span<const Index> vertices(pair.vertices);
     const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;
-    return ascending(face_with(mesh, vertices.first(first)), face_with(mesh, vertices.subspan(first)));
+    return {static_cast<Index>(face_with(mesh, vertices.first(first))),
+            static_cast<Index>(face_with(mesh, vertices.subspan(first)))};
+}
+
+StartOverlap overlap_of(const Mesh& mesh, const ContactPair& pair, const PairPositions& x) {
+    const Vector3d apart = x * closest_points(pair.kind, x).weights;  // from the second to the first
+    const double distance = apart.norm();
+    const Vector3d normal = distance > 0 ? Vector3d(-apart / distance) : Vector3d(Vector3d::Zero());
+    const auto [first, second] = faces_of(mesh, pair);
+    if (first < second) return {{first, second}, false, distance, pair.touching, normal};
+    return {{second, first}, false, distance, pair.touching, -normal};
 }
 
 }  // namespace
@@ -56,16 +66,16 @@ std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
     const Sheet& mechanics = sheet.mechanics();
     const SheetContact contact(mechanics);
     for (const ContactPair& pair : contact.touching(mechanics.position)) {
-        const double apart = distance(pair, pair_positions(mechanics.position, pair.vertices));
-        if (apart >= nearest * pair.touching) continue;
-        const FacePair faces = faces_of(sheet.mesh(), pair);
-        const auto known = near.emplace(faces, StartOverlap{faces, false, apart, pair.touching}).first;
-        if (apart < known->second.distance) known->second = {faces, false, apart, pair.touching};
+        const PairPositions x = pair_positions(mechanics.position, pair.vertices);
+        if (distance(pair, x) >= nearest * pair.touching) continue;
+        const StartOverlap overlap = overlap_of(sheet.mesh(), pair, x);
+        const auto known = near.emplace(overlap.faces, overlap).first;
+        if (overlap.distance < known->second.distance) known->second = overlap;
     }
     for (const auto& [a, b] : self_intersections(sheet.mesh())) {
         const FacePair faces = ascending(a, b);
         if (at_seam(mechanics, faces)) continue;
-        overlaps.push_back({faces, true, 0, 0});
+        overlaps.push_back({faces, true});
         near.erase(faces);
     }
     for (const auto& [faces, overlap] : near) overlaps.push_back(overlap);

@@ -83,7 +83,6 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     require_free_start(scene, inputs, scene.obstacles, options.obstacles, warnings);
     require_free_start(scene, inputs, scene.bodies, make_obstacles(scene, scene.bodies, warnings), warnings);
     const BreakableSheet all(inputs);
-    if (scene.contact.sheets) require_sheets_apart(scene, all);
     add_supports(scene, inputs, all.mechanics(), options);
     add_loads(scene, inputs, all.mechanics(), options);
     add_winds(scene, all.mechanics(), options);

@@ -15,8 +15,8 @@ namespace sherd {
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 /// inputs: of all sheets, in the scene's order. Throws Error naming the scene's line and key of a load or
-/// support that reaches nothing, of an obstacle that cannot be made, and of one that a sheet starts in, or
-/// naming the faces of sheets that do not start apart.
+/// support that reaches nothing, of an obstacle that cannot be made, and of one that a sheet starts in. That
+/// the sheets start apart is for part_sheets() to see.
 SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      std::vector<std::string>& warnings);
 

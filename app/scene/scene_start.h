@@ -15,8 +15,4 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings);
 
-/// Throws Error naming faces of the scene's sheets (numbered from 0 in each) that cross, or that are nearer
-/// to each other than half the sum of their thicknesses. all: the sheets in the scene's order, as they start.
-void require_sheets_apart(const Scene& scene, const BreakableSheet& all);
-
 }  // namespace sherd
