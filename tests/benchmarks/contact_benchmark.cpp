@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What contact costs in one step of a sheet that is rolled up and touches itself all over. Argument: faces.
-// The longer the sheet, the more turns the roll has; its edges are two thicknesses long.
+// contact_benchmark [RUN.h5]: what contact costs in one step of a sheet that touches itself all over.
+// Argument of a benchmark: faces. Without a recording the sheet is rolled up: the longer, the more turns the
+// roll has; its edges are two thicknesses long. With one it is as in the last frame, and as that with each
+// triangle in four, and in sixteen: all of the same shape.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
+#include "app/recording/recording.h"
 #include "core/contact/sheet_contact.h"
+#include "tests/support/recorded_sheet.h"
 
 namespace {
 
@@ -25,34 +32,63 @@ Vector3d next_on_spiral(double& angle) {
 
 Sheet roll(std::int64_t faces) {
     const Index along = static_cast<Index>(faces) / (2 * across), row = across + 1;
-    const Material rubber{.density = 1000, .thickness = thickness, .young = 2e6, .poisson = 0.4};
-    Sheet sheet;
-    resize_vertices(sheet, (along + 1) * row);
+    Positions rest(3, (along + 1) * row), position = rest;
+    std::vector<std::array<Index, 3>> triangles;
     double angle = 0;
     for (Index i = 0; i <= along; ++i) {
         const Vector3d at = next_on_spiral(angle);
         for (Index j = 0; j <= across; ++j) {
             const Index v = i * row + j;
-            sheet.rest.col(v) = Vector3d(i * edge, j * edge, 0);
-            sheet.position.col(v) = at + Vector3d(0, 0, j * edge);
+            rest.col(v) = Vector3d(i * edge, j * edge, 0);
+            position.col(v) = at + Vector3d(0, 0, j * edge);
             if (i == along || j == across) continue;
-            for (const std::array<Index, 3>& corners :
-                 {std::array{v, v + row, v + row + 1}, std::array{v, v + row + 1, v + 1}})
-                sheet.triangles.push_back({corners, membrane_triangle(triangle_positions(sheet.rest, corners),
-                                                                      membrane_elasticity(rubber))});
+            triangles.push_back({v, v + row, v + row + 1});
+            triangles.push_back({v, v + row + 1, v + 1});
         }
     }
-    sheet.thickness.setConstant(thickness);
-    sheet.young.setConstant(rubber.young);
-    sheet.footprint.setConstant(edge * edge);
-    return sheet;
+    const std::size_t count = rest.cols();
+    return test::bare_sheet(rest, position, triangles, std::vector<double>(count, thickness),
+                            std::vector<Index>(count, 0));
+}
+
+/// The same shape with each triangle cut in four at the middles of its sides.
+Sheet in_four(const Sheet& sheet) {
+    std::map<std::array<Index, 2>, Index> middle;
+    std::vector<std::array<Index, 3>> triangles;
+    Index count = static_cast<Index>(sheet.position.cols());
+    for (const TriangleStencil& triangle : sheet.triangles) {
+        const auto& corner = triangle.vertices;
+        std::array<Index, 3> between;
+        for (int i = 0; i < 3; ++i) {
+            const auto [low, high] = std::minmax(corner[i], corner[(i + 1) % 3]);
+            const auto found = middle.try_emplace({low, high}, count);
+            count += found.second;
+            between[i] = found.first->second;
+        }
+        triangles.push_back(between);
+        for (int i = 0; i < 3; ++i) triangles.push_back({corner[i], between[i], between[(i + 2) % 3]});
+    }
+    Positions rest = sheet.rest, position = sheet.position;
+    std::vector<double> thick(sheet.thickness.begin(), sheet.thickness.end());
+    std::vector<Index> body = sheet.body;
+    rest.conservativeResize(3, count);
+    position.conservativeResize(3, count);
+    thick.resize(count);
+    body.resize(count);
+    for (const auto& [ends, v] : middle) {
+        rest.col(v) = 0.5 * (sheet.rest.col(ends[0]) + sheet.rest.col(ends[1]));
+        position.col(v) = 0.5 * (sheet.position.col(ends[0]) + sheet.position.col(ends[1]));
+        thick[v] = thick[ends[0]];
+        body[v] = body[ends[0]];
+    }
+    return test::bare_sheet(rest, position, triangles, thick, body);
 }
 
 /// Each vertex goes its own way, by up to a fiftieth of the thickness.
 Positions shaking(const Sheet& sheet) {
     Positions motion(3, sheet.position.cols());
     Index i = 0;
-    for (double& entry : motion.reshaped()) entry = 0.02 * thickness * std::sin(1.7 * ++i);
+    for (double& entry : motion.reshaped()) entry = 0.02 * sheet.thickness[0] * std::sin(1.7 * ++i);
     return motion;
 }
 
@@ -77,8 +113,7 @@ void report(benchmark::State& state, const Sheet& sheet, const SheetContact& con
 }
 
 /// A step for which all pairs have to be found.
-void from_nothing(benchmark::State& state) {
-    const Sheet sheet = roll(state.range(0));
+void from_nothing(benchmark::State& state, const Sheet& sheet) {
     const Positions motion = shaking(sheet);
     SheetContact contact(sheet);
     BlockMatrix matrix = contact_matrix(sheet, contact);
@@ -90,8 +125,7 @@ void from_nothing(benchmark::State& state) {
 }
 
 /// A later step, to and fro.
-void of_known_pairs(benchmark::State& state) {
-    const Sheet sheet = roll(state.range(0));
+void of_known_pairs(benchmark::State& state, const Sheet& sheet) {
     const Positions motion = shaking(sheet);
     SheetContact contact(sheet);
     BlockMatrix matrix = contact_matrix(sheet, contact);
@@ -103,7 +137,26 @@ void of_known_pairs(benchmark::State& state) {
     report(state, sheet, contact);
 }
 
-BENCHMARK(from_nothing)->Arg(5'000)->Arg(20'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(of_known_pairs)->Arg(5'000)->Arg(20'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+void add_benchmarks(const Sheet& sheet) {
+    const std::string faces = std::to_string(sheet.triangles.size());
+    for (const auto& [name, function] :
+         {std::pair{"from_nothing/", &from_nothing}, std::pair{"of_known_pairs/", &of_known_pairs}})
+        benchmark::RegisterBenchmark((name + faces).c_str(), function, sheet)->Unit(benchmark::kMillisecond);
+}
 
 }  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (argc > 1) {
+        const Recording recording(argv[1]);
+        Sheet sheet = test::recorded_sheet(recording.header(), recording.frame(recording.frame_count() - 1));
+        for (int times = 0; times < 3; ++times) {
+            add_benchmarks(sheet);
+            sheet = in_four(sheet);
+        }
+    } else {
+        for (const std::int64_t faces : {5'000, 20'000, 100'000}) add_benchmarks(roll(faces));
+    }
+    benchmark::RunSpecifiedBenchmarks();
+}
