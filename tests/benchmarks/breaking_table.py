@@ -4,7 +4,7 @@
 
     tests/benchmarks/breaking_table.py build/release/app/sherd [FINENESS]
 
-FINENESS 1, 2 or 4 (default) is the finest mesh, as a divisor of the scene's edge length. 4 takes about an hour.
+FINENESS 1, 2 or 4 (default) is the finest mesh, as a divisor of the scene's edge length. 4 takes hours.
 """
 import json
 import pathlib

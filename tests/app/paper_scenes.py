@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the paper's scenes, all variants, measures what the paper says is to be seen, and checks that it is so.
+
+    tests/app/paper_scenes.py build/release/app/sherd [--short] [--keep FOLDER] [FIGURE...]
+
+FIGURE is the beginning of a scene's name: figure_3. --short: coarse meshes and short runs, for the tests. --keep FOLDER: record
+there, and take recordings that are there already as they are. Prints a table; exit code 1 when a statement does not hold.
+"""
+import argparse
+import itertools
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+SCENES = pathlib.Path(__file__).parents[2] / "scenes" / "paper"
+
+
+class Run:
+    """A recording: the first frame, and positions frame by frame."""
+
+    def __init__(self, path):
+        self.file = h5py.File(path)
+        self.names = sorted(self.file["frames"])
+
+    def frame(self, number):
+        return self.file["frames"][self.names[number]]
+
+    def positions(self, number):
+        return self.frame(number)["vertex/position"][()]
+
+
+def hinges(run):
+    """Hinges of the first sheet: [H, 4] vertices of the first frame, both ends of the edge first."""
+    first = run.frame(0)
+    faces = first["face/vertices"][()][first["face/sheet"][()] == 0]
+    sides = {}
+    for a, b, c in faces:
+        for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
+            sides.setdefault((min(i, j), max(i, j)), []).append((i, j, k))
+    return np.array([(*two[0], two[1][2]) for two in sides.values() if len(two) == 2])
+
+
+def folds(run, up):
+    """Where the folds of a flat sheet run: squared bends of the later half of the frames, and the means with them of
+    cos 2a, sin 2a and cos 4a; a: angle of an edge at rest, from x towards axis `up`."""
+    stencils = hinges(run)
+    rest = run.positions(0)
+    along = rest[stencils[:, 1]] - rest[stencils[:, 0]]
+    angle = np.arctan2(along[:, up], along[:, 0])
+    weight = np.zeros(len(stencils))
+    for number in range(len(run.names) // 2, len(run.names)):
+        p, q, r, s = np.moveaxis(run.positions(number)[stencils], 1, 0)
+        one, other = np.cross(q - p, r - p), np.cross(s - p, q - p)
+        weight += np.arctan2(np.linalg.norm(np.cross(one, other), axis=1), (one * other).sum(axis=1)) ** 2
+    mean = [(weight * wave).sum() / weight.sum() for wave in (np.cos(2 * angle), np.sin(2 * angle), np.cos(4 * angle))]
+    return weight.sum() / (len(run.names) - len(run.names) // 2), *mean
+
+
+def falls(run):
+    """Lowest mean height, m, and the highest after it."""
+    heights = np.array([run.positions(number)[:, 2].mean() for number in range(len(run.names))])
+    lowest = heights.argmin()
+    return heights[lowest], heights[lowest:].max()
+
+
+def cracks(run):
+    """Length at rest, m, means over it of cos 2a and sin 2a (a: angle to x from above), pieces over 1 % and of one face."""
+    first, last = run.frame(0), run.frame(-1)
+    rest = run.positions(0)
+    open_at_first = {tuple(sorted(edge)) for edge, state in zip(first["edge/vertices"][()], first["edge/state"][()])
+                     if state == 2}
+    original = last["vertex/original"][()]
+    opened = {tuple(sorted(original[edge])) for edge, state in zip(last["edge/vertices"][()], last["edge/state"][()])
+              if state == 2} - open_at_first
+    ends = np.array(sorted(opened))
+    along = rest[ends[:, 1]] - rest[ends[:, 0]]
+    length, angle = np.linalg.norm(along, axis=1), np.arctan2(along[:, 1], along[:, 0])
+    faces = np.bincount(last["face/fragment"][()])
+    return (length.sum(), (length * np.cos(2 * angle)).sum() / length.sum(),
+            (length * np.sin(2 * angle)).sum() / length.sum(), (faces > 0.01 * faces.sum()).sum(), (faces == 1).sum())
+
+
+def stretch(run):
+    """Largest length of an edge in any frame, as a multiple of that at rest, and the mean in the last frame."""
+    edges = run.frame(0)["edge/vertices"][()]
+    lengths = np.array([np.linalg.norm(np.diff(run.positions(number)[edges], axis=1)[:, 0], axis=1)
+                        for number in range(len(run.names))])
+    return (lengths / lengths[0]).max(), (lengths[-1] / lengths[0]).mean()
+
+
+def figure_3(measured):
+    bounce = {name: values[1] for name, values in measured.items()}
+    lowest = {name: values[0] for name, values in measured.items()}
+    yield "horizontal bounces highest", max(bounce, key=bounce.get) == "horizontal"
+    yield "vertical flattens most", min(lowest, key=lowest.get) == "vertical"
+
+
+def figure_4(measured):
+    high, low = measured["high_shear"], measured["low_shear"]
+    yield "high shear aligns folds with the axes", high[3] > low[3] + 0.1
+    yield "low shear fits closer, in more folds", low[0] > 2 * high[0]
+
+
+def figure_5(measured):
+    yield "folds turn to the vertical axis", measured["vertical"][1] < measured["isotropic"][1] - 0.1
+    yield "folds turn to the horizontal axis", measured["horizontal"][1] > measured["isotropic"][1]
+    yield "folds turn to the diagonal axis", measured["diagonal"][2] > measured["isotropic"][2] + 0.1
+
+
+def figure_6(measured):
+    for name, wave, sign in (("vertical", 1, -1), ("horizontal", 1, 1), ("diagonal", 2, 1)):
+        yield f"cracks follow the {name} axis", sign * measured[name][wave] > 0.25 + abs(measured["isotropic"][wave])
+    yield "cracks follow the weaker direction", measured["strength"][1] < -0.25
+
+
+def section_8_cylinder(measured):
+    largest = [values[0] for _, values in sorted(measured.items(), key=lambda item: -int(item[0]))]
+    yield "softer stretches more", all(a < b for a, b in itertools.pairwise(largest))
+    yield "none runs away", all(abs(values[1] - 1) < 0.1 for values in measured.values())
+
+
+def section_8_flag(measured):
+    yield "a flag stretched threefold is well-behaved", 2.5 < measured["6"][0] < 4
+
+
+# Scene: what is measured (with the columns' names), what must hold, and the settings of the short version.
+FIGURES = {
+    "figure_3_cylinders": (falls, ("lowest (m)", "bounce (m)"), figure_3,
+                           ["sheet.cylinder.mesh.edge_length=0.025", "solver.step=2e-3"]),
+    "figure_4_poncho": (lambda run: folds(run, 1), ("bend²", "cos 2a", "sin 2a", "cos 4a"), figure_4,
+                        ["sheet.poncho.mesh.edge_length=0.04", "solver.step=4e-3", "duration=0.7"]),
+    "figure_5_flags": (lambda run: folds(run, 2), ("bend²", "cos 2a", "sin 2a", "cos 4a"), figure_5,
+                       ["sheet.flag.mesh.edge_length=0.05", "solver.step=4e-3", "duration=1"]),
+    "figure_6_plates": (cracks, ("cracks (m)", "cos 2a", "sin 2a", "pieces", "of one face"), figure_6,
+                        ["sheet.plate.mesh.edge_length=0.011", "duration=0.01", "contact.sheets=false"]),
+    "figure_7_bowls": (cracks, ("cracks (m)", "cos 2a", "sin 2a", "pieces", "of one face"), figure_6,
+                       ["duration=0.006", "contact.sheets=false"]),
+    "section_8_cylinder": (stretch, ("largest stretch", "last mean"), section_8_cylinder, ["duration=0.2"]),
+    "section_8_flag": (stretch, ("largest stretch", "last mean"), section_8_flag, None),
+}
+
+
+def run_variants(program, scene, settings, folder):
+    """The recordings of all variants, by name."""
+    if not list(folder.glob(f"{scene}-*.h5")):
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        subprocess.run([program, "run", SCENES / f"{scene}.toml", "-o", folder / f"{scene}.h5", *arguments], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return {path.stem.removeprefix(f"{scene}-"): Run(path) for path in sorted(folder.glob(f"{scene}-*.h5"))}
+
+
+def check_figure(program, scene, short, folder):
+    """Prints the table; returns how many statements do not hold."""
+    measure, columns, statements, settings = FIGURES[scene]
+    runs = run_variants(program, scene, settings if short else [], folder)
+    measured = {name: measure(run) for name, run in runs.items()}
+    print(f"| {scene} | {' | '.join(columns)} |\n|{' --- |' * (len(columns) + 1)}")
+    for name, values in measured.items():
+        print(f"| {name} | {' | '.join(f'{value:.3g}' for value in values)} |")
+    print()
+    failed = 0
+    for statement, holds in statements(measured):
+        print(f"{'holds' if holds else 'DOES NOT HOLD'}: {statement}")
+        failed += not holds
+    print(flush=True)
+    return failed
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("figures", nargs="*", metavar="FIGURE")
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--keep", type=pathlib.Path)
+    options = parser.parse_intermixed_args()
+    chosen = [scene for scene in FIGURES if not options.figures or scene.startswith(tuple(options.figures))]
+    if options.short:
+        chosen = [scene for scene in chosen if FIGURES[scene][3] is not None]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = options.keep or pathlib.Path(folder)
+        folder.mkdir(exist_ok=True)
+        failed = sum(check_figure(options.program.resolve(), scene, options.short, folder) for scene in chosen)
+    return 1 if failed or not chosen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
