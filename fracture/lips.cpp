@@ -79,14 +79,15 @@ bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const
 }
 
 bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
-    std::vector<Twins> released;
-    for (const Twins& pair : pairs())
-        if (apart(mesh, sheet, x, pair)) released.push_back(pair);
-    if (released.empty()) return false;
-    for (const auto& [a, b] : released) {
-        std::erase(twins[a], b);
-        std::erase(twins[b], a);
+    bool any = false;
+    for (const Twins& pair : pairs()) {
+        if (!apart(mesh, sheet, x, pair)) continue;
+        // At once, so that the next pair judges the elements that they share with it.
+        std::erase(twins[pair[0]], pair[1]);
+        std::erase(twins[pair[1]], pair[0]);
+        any = true;
     }
+    if (!any) return false;
     std::erase_if(twins, [](const auto& entry) { return entry.second.empty(); });
     std::erase_if(edges, [&](const std::array<Edge, 2>& lips) {
         return !has_twin(mesh.vertex(lips[0], 0)) && !has_twin(mesh.vertex(lips[0], 1));

@@ -66,6 +66,8 @@ class BrokenStrip {
     }
 
     BreakableSheet sheet;
+    std::unique_ptr<TimeStep> time_step;
+    std::vector<char> on_left;   ///< of each vertex
     double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
 
   private:
@@ -105,9 +107,6 @@ class BrokenStrip {
             EXPECT_TRUE(twins) << "faces " << a.idx() << " and " << b.idx() << " pass through each other";
         }
     }
-
-    std::unique_ptr<TimeStep> time_step;
-    std::vector<char> on_left;
 };
 
 class BrokenStrips : public ::testing::TestWithParam<Layout> {};
@@ -150,6 +149,30 @@ TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
     });
     for (int i = 0; i < 300; ++i) strip.advance();
     EXPECT_LT(strip.largest_overlap, 0.1 * glass.thickness);
+}
+
+// Half a turn apart like scissors: the ends of two lips are far from each other, their middles are not. They
+// were once left to the barrier all the same, each end trusting the other, and the run ended.
+TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
+    BrokenStrip strip(Layout::structured, 1e-4);
+    Positions& x = strip.sheet.mechanics().position;
+    const double gap = 0.6 * glass.thickness;
+    const Vector3d centre(middle, 0.375 * width, 0);  // between two vertices of the crack
+    for (Eigen::Index v = 0; v < x.cols(); ++v)
+        if (!strip.on_left[v]) {
+            const Vector3d arm = x.col(v) - centre;
+            x.col(v) = centre + Vector3d(arm.x() + gap, -arm.z(), arm.y());
+        }
+    ASSERT_NO_THROW(strip.time_step->stencils_changed());
+    strip.sheet.release_lips();
+    EXPECT_FALSE(strip.sheet.mechanics().twins.empty());
+    strip.time_step->stencils_changed();
+    EXPECT_NO_THROW(strip.time_step->begin());
+
+    for (Eigen::Index v = 0; v < x.cols(); ++v)
+        if (!strip.on_left[v]) x(0, v) += glass.thickness;
+    EXPECT_TRUE(strip.sheet.release_lips());
+    EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, BrokenStrips, ::testing::Values(Layout::structured, Layout::delaunay),
