@@ -118,6 +118,31 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
     }
 }
 
+// Thickness and obstacles that do not fit the frames would be drawn wrong, or not at all.
+TEST_F(View, HasTheThicknessAndWhereObstaclesAre) {
+    run.header.rest_thickness.assign(run.header.rest_faces.size(), 0.004);
+    const RecordedObstacle solid{"anvil",
+                                 {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}}}};
+    {
+        RecordingWriter writer(folder.path / "run.h5", run.header, true, {{solid}});
+        for (std::size_t k = 0; k < run.frames.size(); ++k) {
+            const Eigen::Isometry3d pose(Eigen::Translation3d(0.1 * static_cast<double>(k), 0, 0));
+            writer.append(run.frames[k], run.steps[k], run.events[k], {{pose}});
+        }
+    }
+    const Json page = data({0, 2});
+    EXPECT_EQ(decoded<float>(page["thickness"]), std::vector<float>(run.header.rest_faces.size(), 0.004f));
+    ASSERT_EQ(page["obstacles"].size(), 1u);
+    EXPECT_EQ(decoded<float>(page["obstacles"][0]["points"]),
+              (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3}));
+    EXPECT_EQ(decoded<std::uint32_t>(page["obstacles"][0]["faces"]),
+              (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3}));
+    const auto first = decoded<float>(page["frames"][0]["poses"]),
+               last = decoded<float>(page["frames"][1]["poses"]);
+    ASSERT_EQ(first.size(), 16u);
+    EXPECT_NEAR(last[12] - first[12], 0.2, 1e-6) << "the last column is the place";
+}
+
 TEST_F(View, DrawsCracksAsCracksAndTheRimAsRim) {
     const Json page = data({0, 2});
     const auto count = [&](std::size_t frame, std::uint32_t state) {
