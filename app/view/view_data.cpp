@@ -193,11 +193,14 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
     return frames;
 }
 
-Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames) {
-    Packer packer(recording.header(), stage);
+Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
+               const std::optional<MeshThinning>& thinning) {
+    const RecordingHeader header = thinning ? thinning->thinned(recording.header()) : recording.header();
+    Packer packer(header, stage);
     Json data = stage_json(stage), packed = Json::array(), times = Json::array();
     for (const std::size_t number : frames) {
-        const Snapshot snapshot = recording.frame(number);
+        const Snapshot snapshot =
+            thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
         packed.back()["poses"] = packed_poses(recording.poses(number), stage.action().center());
         times.push_back(snapshot.time);
@@ -205,8 +208,8 @@ Json view_data(const Recording& recording, const RenderStage& stage, const std::
         data["faces"] = base64_of(packer.corners);
         data["fragments"] = base64_of(packer.owners);
     }
-    const std::vector<double> thickness = recording.header().rest_thickness;
-    data["thickness"] = base64_of(std::vector<float>(thickness.begin(), thickness.end()));
+    data["thickness"] =
+        base64_of(std::vector<float>(header.rest_thickness.begin(), header.rest_thickness.end()));
     data["obstacles"] = obstacles_json(recording.obstacles());
     data["low"] = vector_json(packer.low - stage.action().center());
     data["step"] = vector_json(packer.step);
