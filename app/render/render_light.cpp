@@ -93,7 +93,7 @@ SurfacePoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
     point.gloss = 0.5f;
     if (hit.mesh->striped) {
         const float stripe = weighted(hit, &RenderVertex::stripe);
-        if (stripe - 2 * std::floor(stripe / 2) < 0.5f) point.colour = dark_stripe;
+        if (std::abs(std::remainder(stripe, 2.0f)) < 0.25f) point.colour = dark_stripe;
     }
     if (weighted(hit, &RenderVertex::broken) > 0.5f) roughen(point, hit);
     if (point.normal.dot(ray.direction) > 0) point.normal = -point.normal;

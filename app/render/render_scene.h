@@ -14,7 +14,7 @@ struct RenderVertex {
     Eigen::Vector3f normal;    ///< unit, to the outside: how the surface is lit
     Eigen::Vector3f colour;    ///< albedo, linear light: red, green, blue
     Eigen::Vector3f material;  ///< m, a place that stays with the matter: at rest
-    float stripe = 0;          ///< stripes are one unit wide; used where the mesh has stripes
+    float stripe = 0;          ///< where it is near an even number is a stripe, if the mesh has them
     float broken = 0;          ///< 1: the rough inside that a crack laid open
 };
 

@@ -66,8 +66,8 @@ class SolidBuilder {
           open(open_edges(frame.faces)) {}
 
     RenderMesh build() {
-        mesh.striped = !paint.stripe.empty();
-        add_sides();
+        mesh.striped = paint.stripe.size() > 0;
+        mesh.striped ? add_striped_sides() : add_sides();
         add_walls();
         return std::move(mesh);
     }
@@ -75,9 +75,11 @@ class SolidBuilder {
   private:
     /// side: 1 above, -1 below.
     RenderVertex vertex(Index v, double side) const;
+    RenderVertex corner(std::size_t f, int k, double side) const;
     void add_sides();
     void add_walls();
-    void add_wall(Index a, Index b, const std::array<Vector3d, 2>& outward, bool broken);
+    void add_striped_sides();
+    void add_wall(std::size_t f, int k, const std::array<Vector3d, 2>& outward, bool broken);
     Vector3d outward(Index a, Index b) const;
 
     const RecordingHeader& header;
@@ -99,8 +101,24 @@ RenderVertex SolidBuilder::vertex(Index v, double side) const {
     vertex.colour = paint.colour[v];
     vertex.material =
         (header.rest_position.col(rest) + side * offsets[v] * rest_normals.col(rest)).cast<float>();
-    vertex.stripe = paint.stripe.empty() ? 0 : paint.stripe[v];
     return vertex;
+}
+
+RenderVertex SolidBuilder::corner(std::size_t f, int k, double side) const {
+    RenderVertex corner = vertex(frame.faces[f][k], side);
+    if (mesh.striped) corner.stripe = paint.stripe(k, f);
+    return corner;
+}
+
+/// With corners of its own for each face: stripes are counted anew in each.
+void SolidBuilder::add_striped_sides() {
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (const double side : {1.0, -1.0}) {
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const int k : {0, side > 0 ? 1 : 2, side > 0 ? 2 : 1})
+                mesh.vertices.push_back(corner(f, k, side));
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
 }
 
 void SolidBuilder::add_sides() {
@@ -126,33 +144,32 @@ void SolidBuilder::add_walls() {
     const auto each = [this](const auto& visit) {
         for (std::size_t f = 0; f < frame.faces.size(); ++f)
             for (int k = 0; k < 3; ++k)
-                if (open[f][k]) visit(frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rest_open[f][k]);
+                if (open[f][k]) visit(f, k, frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rest_open[f][k]);
     };
     // A rim that was made is smooth; one that broke is not.
     Positions rim = Positions::Zero(3, frame.position.cols());
-    each([&](Index a, Index b, bool broken) {
+    each([&](std::size_t, int, Index a, Index b, bool broken) {
         if (broken) return;
         for (const Index v : {a, b}) rim.col(v) += outward(a, b);
     });
-    each([&](Index a, Index b, bool broken) {
+    each([&](std::size_t f, int k, Index a, Index b, bool broken) {
         const Vector3d flat = outward(a, b);
         std::array<Vector3d, 2> normal{flat, flat};
         for (const int end : {0, 1}) {
             const Vector3d round = rim.col(end == 0 ? a : b).normalized();
             if (!broken && round.dot(flat) > 0.85) normal[end] = round;
         }
-        add_wall(a, b, normal, broken);
+        add_wall(f, k, normal, broken);
     });
 }
 
-void SolidBuilder::add_wall(Index a, Index b, const std::array<Vector3d, 2>& outward, bool broken) {
+void SolidBuilder::add_wall(std::size_t f, int k, const std::array<Vector3d, 2>& outward, bool broken) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const auto& [v, side, end] :
-         {std::tuple{a, -1.0, 0}, std::tuple{b, -1.0, 1}, std::tuple{b, 1.0, 1}, std::tuple{a, 1.0, 0}}) {
-        RenderVertex corner = vertex(v, side);
-        corner.normal = outward[end].cast<float>();
-        corner.broken = broken;
-        mesh.vertices.push_back(corner);
+    for (const auto& [end, side] :
+         {std::pair{0, -1.0}, std::pair{1, -1.0}, std::pair{1, 1.0}, std::pair{0, 1.0}}) {
+        mesh.vertices.push_back(corner(f, (k + end) % 3, side));
+        mesh.vertices.back().normal = outward[end].cast<float>();
+        mesh.vertices.back().broken = broken;
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});

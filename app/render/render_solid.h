@@ -13,7 +13,7 @@ namespace sherd {
 /// What is drawn on a sheet.
 struct SheetPaint {
     std::vector<Eigen::Vector3f> colour;  ///< [V] albedo
-    std::vector<float> stripe;            ///< [V] RenderVertex::stripe; empty: no stripes
+    Eigen::Matrix3Xf stripe;              ///< [3, F] RenderVertex::stripe at corners; empty: none
 };
 
 /// Which edges of each face (corner i to the next one) no other face has.

@@ -140,9 +140,7 @@ SheetPaint RenderStage::paint(const Snapshot& frame) const {
     const double span = range.second > range.first ? range.second - range.first : 1;
     for (std::size_t v = 0; v < values.size(); ++v)
         paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / span));
-    if (options.colour == RenderColour::axis)
-        for (const Index original : frame.original)
-            paint.stripe.push_back(static_cast<float>(stripes[original]));
+    if (options.colour == RenderColour::axis) paint.stripe = stripes.cast<float>();
     return paint;
 }
 

@@ -63,7 +63,7 @@ class RenderStage {
     double lowest = 0;  ///< m, along up
     std::pair<double, double> range{0, 0};
     std::string scalar_name, scalar_unit;
-    VectorXd stripes;  ///< [V0], of the material's axes
+    Eigen::Matrix3Xd stripes;  ///< [3, F] of the material's axes
     std::vector<RenderPlane> planes;
     Camera placed;
 };

@@ -5,7 +5,13 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
 
 #include "app/scene/material_axis.h"
 #include "app/scene/scene_mesh.h"
@@ -29,23 +35,117 @@ bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t fi
     return true;
 }
 
-/// The gradients of the three hat functions of a triangle, 1/m, and its area, m^2.
-struct HatFunctions {
-    std::array<Vector3d, 3> gradient;
-    Vector3d normal;
-    double area;
+/// +1 or -1 at each corner: whether the face's axis points as the axis of the vertex does, which is that of
+/// the first face around it. Axes have no sign, so one of them is chosen for each vertex.
+std::vector<std::array<int, 3>> corner_signs(const RecordingHeader& header, std::span<const Vector3d> axes) {
+    std::vector<int> first(header.rest_position.cols(), -1);
+    std::vector<std::array<int, 3>> signs(axes.size());
+    for (std::size_t f = 0; f < axes.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            int& chosen = first[header.rest_faces[f][k]];
+            if (chosen < 0) chosen = static_cast<int>(f);
+            signs[f][k] = axes[f].dot(axes[chosen]) < 0 ? -1 : 1;
+        }
+    return signs;
+}
+
+/// Of the edge from its lower to its higher vertex, seen with the lower one's sign.
+struct StripeEdge {
+    double growth = 0;  ///< of the phase, rad; first the sum over its faces
+    int faces = 0;
+    double weight = 0;  ///< cotangents of the opposite angles
+    int turned = 1;     ///< -1: the axis of the higher vertex points the other way
+};
+using StripeEdges = std::map<std::pair<Index, Index>, StripeEdge>;
+
+/// Stripes on the unbroken mesh.
+struct StripeMesh {
+    const RecordingHeader& header;
+    std::vector<std::array<int, 3>> signs;
+    StripeEdges edges;
+
+    /// Corners i and j of face f with the lower vertex first, and their edge.
+    struct Side {
+        int low, high;
+        StripeEdge& edge;
+    };
+    Side side(std::size_t f, int i, int j) {
+        const auto& face = header.rest_faces[f];
+        if (face[i] > face[j]) std::swap(i, j);
+        return {i, j, edges[{face[i], face[j]}]};
+    }
 };
 
-HatFunctions hat_functions(const RecordingHeader& header, const std::array<Index, 3>& face) {
-    const Vector3d p[3] = {header.rest_position.col(face[0]), header.rest_position.col(face[1]),
-                           header.rest_position.col(face[2])};
-    const Vector3d doubled = (p[1] - p[0]).cross(p[2] - p[0]);
-    HatFunctions hats;
-    hats.area = doubled.norm() / 2;
-    hats.normal = doubled.normalized();
-    for (int k = 0; k < 3; ++k)
-        hats.gradient[k] = hats.normal.cross(p[(k + 2) % 3] - p[(k + 1) % 3]) / (2 * hats.area);
-    return hats;
+StripeMesh stripe_mesh(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing) {
+    constexpr double least_weight = 0.05;  // of obtuse triangles, so that the energy has a minimum
+    StripeMesh mesh{header, corner_signs(header, axes), {}};
+    for (std::size_t f = 0; f < axes.size(); ++f) {
+        const auto& face = header.rest_faces[f];
+        const auto place = [&](int k) -> Vector3d { return header.rest_position.col(face[k]); };
+        const Vector3d normal = (place(1) - place(0)).cross(place(2) - place(0));
+        if (!(normal.norm() > 0))
+            throw Error("the directions of the material cannot be drawn: a face has no area", Fault::run);
+        const Vector3d gradient = std::numbers::pi / spacing * normal.normalized().cross(axes[f]);
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high, edge] = mesh.side(f, k, (k + 1) % 3);
+            const Vector3d a = place(low) - place((k + 2) % 3), b = place(high) - place((k + 2) % 3);
+            edge.growth += mesh.signs[f][low] * gradient.dot(b - a);
+            edge.weight += std::max(least_weight, a.dot(b) / normal.norm());
+            edge.turned = mesh.signs[f][low] * mesh.signs[f][high];
+            ++edge.faces;
+        }
+    }
+    for (auto& [ends, edge] : mesh.edges) edge.growth /= edge.faces;
+    return mesh;
+}
+
+/// The energy of complex numbers at the vertices, [2 V0]: the sum over the edges of weight times
+/// |z_high - exp(i growth) z_low|^2, with the conjugate of z_high where the axis is turned.
+Eigen::SparseMatrix<double> stripe_energy(const StripeMesh& mesh) {
+    constexpr double shift = 1e-8;  // where the energy can be zero, its matrix could not be inverted
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto& [ends, edge] : mesh.edges) {
+        const auto [low, high] = ends;
+        Eigen::Matrix2d turn = Eigen::Rotation2Dd(edge.growth).toRotationMatrix();
+        turn.row(1) *= edge.turned;
+        for (int i = 0; i < 2; ++i) {
+            for (const Index v : {low, high})
+                entries.emplace_back(2 * v + i, 2 * v + i, edge.weight * (1 + shift));
+            for (int j = 0; j < 2; ++j) {
+                entries.emplace_back(2 * high + i, 2 * low + j, -edge.weight * turn(i, j));
+                entries.emplace_back(2 * low + j, 2 * high + i, -edge.weight * turn(i, j));
+            }
+        }
+    }
+    // A vertex of no face has no phase.
+    for (Eigen::Index i = 0; i < 2 * mesh.header.rest_position.cols(); ++i) entries.emplace_back(i, i, 1e-12);
+    const Eigen::Index size = 2 * mesh.header.rest_position.cols();
+    Eigen::SparseMatrix<double> energy(size, size);
+    energy.setFromTriplets(entries.begin(), entries.end());
+    return energy;
+}
+
+/// The phases at the vertices, rad [V0]: of the energy's smallest eigenvector, by inverse iteration.
+VectorXd smooth_phases(const StripeMesh& mesh) {
+    constexpr int iterations = 40;  // more than enough but where two numbers of stripes fit equally well
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stripe_energy(mesh));
+    VectorXd area = VectorXd::Zero(2 * mesh.header.rest_position.cols());
+    for (std::size_t f = 0; f < mesh.signs.size(); ++f)
+        for (const Index v : mesh.header.rest_faces[f])
+            area.segment<2>(2 * v).array() += mesh.header.rest_area[f] / 3;
+    std::mt19937_64 random(1);
+    VectorXd field(area.size());
+    for (double& part : field) part = std::ldexp(static_cast<double>(random() >> 11), -52) - 1;
+    for (int i = 0; i < iterations; ++i) {
+        field = solver.solve(area.cwiseProduct(field)).eval();
+        field /= field.cwiseAbs().maxCoeff();
+    }
+    if (solver.info() != Eigen::Success || !field.allFinite())
+        throw Error("the directions of the material cannot be drawn: their equations have no solution",
+                    Fault::run);
+    VectorXd phases(field.size() / 2);
+    for (Eigen::Index v = 0; v < phases.size(); ++v) phases[v] = std::atan2(field[2 * v + 1], field[2 * v]);
+    return phases;
 }
 
 }  // namespace
@@ -68,28 +168,24 @@ std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& h
     return axes;
 }
 
-VectorXd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing) {
-    const Eigen::Index count = header.rest_position.cols();
-    std::vector<Eigen::Triplet<double>> entries;
-    VectorXd right = VectorXd::Zero(count);
-    for (std::size_t f = 0; f < header.rest_faces.size(); ++f) {
-        const auto& face = header.rest_faces[f];
-        const HatFunctions hats = hat_functions(header, face);
-        const Vector3d wanted = hats.normal.cross(axes[f]) / spacing;
-        for (int i = 0; i < 3; ++i) {
-            right[face[i]] += hats.area * hats.gradient[i].dot(wanted);
-            for (int j = 0; j < 3; ++j)
-                entries.emplace_back(face[i], face[j], hats.area * hats.gradient[i].dot(hats.gradient[j]));
+Eigen::Matrix3Xd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing) {
+    using std::numbers::pi;
+    StripeMesh mesh = stripe_mesh(header, axes, spacing);
+    const VectorXd phases = smooth_phases(mesh);
+    for (auto& [ends, edge] : mesh.edges) {
+        const double change = edge.turned * phases[ends.second] - phases[ends.first];
+        edge.growth += std::remainder(change - edge.growth, 2 * pi);
+    }
+    Eigen::Matrix3Xd stripes(3, axes.size());
+    for (std::size_t f = 0; f < axes.size(); ++f) {
+        stripes(0, f) = mesh.signs[f][0] * phases[header.rest_faces[f][0]] / pi;
+        for (int k = 1; k < 3; ++k) {
+            const auto [low, high, edge] = mesh.side(f, 0, k);
+            const int sign = (low == 0 ? 1 : -1) * mesh.signs[f][low];
+            stripes(k, f) = stripes(0, f) + sign * edge.growth / pi;
         }
     }
-    // A constant is left free on every connected part: a little weight holds it.
-    for (Eigen::Index v = 0; v < count; ++v) entries.emplace_back(v, v, 1e-9);
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    if (solver.info() != Eigen::Success)
-        throw Error("the directions of the material cannot be drawn: a face has no area", Fault::run);
-    return solver.solve(right);
+    return stripes;
 }
 
 }  // namespace sherd

@@ -16,9 +16,11 @@ namespace sherd {
 std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& header,
                                     std::vector<std::string>& warnings);
 
-/// Numbers at the vertices of the unbroken mesh [V0] that grow by one over `spacing` (m) across the axes and
-/// stay the same along them, as nearly as there are such: where they pass whole numbers are stripes along the
-/// axes. (Least squares of the gradient, a Poisson equation.)
-VectorXd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing);
+/// Numbers at the corners of the faces of the unbroken mesh [3, F] that grow by one over `spacing` (m) across
+/// the axes and stay the same along them, as nearly as there are such. Stripes lie where they pass even
+/// numbers; two faces at an edge have the same there but for an even number, and the sign, which axes do not
+/// have: so stripes close around a tube. Where they must begin or end, a face differs from a neighbour.
+/// (Knoppel, Crane, Pinkall, Schroder, Stripe Patterns on Surfaces, 2015.)
+Eigen::Matrix3Xd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing);
 
 }  // namespace sherd

@@ -49,6 +49,10 @@ std::string with_unit(std::string_view words, std::string_view unit) {
     return unit.empty() ? std::string(words) : fmt::format("{} ({})", words, unit);
 }
 
+std::string left_out(double fallback) {
+    return std::isfinite(fallback) ? fmt::format("; left out, it is {}", fallback) : "";
+}
+
 /// Optimal string alignment distance: insertions, deletions, substitutions, swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -93,7 +97,7 @@ double TomlTable::number(std::string_view key, std::string_view unit, const Rang
     if (!node && fallback) return *fallback;
     const std::optional<double> value = node ? finite_number(*node) : std::nullopt;
     if (value && range.contains(*value)) return *value;
-    reject(key, with_unit(range.words, unit));
+    reject(key, with_unit(range.words, unit), fallback ? left_out(*fallback) : "");
     return not_a_number;
 }
 
@@ -103,7 +107,8 @@ std::int64_t TomlTable::integer(std::string_view key, std::int64_t smallest, std
     if (!node) return fallback;
     const auto* value = node->as_integer();
     if (value && value->get() >= smallest && value->get() <= largest) return value->get();
-    reject(key, fmt::format("an integer from {} to {}", smallest, largest));
+    reject(key, fmt::format("an integer from {} to {}", smallest, largest),
+           fmt::format("; left out, it is {}", fallback));
     return fallback;
 }
 
@@ -111,7 +116,7 @@ bool TomlTable::flag(std::string_view key, bool fallback) {
     const toml::node* node = find(key);
     if (!node) return fallback;
     if (node->is_boolean()) return node->as_boolean()->get();
-    reject(key, "true or false");
+    reject(key, "true or false", fmt::format("; left out, it is {}", fallback));
     return fallback;
 }
 
@@ -139,7 +144,8 @@ Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
     if (!node && fallback) return *fallback;
     const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
     if (value && value->size() == 3) return *value;
-    reject(key, with_unit("an array of 3 finite numbers", unit));
+    reject(key, with_unit("an array of 3 finite numbers", unit),
+           fallback ? fmt::format("; left out, it is [{}]", fmt::join(*fallback, ", ")) : "");
     return Eigen::Vector3d::Constant(not_a_number);
 }
 

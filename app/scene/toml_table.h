@@ -26,7 +26,7 @@ inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number o
 
 /// Reads the keys of one TOML table. A missing key without a fallback, a wrong type, length or range is added
 /// to the problems, and the caller gets a value that no later comparison holds for (NaN) or that is empty.
-/// Every key asked for becomes a known one; `finish` reports the others.
+/// A problem tells the fallback. Every key asked for becomes a known one; `finish` reports the others.
 class TomlTable {
   public:
     TomlTable(const toml::table& table, std::string path, Problems& problems);

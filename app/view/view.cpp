@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -46,11 +50,53 @@ std::string filled(std::string_view page, std::initializer_list<Filling> filling
     return text;
 }
 
-/// About what a frame takes in the page.
-std::size_t frame_bytes(const Recording& recording) {
+// About what a vertex takes in the page: in each frame, and its two faces once, in base64.
+constexpr double frame_bytes = (3 * 2 + 1 + 1) * 4 / 3.0, face_bytes = 2 * (3 + 1 + 1) * 4 * 4 / 3.0;
+// Rather than leave out more frames, the mesh is thinned.
+constexpr std::size_t enough_frames = 20;
+
+/// None when enough frames fit into so many bytes as they are.
+std::optional<MeshThinning> thinning_for(const Recording& recording, double most_bytes) {
+    const RecordingHeader header = recording.header();
     const Snapshot last = recording.frame(recording.frame_count() - 1);
-    constexpr std::size_t vertex = 3 * 2 + 1 + 1, base64_length = 4, of_bytes = 3;
-    return static_cast<std::size_t>(last.position.cols()) * vertex * base64_length / of_bytes;
+    const auto frames = static_cast<double>(std::min(recording.frame_count(), enough_frames));
+    const double most = most_bytes / (frames * frame_bytes + face_bytes);
+    if (static_cast<double>(last.position.cols()) <= most) return std::nullopt;
+    const double area = std::accumulate(header.rest_area.begin(), header.rest_area.end(), 0.0);
+    double cube = std::sqrt(area / most);
+    while (true) {
+        MeshThinning thinning(header, last.face_sheet, cube);
+        if (static_cast<double>(thinning.thinned(last).position.cols()) <= most) return thinning;
+        cube *= 1.1;
+    }
+}
+
+/// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
+nlohmann::json fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
+                            std::vector<std::string>& warnings) {
+    const double most_bytes = 1e6 * megabytes;
+    const std::optional<MeshThinning> thinning = thinning_for(recording, most_bytes);
+    Snapshot last = recording.frame(recording.frame_count() - 1);
+    const Eigen::Index whole = last.position.cols();
+    if (thinning) {
+        last = thinning->thinned(last);
+        warnings.push_back(
+            fmt::format("the page has {} of {} vertices, so that its data stay near {:g} MB: those within "
+                        "{:.2g} m are merged, and fragments smaller than that may be missing; --megabytes "
+                        "makes room for more",
+                        last.position.cols(), whole, megabytes, thinning->cube_length()));
+    }
+    const auto vertices = static_cast<double>(last.position.cols());
+    const double room = std::max(0.0, most_bytes - vertices * face_bytes);
+    const std::vector<std::size_t> frames =
+        shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes),
+                     static_cast<std::size_t>(room));
+    if (frames.size() < recording.frame_count())
+        warnings.push_back(
+            fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
+                        "makes room for more",
+                        frames.size(), recording.frame_count(), megabytes));
+    return view_data(recording, stage, frames, thinning);
 }
 
 int view(ViewOptions options) {
@@ -74,15 +120,8 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     StageOptions stage_options;
     stage_options.colour = RenderColour::strain;
     const RenderStage stage(recording, stage_options, warnings);
-    const std::vector<std::size_t> frames = shown_frames(recording.frame_count(), frame_bytes(recording),
-                                                         static_cast<std::size_t>(1e6 * options.megabytes));
-    if (frames.size() < recording.frame_count())
-        warnings.push_back(
-            fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
-                        "makes room for more",
-                        frames.size(), recording.frame_count(), options.megabytes));
     const std::string title = xml_escaped(options.recording.stem().string());
-    const std::string data = script_json(view_data(recording, stage, frames));
+    const std::string data = script_json(fitting_data(recording, stage, options.megabytes, warnings));
     return filled(view_assets::page, {{"%TITLE%", title},
                                       {"%THREE%", view_assets::three},
                                       {"%CONTROLS%", view_assets::controls},

@@ -10,7 +10,7 @@ namespace sherd {
 struct ViewOptions {
     std::filesystem::path recording;
     std::filesystem::path output;  ///< .html; empty: beside the recording, named like it
-    double megabytes = 64;         ///< of data in the page; frames are left out beyond
+    double megabytes = 64;         ///< of data in the page; beyond, frames are left out, then meshes thinned
     bool force = false;            ///< replace a file that exists
 };
 

@@ -24,6 +24,10 @@ Json vector_json(const Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+std::string base64_of(const Eigen::MatrixXf& numbers) {
+    return base64_of(std::vector<float>(numbers.data(), numbers.data() + numbers.size()));
+}
+
 /// States of a vertex and of a line on the page.
 enum ViewState : std::uint8_t { unbroken, failed_closed, cracked_open };
 
@@ -123,6 +127,30 @@ class Packer {
     std::vector<std::uint32_t> corners, owners;  ///< of the frame before
 };
 
+/// Their shapes, each in its own frame.
+Json obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
+    Json list = Json::array();
+    for (const RecordedObstacle& obstacle : obstacles) {
+        std::vector<float> points;
+        std::vector<std::uint32_t> faces;
+        for (const Vector3d& point : obstacle.surface.points)
+            for (const double x : point) points.push_back(static_cast<float>(x));
+        for (const auto& face : obstacle.surface.triangles)
+            faces.insert(faces.end(), face.begin(), face.end());
+        list.push_back({{"name", obstacle.name}, {"points", base64_of(points)}, {"faces", base64_of(faces)}});
+    }
+    return list;
+}
+
+/// 4 x 4 matrices, column by column, from the obstacles' frames to places seen from `origin`.
+std::string packed_poses(std::vector<Eigen::Isometry3d> poses, const Vector3d& origin) {
+    Eigen::MatrixXf matrices(4, 4 * poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        matrices.middleCols<4>(4 * static_cast<Eigen::Index>(i)) =
+            poses[i].pretranslate(-origin).matrix().cast<float>();
+    return base64_of(matrices);
+}
+
 Json stage_json(const RenderStage& stage) {
     Json planes = Json::array();
     for (const RenderPlane& plane : stage.ground())
@@ -165,17 +193,24 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
     return frames;
 }
 
-Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames) {
-    Packer packer(recording.header(), stage);
+Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
+               const std::optional<MeshThinning>& thinning) {
+    const RecordingHeader header = thinning ? thinning->thinned(recording.header()) : recording.header();
+    Packer packer(header, stage);
     Json data = stage_json(stage), packed = Json::array(), times = Json::array();
     for (const std::size_t number : frames) {
-        const Snapshot snapshot = recording.frame(number);
+        const Snapshot snapshot =
+            thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
+        packed.back()["poses"] = packed_poses(recording.poses(number), stage.action().center());
         times.push_back(snapshot.time);
         if (number != frames.front()) continue;
         data["faces"] = base64_of(packer.corners);
         data["fragments"] = base64_of(packer.owners);
     }
+    data["thickness"] =
+        base64_of(std::vector<float>(header.rest_thickness.begin(), header.rest_thickness.end()));
+    data["obstacles"] = obstacles_json(recording.obstacles());
     data["low"] = vector_json(packer.low - stage.action().center());
     data["step"] = vector_json(packer.step);
     data["strain"] = packer.largest;

@@ -118,6 +118,31 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
     }
 }
 
+// Thickness and obstacles that do not fit the frames would be drawn wrong, or not at all.
+TEST_F(View, HasTheThicknessAndWhereObstaclesAre) {
+    run.header.rest_thickness.assign(run.header.rest_faces.size(), 0.004);
+    const RecordedObstacle solid{"anvil",
+                                 {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}}}};
+    {
+        RecordingWriter writer(folder.path / "run.h5", run.header, true, {{solid}});
+        for (std::size_t k = 0; k < run.frames.size(); ++k) {
+            const Eigen::Isometry3d pose(Eigen::Translation3d(0.1 * static_cast<double>(k), 0, 0));
+            writer.append(run.frames[k], run.steps[k], run.events[k], {{pose}});
+        }
+    }
+    const Json page = data({0, 2});
+    EXPECT_EQ(decoded<float>(page["thickness"]), std::vector<float>(run.header.rest_faces.size(), 0.004f));
+    ASSERT_EQ(page["obstacles"].size(), 1u);
+    EXPECT_EQ(decoded<float>(page["obstacles"][0]["points"]),
+              (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3}));
+    EXPECT_EQ(decoded<std::uint32_t>(page["obstacles"][0]["faces"]),
+              (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3}));
+    const auto first = decoded<float>(page["frames"][0]["poses"]),
+               last = decoded<float>(page["frames"][1]["poses"]);
+    ASSERT_EQ(first.size(), 16u);
+    EXPECT_NEAR(last[12] - first[12], 0.2, 1e-6) << "the last column is the place";
+}
+
 TEST_F(View, DrawsCracksAsCracksAndTheRimAsRim) {
     const Json page = data({0, 2});
     const auto count = [&](std::size_t frame, std::uint32_t state) {
@@ -151,11 +176,110 @@ TEST_F(View, PageIsWholeAndAsksForNothingElse) {
 }
 
 TEST_F(View, LeavesFramesOutWithAWarning) {
+    {
+        RecordingWriter writer(folder.path / "run.h5", run.header, true);
+        for (int k = 0; k < 40; ++k) writer.append(run.frames[0], run.steps[0], run.events[0]);
+    }
     ViewOptions options;
     options.recording = folder.path / "run.h5";
-    options.megabytes = 1e-3;
+    options.megabytes = 0.025;
     view_page(options, warnings);
-    EXPECT_NE(warnings.back().find("2 of 3 frames"), std::string::npos) << warnings.back();
+    EXPECT_NE(warnings.back().find(" of 40 frames"), std::string::npos) << warnings.back();
+    EXPECT_EQ(warnings.back().find("merged"), std::string::npos) << warnings.back();
+}
+
+/// A square of `sides` x `sides` squares, torn in two along its middle in the second of two frames.
+struct TornSquare {
+    RecordingHeader header;
+    std::vector<Snapshot> frames;
+};
+
+TornSquare torn_square(Index sides) {
+    TornSquare square;
+    const Index across = sides + 1, middle = sides / 2, count = across * across;
+    square.header.sheet_names = {"square"};
+    square.header.rest_position = Positions::Zero(3, count);
+    for (Index v = 0; v < count; ++v)
+        square.header.rest_position.col(v).head<2>() << 1.0 * (v / across) / sides,
+            1.0 * (v % across) / sides;
+    Snapshot whole;
+    for (Index v = 0; v < count; ++v) whole.original.push_back(v);
+    for (Index x = 0; x < sides; ++x)
+        for (Index y = 0; y < sides; ++y) {
+            const Index a = x * across + y, b = a + across;
+            for (const auto& face : {std::array{a, b, b + 1}, std::array{a, b + 1, a + 1}})
+                square.header.rest_faces.push_back(face);
+        }
+    square.header.rest_area.assign(square.header.rest_faces.size(), 0.5 / (sides * sides));
+    square.header.rest_thickness.assign(square.header.rest_faces.size(), 0.001);
+    whole.position = square.header.rest_position;
+    whole.faces = square.header.rest_faces;
+    whole.face_fragment.assign(whole.faces.size(), 0);
+    whole.face_sheet.assign(whole.faces.size(), 0);
+    Snapshot torn = whole;
+    torn.position.conservativeResize(3, count + across);
+    torn.position.rightCols(across) = whole.position.middleCols(middle * across, across);
+    for (Index y = 0; y < across; ++y) torn.original.push_back(middle * across + y);
+    for (std::size_t f = 0; f < torn.faces.size(); ++f) {
+        if (static_cast<Index>(f) < 2 * sides * middle) continue;
+        torn.face_fragment[f] = 1;
+        for (Index& v : torn.faces[f])
+            if (v / across == middle) v += count - middle * across;
+    }
+    // The right half has moved to the side.
+    for (Eigen::Index v = (middle + 1) * across; v < torn.position.cols(); ++v) torn.position(0, v) += 1;
+    square.frames = {whole, torn};
+    return square;
+}
+
+// A crack that thinning joins, or a fragment that it pulls at, would show another run.
+TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
+    const TornSquare square = torn_square(60);
+    const MeshThinning thinning(square.header, square.frames[0].face_sheet, 0.1);
+    const RecordingHeader header = thinning.thinned(square.header);
+    for (const Snapshot& frame : square.frames) {
+        const Snapshot coarse = thinning.thinned(frame);
+        ASSERT_EQ(coarse.faces.size(), header.rest_faces.size());
+        EXPECT_EQ(header.rest_thickness.size(), header.rest_faces.size());
+        EXPECT_LE(coarse.position.cols(), 11 * 12);
+        EXPECT_GE(coarse.position.cols(), 10 * 10);
+        double area = 0;
+        for (std::size_t f = 0; f < coarse.faces.size(); ++f) {
+            const auto& [a, b, c] = coarse.faces[f];
+            const Vector3d p = coarse.position.col(a), q = coarse.position.col(b), r = coarse.position.col(c);
+            const double doubled = (q - p).cross(r - p).z();
+            area += doubled / 2;
+            if (frame.face_fragment.back() == 0) continue;
+            for (const Vector3d& corner : {p, q, r})
+                EXPECT_EQ(corner.x() > 1.2, coarse.face_fragment[f] == 1);
+        }
+        EXPECT_NEAR(area, 0.8, 0.15) << "half a cube is lost at the rim";
+    }
+}
+
+// What is too large must still open, in about the room that was given.
+TEST_F(View, ThinsALargeMeshWithAWarning) {
+    const TornSquare square = torn_square(250);
+    {
+        RecordingWriter writer(folder.path / "large.h5", square.header, true);
+        for (const Snapshot& frame : square.frames) {
+            Snapshot complete = frame;
+            complete.velocity = Positions::Zero(3, frame.position.cols());
+            complete.mass = VectorXd::Ones(frame.position.cols());
+            writer.append(complete, {}, {});
+        }
+    }
+    ViewOptions options;
+    options.recording = folder.path / "large.h5";
+    options.megabytes = 1;
+    const std::string page = view_page(options, warnings);
+    EXPECT_NE(warnings.back().find("of 63252 vertices"), std::string::npos) << warnings.back();
+    const std::size_t begin = page.find("{\"angle\""), end = page.find("</script>", begin);
+    EXPECT_LT(end - begin, 1'300'000u);
+    EXPECT_GT(end - begin, 400'000u);
+    const Json data = Json::parse(page.substr(begin, end - begin));
+    EXPECT_EQ(data["frames"].size(), 2u) << "all frames";
+    EXPECT_EQ(decoded<std::uint32_t>(data["faces"]).size(), 3 * decoded<float>(data["thickness"]).size());
 }
 
 TEST_F(View, WritesBesideTheRecordingAndKeepsWhatIsThere) {

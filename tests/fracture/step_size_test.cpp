@@ -31,6 +31,17 @@ TEST(StepSize, HalvesToASmallestStepAndGrowsBack) {
     EXPECT_EQ(std::fmod(step.time(), 1024), 0) << "where a whole step begins";
 }
 
+TEST(StepSize, GrowsAfterFourStepsThatSucceed) {
+    StepSize step(1024);
+    step.halve();
+    step.halve();
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(step.size(), 256);
+        step.advance();
+    }
+    EXPECT_EQ(step.size(), 512);
+}
+
 // Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
 RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
     StepSize step(1024);

@@ -107,6 +107,18 @@ def check_hiding(page, frames):
     page.wait_for(lambda: page.shown("faces") == frames[-1]["faces"])
 
 
+def check_thickness(page, frames):
+    """A sheet with its thickness has two sides, and walls along every open edge."""
+    thick = page.picture()
+    assert page.shown("triangles") > 2 * frames[-1]["faces"], page.shown("triangles")
+    page.element("thick").click()
+    page.wait_for(lambda: page.shown("triangles") == frames[-1]["faces"])
+    assert page.picture() != thick
+    page.element("thick").click()
+    page.wait_for(lambda: page.shown("triangles") > 2 * frames[-1]["faces"])
+    assert page.picture() == thick
+
+
 def check_looks(page):
     seen = {page.picture()}
     for name in ("strain", "state", "fragment"):
@@ -132,6 +144,7 @@ def main(file, summary, picture):
     try:
         page = Page(driver, file)
         check_playing(page, frames)
+        check_thickness(page, frames)
         check_hiding(page, frames)
         check_looks(page)
         driver.save_screenshot(str(picture))
@@ -142,4 +155,5 @@ def main(file, summary, picture):
     print(f"played {len(frames)} frames; {own} bytes without data")
 
 
-main(*map(pathlib.Path, sys.argv[1:]))
+if __name__ == "__main__":
+    main(*map(pathlib.Path, sys.argv[1:]))

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Looks at the obstacle on the page of a recording, in Chromium: it is drawn where it was, in every frame.
+
+usage: check_view_obstacles.py PAGE PICTURE X0,Y0,Z0 X1,Y1,Z1
+PAGE: of sherd view, with a floor through [0, 0, 0] and one more obstacle; PICTURE: a screenshot to write;
+the obstacle's centre (m) in the first and in the last frame."""
+import pathlib
+import sys
+
+from selenium.webdriver.common.keys import Keys
+
+from check_view import Page, browser
+
+# The pixel of the picture where a point (m) of the recording is, and its colour there.
+PIXEL = """
+    const origin = recording.planes[0][0];  // the floor's point, [0, 0, 0] in the scene
+    const middle = arguments[0].map((x, k) => origin[k] + x);
+    const seen = new THREE.Vector3(...middle).project(camera), stage = document.getElementById("stage");
+    const x = Math.round((seen.x + 1) / 2 * stage.width), y = Math.round((1 - seen.y) / 2 * stage.height);
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [stage.width, stage.height];
+    const context = copy.getContext("2d");
+    context.drawImage(stage, 0, 0);
+    return [x, y, ...context.getImageData(x, y, 1, 1).data];"""
+
+
+def obstacle_is_at(page, centre):
+    """Whether a pixel there is of an obstacle: it changes when the page is told to draw without it."""
+    place = [float(x) for x in centre.split(",")]
+    with_it = page.driver.execute_script(PIXEL, place)
+    page.driver.execute_script("obstacles[0].visible = false; draw();")
+    without = page.driver.execute_script(PIXEL, place)
+    page.driver.execute_script("obstacles[0].visible = true; draw();")
+    return with_it != without
+
+
+def main(file, picture, first, last):
+    driver = browser()
+    try:
+        page = Page(driver, pathlib.Path(file))
+        assert page.shown("obstacles") == 1
+        assert obstacle_is_at(page, first) and not obstacle_is_at(page, last)
+        while page.shown("frame") < int(page.element("time").get_attribute("max")):
+            page.press(Keys.ARROW_RIGHT)
+        assert obstacle_is_at(page, last) and not obstacle_is_at(page, first)
+        driver.save_screenshot(picture)
+    finally:
+        driver.quit()
+    print("the obstacle goes with the frames")
+
+
+main(*sys.argv[1:])
