@@ -148,7 +148,7 @@ FIGURES = {
 # Frame and camera of its pictures.
 VIEWS = {
     "figure_3_cylinders": ("27", "30,15"),
-    "figure_4_poncho": ("-1", "25,20,1.3"),
+    "figure_4_poncho": ("-1", "25,20,1.05"),
     "figure_5_flags": ("60", "30,20,1"),
     "figure_6_plates": ("20", "0,60,1.1"),
     "figure_7_bowls": ("15", "0,50"),
