@@ -71,6 +71,7 @@ MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directo
                texture = table->has("texture"), field = table->has("field");
     if ((direction || degrees) + texture + field != 1) {
         table->report("", "needs direction, degrees or both, or texture, or field");
+        table->finish();
         return axis;
     }
     if (direction || degrees) {
