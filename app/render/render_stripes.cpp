@@ -10,26 +10,31 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
+#include <optional>
 #include <utility>
 
 #include "app/scene/material_axis.h"
 #include "app/scene/scene_mesh.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/random.h"
 
 namespace sherd {
 namespace {
 
-/// Whether the faces of `mesh` are those of the recording from face `first` on.
+/// Whether the faces of `mesh` are those of the recording from face `first` on, where they were or all moved
+/// by the same way: a run parts sheets that start too near, which changes no axis.
 bool is_recorded(const Mesh& mesh, const RecordingHeader& header, std::size_t first) {
     if (first + mesh.number_of_faces() > header.rest_faces.size()) return false;
+    std::optional<Vector3d> way;
     for (const Face face : mesh.faces()) {
         std::size_t corner = 0;
         for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face))) {
-            const Point& p = mesh.point(v);
-            const Vector3d recorded =
-                header.rest_position.col(header.rest_faces[first + face.idx()][corner++]);
-            if (!Vector3d(p.x(), p.y(), p.z()).isApprox(recorded, 1e-9)) return false;
+            const Vector3d made = position(mesh, v),
+                           recorded =
+                               header.rest_position.col(header.rest_faces[first + face.idx()][corner++]);
+            if (!way) way = recorded - made;
+            if (!Vector3d(made + *way).isApprox(recorded, 1e-9)) return false;
         }
     }
     return true;
@@ -133,9 +138,9 @@ VectorXd smooth_phases(const StripeMesh& mesh) {
     for (std::size_t f = 0; f < mesh.signs.size(); ++f)
         for (const Index v : mesh.header.rest_faces[f])
             area.segment<2>(2 * v).array() += mesh.header.rest_area[f] / 3;
-    std::mt19937_64 random(1);
+    Random random(1);
     VectorXd field(area.size());
-    for (double& part : field) part = std::ldexp(static_cast<double>(random() >> 11), -52) - 1;
+    for (double& part : field) part = 2 * random.uniform() - 1;
     for (int i = 0; i < iterations; ++i) {
         field = solver.solve(area.cwiseProduct(field)).eval();
         field /= field.cwiseAbs().maxCoeff();

@@ -10,6 +10,7 @@
 #include "fracture/start_overlaps.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -125,6 +126,24 @@ TEST(SheetParting, AWedgedSheetIsRefused) {
                                 square("c", at_height(1.96 * thickness), pin));
     EXPECT_NE(three.error.find("do not start apart"), std::string::npos) << three.error;
     EXPECT_EQ(three.moved, (std::vector<double>{0, 0, 0}));
+}
+
+// The axes of a run whose sheets were moved are made from the scene again, in which they are not.
+TEST(SheetParting, AxesOfWhatWasMovedCanStillBeDrawn) {
+    const TemporaryDirectory directory;
+    const auto orthotropic = [](const std::string& name, double z) {
+        std::string text = square(name, at_height(z));
+        return text.replace(text.find("young = 1e8"), 11, "young = [1e8, 1e7]");
+    };
+    directory.write("scene.toml",
+                    "duration = 1e-4\n" + orthotropic("a", 0) + orthotropic("b", 0.98 * thickness));
+    const ProgramResult run = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_NE(run.err.find("is moved"), std::string::npos) << run.err;
+    const ProgramResult drawn = run_sherd(
+        {"render", "run.h5", "-o", "axis.png", "--color", "axis", "--size", "32x24", "--samples", "1"},
+        directory.path);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
 }
 
 }  // namespace
