@@ -129,7 +129,7 @@ int run(const Scene& scene, const std::filesystem::path& output, bool force) {
     const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
     Simulation simulation(sheets, simulated);
-    const ObstacleTrack obstacles(scene, simulated.obstacles);
+    const ObstacleTrack obstacles(scene, simulated.obstacles, simulated.bodies);
     watch_for_interruption();
     RecordingWriter writer(output, recording_header(scene, simulation), force, obstacles.obstacles());
 

@@ -30,9 +30,10 @@ class IncrementalPotential {
     /// Fraction, 0 to 1, of a straight motion from x [3, V] that leads through no sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
 
-  private:
     /// Takes away what pins and guides do not let through.
     void constrain(Positions& displacement) const;
+
+  private:
     /// Predicts the vertices that motions carry.
     void carry(double end);
 

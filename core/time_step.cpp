@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time_step.h"
 
+#include <algorithm>
+
+#include "core/contact/contact_solids.h"
 #include "core/contact/sheet_friction.h"
 
 namespace sherd {
-
 TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
     : position(sheet.position),
       sheet(sheet),
@@ -17,7 +19,11 @@ TimeStep::TimeStep(Sheet& sheet, const TimeStepOptions& options)
       lips(sheet.lips),
       start_bodies(options.bodies),
       moved_bodies(options.bodies) {
-    if (options.sheet_contact) sheet_contact = std::make_unique<SheetContact>(sheet);
+    std::vector<ContactSolid> solids = contact_solids(sheet, options.obstacles);
+    if (options.sheet_contact || !solids.empty())
+        sheet_contact = std::make_unique<SheetContact>(sheet, std::move(solids), options.sheet_contact);
+    for (const RigidBody& body : options.bodies)
+        body_pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(sheet, body)) : nullptr);
 }
 
 void TimeStep::carry_mirrors() {
@@ -37,47 +43,77 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
-    if (sheet_contact && options.sheet_friction > 0)
+    if (sheet_contact) {
+        sheet_contact->place_solids(solid_positions(options.obstacles, start),
+                                    solid_positions(options.obstacles, start + step));
         of_step.push_back(
             std::make_unique<SheetFriction>(sheet, *sheet_contact, options.sheet_friction, step));
+    }
     obstacle_contact.clear();
     for (const Obstacle& obstacle : options.obstacles)
         obstacle_contact.emplace_back(sheet, obstacle, start, step);
-    body_contact.clear();
-    for (const RigidBody& body : start_bodies)
-        body_contact.emplace_back(sheet, body, this->options.obstacles, options.gravity, start, step);
+    prepare_bodies();
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const BodyContact& contact : body_contact) energies.push_back(&contact);
     for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
-    if (sheet_contact) {
-        energies.push_back(sheet_contact.get());
-        energies.push_back(&lips);
-    }
+    if (sheet_contact) energies.push_back(sheet_contact.get());
+    if (options.sheet_contact) energies.push_back(&lips);
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity,
                                                        start + step);
 }
 
-bool TimeStep::predict() {
-    const Positions motion = potential->predicted() - sheet.position;
-    const double fraction = potential->safe_fraction(sheet.position, motion);
-    position = fraction == 1 ? potential->predicted() : sheet.position + fraction * motion;
-    if (fraction == 1 || sheet.motions.empty()) return true;
-    // What is carried has to arrive, so it goes first, and the others as far as there is room.
+void TimeStep::prepare_bodies() {
+    std::vector<Vector6d> apart;
+    for (const BodyContact& contact : body_contact) apart.push_back(contact.apart());
+    if (apart.empty()) apart.assign(start_bodies.size(), Vector6d::Zero());
+    body_contact.clear();
+    for (std::size_t i = 0; i < start_bodies.size(); ++i)
+        body_contact.emplace_back(sheet, start_bodies[i], options.obstacles, options.gravity, start, step,
+                                  body_pairs[i].get(), apart[i]);
+}
+
+Positions TimeStep::carried(const Positions& motion) const {
     Positions carried = motion;
     for (std::size_t v = 0; v < sheet.carrier.size(); ++v)
         if (sheet.carrier[v] == 0) carried.col(v).setZero();
-    if (potential->safe_fraction(sheet.position, carried) < 1) return false;
-    const Positions others = motion - carried;
-    position = sheet.position + carried;
-    position += potential->safe_fraction(position, others) * others;
-    return true;
+    return carried;
+}
+
+Positions TimeStep::taken_along(const Positions& motion) const {
+    Positions taken = sheet_contact->taken_along(sheet.position);
+    potential->constrain(taken);
+    return carried(motion) + taken;
+}
+
+bool TimeStep::predict() {
+    const Positions motion = potential->predicted() - sheet.position;
+    const auto free_way = [&](const Positions& way) {
+        double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(sheet.position, way) : 1;
+        for (const BodyContact& body : body_contact)
+            fraction = std::min(fraction, body.safe_fraction(sheet.position, way));
+        return fraction;
+    };
+    const double fraction = free_way(motion);
+    position = potential->predicted();
+    if (fraction == 1) return true;
+    // What is carried has to arrive, and obstacles too, so they go first, if need be with what is near them,
+    // and the others as far as there is room.
+    for (const Positions& first : {carried(motion), taken_along(motion)}) {
+        if (free_way(first) < 1) continue;
+        const Positions others = motion - first;
+        position = sheet.position + first;
+        position += potential->safe_fraction(position, others) * others;
+        return true;
+    }
+    return false;
 }
 
 bool TimeStep::begin(double length) {
     step = length;
     start = time;
     start_bodies = moved_bodies;
+    body_contact.clear();
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const bool carried = predict();
@@ -93,6 +129,8 @@ NewtonResult TimeStep::solve(int max_iterations) {
 
 void TimeStep::stencils_changed() {
     if (sheet_contact) sheet_contact->surface_changed();
+    for (std::size_t i = 0; i < body_pairs.size(); ++i)
+        if (body_pairs[i]) body_pairs[i]->surface_changed(surface_with(sheet, start_bodies[i]));
     prepare();
     system = std::make_unique<NewtonSystem>(*potential, position);
 }
@@ -112,14 +150,16 @@ PotentialEnergies TimeStep::energies() const {
     for (const ObstacleContact& contact : obstacle_contact) sum.contact += contact.stored_energy(position);
     for (const BodyContact& contact : body_contact) sum.contact += contact.stored_energy(position);
     for (const RigidBody& body : moved_bodies) sum.gravity -= body.mass * options.gravity.dot(body.centre);
-    if (sheet_contact) sum.contact += sheet_contact->value(position) + lips.value(position);
+    if (sheet_contact) sum.contact += sheet_contact->value(position);
+    if (options.sheet_contact) sum.contact += lips.value(position);
     return sum;
 }
 
 Touch TimeStep::touch() const {
     Touch touch;
-    for (const ObstacleContact& contact : obstacle_contact) touch.include(contact.touch(position));
-    for (const BodyContact& contact : body_contact) touch.include(contact.touch(position));
+    for (const ObstacleContact& contact : obstacle_contact) contact.add_touch(position, touch);
+    for (const BodyContact& contact : body_contact) contact.add_touch(position, touch);
+    if (sheet_contact) sheet_contact->add_touched_vertices(position, touch.vertices);
     return touch;
 }
 

@@ -66,8 +66,12 @@ class TimeStep {
 
   private:
     void prepare();
+    void prepare_bodies();
     void carry_mirrors();
+    /// Moves `position` towards the prediction; false if what has to arrive cannot.
     bool predict();
+    Positions carried(const Positions& motion) const;      ///< that of vertices that motions carry, m
+    Positions taken_along(const Positions& motion) const;  ///< with what obstacles that move are near to
 
     Sheet& sheet;
     TimeStepOptions options;
@@ -78,9 +82,11 @@ class TimeStep {
     MembraneEnergy membrane;
     std::vector<MirrorHinge> mirror_hinges;  ///< at the end of the open step, or the last one
     MirrorEnergy mirrors;
-    std::vector<BodyContact> body_contact;
-    std::vector<ObstacleContact> obstacle_contact;  ///< of the open step, or the last one
-    std::unique_ptr<SheetContact> sheet_contact;    ///< none if not asked for
+    std::vector<std::unique_ptr<NearPairs>> body_pairs;  ///< of each body; null: it has no surface
+    std::vector<BodyContact> body_contact;               ///< of the open step, or the last one
+    std::vector<ObstacleContact> obstacle_contact;       ///< of the open step, or the last one
+    /// None if sheets are not to meet each other, and no obstacle has a surface.
+    std::unique_ptr<SheetContact> sheet_contact;
     LipContact lips;
     std::vector<RigidBody> start_bodies, moved_bodies;  ///< at `start` and at `time`
     std::vector<std::unique_ptr<Energy>> of_step;       ///< that refer to its beginning: loads, wind, damping

@@ -197,7 +197,7 @@ void Simulation::finish(StepReport& report) {
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
     const Touch touch = time_step.touch();
-    report.contacts = touch.vertices;
+    report.contacts = static_cast<Index>(touch.vertices.size());
     report.obstacle_overlap = touch.deepest;
     report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();

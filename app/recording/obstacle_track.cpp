@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/obstacle_track.h"
 
-#include "app/scene/obstacle_shape.h"
-
 namespace sherd {
+namespace {
 
-ObstacleTrack::ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& made) {
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        const ObstacleSpec& spec = scene.obstacles[i];
-        GridSurface surface = obstacle_surface(spec, made[i]);
-        if (surface.points.empty()) continue;
-        recorded.push_back({spec.name, std::move(surface)});
-        motions.push_back(spec.motion);
-    }
-    for (const ObstacleSpec& spec : scene.bodies) {
-        GridSurface surface = obstacle_surface(spec, {});
-        // A body's frame has its origin in the centre of mass.
-        const Vector3d centre = spec.motion.place.inverse() * spec.motion.pivot;
-        for (Vector3d& point : surface.points) point -= centre;
-        recorded.push_back({spec.name, std::move(surface)});
-    }
+GridSurface recorded_surface(const SolidSurface& solid) {
+    GridSurface surface;
+    for (const auto& point : solid.points.colwise()) surface.points.push_back(point);
+    surface.triangles = solid.triangles;
+    return surface;
+}
+
+}  // namespace
+
+ObstacleTrack::ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& obstacles,
+                             const std::vector<RigidBody>& bodies) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        if (obstacles[i].surface) {
+            recorded.push_back({scene.obstacles[i].name, recorded_surface(*obstacles[i].surface)});
+            motions.push_back(obstacles[i].motion);
+        }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        recorded.push_back({scene.bodies[i].name, recorded_surface(*bodies[i].surface)});
 }
 
 std::vector<Eigen::Isometry3d> ObstacleTrack::poses(const Simulation& simulation) const {

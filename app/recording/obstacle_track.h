@@ -11,8 +11,9 @@ namespace sherd {
 /// What a recording shows of a scene's obstacles: those with a surface, the free ones last.
 class ObstacleTrack {
   public:
-    /// made: of scene.obstacles, in their order.
-    ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& made);
+    /// obstacles, bodies: those of the scene, in its order.
+    ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& obstacles,
+                  const std::vector<RigidBody>& bodies);
 
     const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
     /// From the frame of each to space, as the simulation stands.

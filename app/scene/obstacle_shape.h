@@ -4,7 +4,6 @@
 #include "app/scene/scene.h"
 #include "core/contact/obstacle.h"
 #include "core/contact/rigid_body.h"
-#include "meshops/signed_distance_grid.h"
 
 namespace sherd {
 
@@ -15,8 +14,5 @@ std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<Obsta
 
 /// The scene's free bodies, in its order.
 std::vector<RigidBody> make_bodies(const Scene& scene);
-
-/// Triangles to draw an obstacle with, in its own frame; none of a plane.
-GridSurface obstacle_surface(const ObstacleSpec& spec, const Obstacle& made);
 
 }  // namespace sherd

@@ -4,14 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "core/contact/contact_solids.h"
+#include "core/contact/sheet_contact.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/surface_crossings.h"
 
 namespace sherd {
 namespace {
 
 constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
+constexpr double pressed = 0.99;                        // of the distance at which surfaces touch
 
 /// The vertices of one sheet that touch one obstacle at the start.
 struct InsideObstacle {
@@ -46,18 +51,87 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         at.y(), at.z(), found.depth);
 }
 
+/// How the faces of one sheet stand to the surface of one obstacle.
+struct SurfaceMeeting {
+    std::vector<Face> crossing;
+    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that touches
+    double touching = 0, minimum = 0;                           ///< m, of the same pair
+    Vector3d at = Vector3d::Zero();
+};
+
+std::vector<Face> faces_through(const SheetInput& input, const Obstacle& obstacle,
+                                const std::vector<Index>& around) {
+    std::vector<Vector3d> points;
+    for (const auto& point : obstacle.surface->points.colwise())
+        points.push_back(obstacle.motion.at(0) * Vector3d(point));
+    std::vector<Face> crossing = surface_crossings(input.mesh, points, obstacle.surface->triangles);
+    std::erase_if(crossing, [&](Face face) {
+        const auto corners = input.mesh.vertices_around_face(input.mesh.halfedge(face));
+        return std::any_of(corners.begin(), corners.end(), [&](Vertex v) {
+            return std::binary_search(around.begin(), around.end(), static_cast<Index>(v));
+        });
+    });
+    return crossing;
+}
+
+SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle) {
+    SurfaceMeeting found;
+    if (!obstacle.surface) return found;
+    const BreakableSheet sheet({input});
+    const Positions& x = sheet.mechanics().position;
+    const std::vector<ContactSolid> solids = contact_solids(sheet.mechanics(), {obstacle});
+    found.crossing = faces_through(input, obstacle, solids[0].around);
+    SheetContact contact(sheet.mechanics(), solids, false);
+    const Positions placed = solid_positions({obstacle}, 0);
+    contact.place_solids(placed, placed);
+    for (const ContactPair& pair : contact.touching(x)) {
+        const PairPositions local = pair_positions(contact.at_end(x), pair.vertices);
+        if (const double apart = distance(pair, local); apart < found.distance)
+            found = {found.crossing, apart, pair.touching, pair.minimum(), local.rowwise().mean()};
+    }
+    return found;
+}
+
+std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
+                    const SurfaceMeeting& found) {
+    if (!found.crossing.empty()) {
+        const Face first = found.crossing.front();
+        const Point& at = input.mesh.point(input.mesh.target(input.mesh.halfedge(first)));
+        return fmt::format(
+            "{}: {} of {} faces of sheet.{} start across its surface, face {} at [{:.4g}, {:.4g}, {:.4g}] "
+            "the "
+            "first: move the sheet or the obstacle, or pin the vertices that it holds",
+            obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name, first.idx(),
+            at.x(), at.y(), at.z());
+    }
+    return fmt::format(
+        "{}: sheet.{} starts {:.3g} m from its surface, at [{:.4g}, {:.4g}, {:.4g}], where {:.3g} m, half "
+        "its "
+        "thickness, is touching: move the sheet or the obstacle by {:.3g} m, or make it smaller",
+        obstacle.where, sheet.name, found.distance, found.at.x(), found.at.y(), found.at.z(), found.touching,
+        found.touching - found.distance);
+}
+
 }  // namespace
 
 void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
+    const auto tell = [&](bool refused, auto&&... what) {
+        (refused ? mistakes : warnings).push_back(message(what...));
+    };
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
-            const InsideObstacle found = inside(inputs[s], obstacles[o]);
-            if (found.count == 0) continue;
-            const bool deep = found.depth > deepest_start * inputs[s].material.thickness;
-            (deep ? mistakes : warnings).push_back(message(scene.sheets[s], inputs[s], specs[o], found));
+            const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
+            const bool deep = inside_it.depth > deepest_start * inputs[s].material.thickness;
+            if (inside_it.count > 0) tell(deep, scene.sheets[s], inputs[s], specs[o], inside_it);
+            if (deep) continue;
+            const SurfaceMeeting met = surface_meeting(inputs[s], obstacles[o]);
+            const bool too_near = met.distance <= met.minimum;
+            if (!met.crossing.empty() || too_near ||
+                (inside_it.count == 0 && met.distance < pressed * met.touching))
+                tell(!met.crossing.empty() || too_near, scene.sheets[s], inputs[s], specs[o], met);
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

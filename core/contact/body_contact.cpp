@@ -2,8 +2,9 @@
 #include "core/contact/body_contact.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
+#include <Eigen/LU>
 #include <cmath>
+#include <set>
 
 namespace sherd {
 namespace {
@@ -11,52 +12,55 @@ namespace {
 constexpr int most_iterations = 100, most_halvings = 40;
 constexpr double round_off_of_value = 1e-12;
 constexpr double ahead_of_contact = 0.1;  // of the body's size: vertices that may soon touch
+constexpr double largest_turn = 1;        // rad, between two poses that are tried one after the other
 
-Matrix3d turned(const Vector3d& rotation) {
-    const double angle = rotation.norm();
-    if (angle == 0) return Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
-}
-
-/// d(turned(r)) = cross_matrix(J dr) turned(r).
-Matrix3d rotation_jacobian(const Vector3d& rotation) {
-    const double angle = rotation.norm(), squared = angle * angle;
-    const Matrix3d cross = cross_matrix(rotation);
-    if (angle < 1e-4) return Matrix3d::Identity() + 0.5 * cross + cross * cross / 6;
-    return Matrix3d::Identity() + (1 - std::cos(angle)) / squared * cross +
-           (angle - std::sin(angle)) / (squared * angle) * cross * cross;
-}
-
-/// How a point of the body at `arm` from its centre moves with q.
-BodyContact::Matrix36d point_motion(const Vector3d& arm, const Matrix3d& jacobian) {
-    BodyContact::Matrix36d motion;
-    motion << Matrix3d::Identity(), -cross_matrix(arm) * jacobian;
-    return motion;
+/// A matrix of four vertices' blocks in axes that are turned.
+PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
+    PairHessian result;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            result.block<3, 3>(3 * i, 3 * j) =
+                rotation * matrix.block<3, 3>(3 * i, 3 * j) * rotation.transpose();
+    return result;
 }
 
 }  // namespace
 
+ContactSurface surface_with(const Sheet& sheet, const RigidBody& body) {
+    return ContactSurface(sheet, {{body.surface.get(), body.young, body.friction, {}}}, false);
+}
+
 BodyContact::BodyContact(const Sheet& sheet, const RigidBody& body, const std::vector<Obstacle>& obstacles,
-                         const Vector3d& gravity, double time, double step)
+                         const Vector3d& gravity, double time, double step, const NearPairs* near,
+                         const Vector6d& q)
     : sheet(sheet),
       body(body),
       obstacles(obstacles),
+      near(near),
       step(step),
       end(time + step),
-      inertia(body.inertia_in_space()) {
+      inertia(body.inertia_in_space()),
+      base(q) {
     predicted << step * body.velocity + step * step * gravity, step * body.spin();
-    best = predicted;
-    if (body.friction == 0) return;
-    const Eigen::Isometry3d start = pose(Vector6d::Zero());
+    if (body.friction > 0) find_sliding();
+}
+
+void BodyContact::find_sliding() {
+    const BodyPose start = pose(Vector6d::Zero());
     for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v) {
         const Vector3d x = sheet.position.col(v);
-        const Overlap at = overlap(*body.shape, start, x, 0.5 * sheet.thickness[v]);
+        const Overlap at = overlap(*body.shape, start.place, x, 0.5 * sheet.thickness[v]);
         if (at.depth > 0)
             sliding.push_back({v,
-                               start.inverse() * x,
+                               start.place.inverse() * x,
                                Matrix3d::Identity() - at.normal * at.normal.transpose(),
                                {body.friction * stiffness(v) * at.depth, smoothing_speed * step}});
     }
+    if (!near) return;
+    const Positions local = seen_from(start, sheet.position), space = start.place * local;
+    for (const ContactPair& pair : near->touching(local))
+        sliding_pairs.push_back(
+            sliding_pair(pair, pair_positions(space, pair.vertices), body.friction, step));
 }
 
 double BodyContact::stiffness(Eigen::Index vertex) const {
@@ -64,14 +68,21 @@ double BodyContact::stiffness(Eigen::Index vertex) const {
                             body.young);
 }
 
-Eigen::Isometry3d BodyContact::pose(const Vector6d& q) const {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = turned(q.tail<3>()) * body.rotation;
-    pose.translation() = body.centre + q.head<3>();
+BodyPose BodyContact::pose(const Vector6d& q) const {
+    BodyPose pose{Eigen::Isometry3d::Identity(), rotation_jacobian(q.tail<3>())};
+    pose.place.linear() = turned(q.tail<3>()) * body.rotation;
+    pose.place.translation() = body.centre + q.head<3>();
     return pose;
 }
 
-void BodyContact::add_inertia(const Vector6d& q, Potential& sum) const {
+Positions BodyContact::seen_from(const BodyPose& pose, const Positions& x) const {
+    const Positions& points = body.surface->points;
+    Positions all(3, points.cols() + x.cols());
+    all << points, pose.place.inverse() * x;
+    return all;
+}
+
+void BodyContact::add_inertia(const Vector6d& q, BodyPotential& sum) const {
     Matrix6d mass = Matrix6d::Zero();
     mass.topLeftCorner<3, 3>().diagonal().setConstant(body.mass / (step * step));
     mass.bottomRightCorner<3, 3>() = inertia / (step * step);
@@ -81,16 +92,14 @@ void BodyContact::add_inertia(const Vector6d& q, Potential& sum) const {
     sum.hessian += mass;
 }
 
-void BodyContact::add_obstacles(const Vector6d& q, Potential& sum) const {
-    const Eigen::Isometry3d here = pose(q);
-    const Matrix3d jacobian = rotation_jacobian(q.tail<3>());
+void BodyContact::add_obstacles(const BodyPose& here, BodyPotential& sum) const {
     for (const Obstacle& obstacle : obstacles) {
         const double stiffness = body.foot / (1 / body.young + 1 / obstacle.young);
         const Eigen::Isometry3d there = obstacle.motion.at(end);
         for (const Vector3d& foot : body.feet) {
-            const Overlap at = overlap(*obstacle.shape, there, here * foot, body.skin);
+            const Overlap at = overlap(*obstacle.shape, there, here.place * foot, body.skin);
             if (at.depth <= 0) continue;
-            const Vector6d slope = point_motion(here.linear() * foot, jacobian).transpose() * at.normal;
+            const Vector6d slope = here.point_motion(here.place.linear() * foot).transpose() * at.normal;
             sum.stored += 0.5 * stiffness * at.depth * at.depth;
             sum.gradient -= stiffness * at.depth * slope;
             sum.hessian += stiffness * slope * slope.transpose();
@@ -98,46 +107,89 @@ void BodyContact::add_obstacles(const Vector6d& q, Potential& sum) const {
     }
 }
 
-void BodyContact::add_sheet(const Positions& x, const Vector6d& q, Potential& sum) const {
-    const Eigen::Isometry3d here = pose(q);
-    const Matrix3d jacobian = rotation_jacobian(q.tail<3>());
-    const auto add = [&](Push& push, const Vector3d& gradient, const Matrix3d& hessian, const Vector3d& arm) {
-        const Matrix36d relative = -point_motion(arm, jacobian);
-        push.gradient += gradient;
-        push.hessian += hessian;
-        push.mixed += hessian * relative;
-        sum.gradient += relative.transpose() * gradient;
-        sum.hessian += relative.transpose() * hessian * relative;
-    };
-    auto slider = sliding.begin();
+void BodyContact::add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) {
-        Push push{v};
-        const Overlap at = overlap(*body.shape, here, x.col(v), 0.5 * sheet.thickness[v]);
-        const bool slides = slider != sliding.end() && slider->vertex == v;
-        if (at.depth > 0) {
-            const double k = stiffness(v);
-            sum.stored += 0.5 * k * at.depth * at.depth;
-            add(push, -k * at.depth * at.normal, k * at.normal * at.normal.transpose(),
-                x.col(v) - here.translation());
-        }
-        if (slides) {
-            const Vector3d slip = slider->tangent * (x.col(v) - here * slider->foot);
-            sum.value += slider->friction.value(slip);
-            add(push, slider->friction.gradient(slip), slider->friction.hessian(slip, slider->tangent),
-                here.linear() * slider->foot);
-            ++slider;
-        }
-        if (slides || at.depth > 0) sum.pushes.push_back(push);
+        const Overlap at = overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]);
+        if (at.depth <= 0) continue;
+        const double k = stiffness(v);
+        sum.stored += 0.5 * k * at.depth * at.depth;
+        sum.add_vertex(here, v, -k * at.depth * at.normal, k * at.normal * at.normal.transpose(),
+                       x.col(v) - here.place.translation());
+    }
+    for (const Sliding& slider : sliding) {
+        const Vector3d slip = slider.tangent * (x.col(slider.vertex) - here.place * slider.foot);
+        sum.value += slider.friction.value(slip);
+        sum.add_vertex(here, slider.vertex, slider.friction.gradient(slip),
+                       slider.friction.hessian(slip, slider.tangent), here.place.linear() * slider.foot);
     }
 }
 
-BodyContact::Potential BodyContact::potential(const Positions& x, const Vector6d& q) const {
-    Potential sum;
+void BodyContact::add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
+    const Positions& points = body.surface->points;
+    const Positions local = seen_from(here, x);
+    const Matrix3d rotation = here.place.linear();
+    for (const ContactPair& pair : near->touching(local)) {
+        const PairPositions at = pair_positions(local, pair.vertices);
+        sum.stored += sherd::value(pair, at);
+        sum.add_element(here, pair.vertices, body.surface->size(), points, rotation * gradient(pair, at),
+                        turned_blocks(hessian(pair, at, true), rotation));
+    }
+}
+
+void BodyContact::add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
+    const Positions& points = body.surface->points;
+    const Eigen::Isometry3d before = pose(Vector6d::Zero()).place;
+    for (const SlidingPair& pair : sliding_pairs) {
+        PairPositions moved;
+        for (int i = 0; i < 4; ++i) {
+            const Index vertex = pair.vertices[i];
+            if (vertex < body.surface->size())
+                moved.col(i) =
+                    here.place * Vector3d(points.col(vertex)) - before * Vector3d(points.col(vertex));
+            else
+                moved.col(i) =
+                    x.col(vertex - body.surface->size()) - sheet.position.col(vertex - body.surface->size());
+        }
+        const Vector3d slip = pair.slip * moved.reshaped();
+        sum.value += pair.friction.value(slip);
+        const Eigen::Matrix<double, 12, 1> slope = pair.slip.transpose() * pair.friction.gradient(slip);
+        sum.add_element(here, pair.vertices, body.surface->size(), points, slope.reshaped(3, 4),
+                        pair.slip.transpose() * pair.friction.hessian(slip, pair.tangent) * pair.slip);
+    }
+}
+
+BodyPotential BodyContact::potential(const Positions& x, const Vector6d& q) const {
+    const BodyPose here = pose(q);
+    BodyPotential sum;
     add_inertia(q, sum);
-    add_obstacles(q, sum);
-    add_sheet(x, q, sum);
+    add_obstacles(here, sum);
+    add_vertices(x, here, sum);
+    if (near) {
+        add_pairs(x, here, sum);
+        add_sliding_pairs(x, here, sum);
+    }
     sum.value += sum.stored;
     return sum;
+}
+
+double BodyContact::free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const {
+    if (!near) return 1;
+    const BodyPose before = pose(from), after = pose(to);
+    const double angle = Eigen::AngleAxisd(before.place.linear().transpose() * after.place.linear()).angle();
+    // Seen from the body, the straight motion takes the sheet through images of itself that are not folded
+    // over as long as the angle is less than pi.
+    if (angle > largest_turn) return 0.5 * largest_turn / angle;
+    const Positions start = seen_from(before, x);
+    return near->safe_fraction(start, seen_from(after, x) - start);
+}
+
+double BodyContact::safe_fraction(const Positions& x, const Positions& motion) const {
+    if (!near) return 1;
+    solve(x);
+    base = best;
+    const BodyPose here = pose(best);
+    const Positions start = seen_from(here, x);
+    return near->safe_fraction(start, seen_from(here, x + motion) - start);
 }
 
 bool BodyContact::improve(const Positions& x) const {
@@ -145,7 +197,12 @@ bool BodyContact::improve(const Positions& x) const {
     const double slope = direction.dot(at_best.gradient);
     for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
         if (best + direction == best) return false;
-        Potential trial = potential(x, best + direction);
+        if (const double fraction = free_way(x, best, best + direction); fraction < 1) {
+            // A pose on the way is not on the line between the positions, so it has a way of its own.
+            direction *= 2 * 0.9 * fraction;
+            continue;
+        }
+        BodyPotential trial = potential(x, best + direction);
         const double change = trial.value - at_best.value;
         // Where round-off hides the decrease, a step after which the slope is flatter is good, too.
         const bool hidden = std::abs(change) <= round_off_of_value * std::abs(at_best.value);
@@ -159,8 +216,9 @@ bool BodyContact::improve(const Positions& x) const {
     return false;
 }
 
-const BodyContact::Potential& BodyContact::solve(const Positions& x) const {
+const BodyPotential& BodyContact::solve(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return at_best;
+    best = base;
     at_best = potential(x, best);
     for (int i = 0; i < most_iterations && improve(x); ++i) {
     }
@@ -173,47 +231,56 @@ double BodyContact::value(const Positions& x) const {
 }
 
 void BodyContact::add_gradient(const Positions& x, Positions& gradient) const {
-    for (const Push& push : solve(x).pushes) gradient.col(push.vertex) += push.gradient;
+    for (const auto& [vertex, push] : solve(x).pushes) gradient.col(vertex) += push.gradient;
 }
 
 void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
-    const Potential& here = solve(x);
+    const BodyPotential& here = solve(x);
     const Matrix6d inverse = here.hessian.inverse();
-    for (const Push& a : here.pushes) {
-        const Matrix36d eliminated = a.mixed * inverse;
-        for (const Push& b : here.pushes) {
-            if (b.vertex > a.vertex) break;
-            Matrix3d block = -eliminated * b.mixed.transpose();
-            if (a.vertex == b.vertex) block = (a.hessian + 0.5 * (block + block.transpose())).eval();
-            hessian.add(a.vertex, b.vertex, block);
+    for (const auto& [a, push] : here.pushes) {
+        const Matrix36d eliminated = push.mixed * inverse;
+        for (const auto& [b, other] : here.pushes) {
+            if (b > a) break;
+            Matrix3d block = -eliminated * other.mixed.transpose();
+            if (a == b) block = (push.hessian + 0.5 * (block + block.transpose())).eval();
+            hessian.add(a, b, block);
         }
     }
+    for (const auto& [vertices, block] : here.couplings) hessian.add(vertices[0], vertices[1], block);
 }
 
 void BodyContact::add_contacts(const Positions& x, bool ahead,
                                std::vector<std::pair<Index, Index>>& pairs) const {
-    std::vector<Index> vertices;
-    for (const Push& push : solve(x).pushes) vertices.push_back(push.vertex);
+    std::set<Index> vertices;
+    for (const auto& [vertex, push] : solve(x).pushes) vertices.insert(vertex);
     if (ahead) {
-        const Eigen::Isometry3d here = pose(best);
+        const BodyPose here = pose(best);
         const double margin = ahead_of_contact * body.shape->bounds().diagonal().norm();
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-            if (overlap(*body.shape, here, x.col(v), 0.5 * sheet.thickness[v] + margin).depth > 0)
-                vertices.push_back(v);
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+            if (overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v] + margin).depth > 0)
+                vertices.insert(v);
+        std::vector<std::pair<Index, Index>> soon;
+        if (near) near->add_contacts(seen_from(here, x), true, soon);
+        for (const auto& [a, b] : soon) vertices.insert({a, b});
     }
-    for (std::size_t a = 0; a < vertices.size(); ++a)
-        for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(vertices[a], vertices[b]);
+    for (const Index a : vertices)
+        for (const Index b : vertices) {
+            if (b == a) break;
+            pairs.emplace_back(a, b);
+        }
 }
 
 RigidBody BodyContact::moved(const Positions& x) const {
     solve(x);
+    const BodyPose here = pose(best);
     RigidBody result = body;
     result.centre += best.head<3>();
-    result.rotation = Eigen::Quaterniond(pose(best).linear()).normalized().toRotationMatrix();
+    result.rotation = Eigen::Quaterniond(here.place.linear()).normalized().toRotationMatrix();
     result.velocity = best.head<3>() / step;
-    result.angular_momentum = inertia * best.tail<3>() / step;
+    // Of P, the rotation feels torques times the Jacobian; the angular momentum takes them as they are, or
+    // what the sheet gains would not be what the body loses.
+    const Vector3d turned_by_torque = inertia * (best.tail<3>() - predicted.tail<3>()) / step;
+    result.angular_momentum += here.jacobian.transpose().inverse() * turned_by_torque;
     return result;
 }
 
@@ -221,12 +288,11 @@ double BodyContact::stored_energy(const Positions& x) const {
     return solve(x).stored;
 }
 
-Touch BodyContact::touch(const Positions& x) const {
-    const Eigen::Isometry3d here = (solve(x), pose(best));
-    Touch touch;
+void BodyContact::add_touch(const Positions& x, Touch& touch) const {
+    const BodyPose here = (solve(x), pose(best));
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        touch.include(overlap(*body.shape, here, x.col(v), 0.5 * sheet.thickness[v]).depth);
-    return touch;
+        touch.include(v, overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]).depth);
+    if (near) near->add_touched_vertices(seen_from(here, x), touch.vertices);
 }
 
 }  // namespace sherd

@@ -9,13 +9,14 @@
 namespace sherd {
 namespace {
 
-/// Boxes around what each vertex can reach, half of its sheet's thickness included.
-std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within) {
+/// Boxes around what each vertex of sheets can reach, half of its sheet's thickness included, and so many
+/// margins.
+std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
     std::vector<Box> boxes(surface.vertices());
-    for (Index v = 0; v < surface.vertices(); ++v) {
+    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v) {
         const Eigen::Array3d from = within.start.col(v), to = from + within.motion.col(v).array();
-        const double inflation =
-            ContactCandidates::nearness * surface.half_thickness(v) + within.margin + within.round_off;
+        const double inflation = ContactCandidates::nearness * surface.half_thickness(v) +
+                                 margins * (within.margin + within.round_off);
         boxes[v] = {from.min(to) - inflation, from.max(to) + inflation};
     }
     return boxes;
@@ -27,16 +28,25 @@ struct Elements {
     BoxTree tree;
 };
 
-/// Elements that have a vertex that has changed, or (`whether` false) that have none.
-template <std::size_t N>
-Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<char>& changed,
-                  bool whether, const std::vector<Box>& boxes) {
+/// Elements that `wanted` says yes to, given their vertices and their box.
+template <std::size_t N, class Wanted>
+Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
+                  const Wanted& wanted) {
+    const std::vector<Box> all = element_boxes(boxes, elements);
     std::vector<std::array<Index, N>> found;
-    for (const auto& element : elements)
-        if (std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; }) == whether)
-            found.push_back(element);
-    BoxTree tree(element_boxes(boxes, found));
-    return {std::move(found), std::move(tree)};
+    std::vector<Box> around;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (wanted(elements[i], all[i])) {
+            found.push_back(elements[i]);
+            around.push_back(all[i]);
+        }
+    return {std::move(found), BoxTree(around)};
+}
+
+std::vector<std::array<Index, 1>> points(Index from, Index to) {
+    std::vector<std::array<Index, 1>> points;
+    for (Index v = from; v < to; ++v) points.push_back({v});
+    return points;
 }
 
 std::array<Index, 4> both(const std::array<Index, 1>& vertex, const std::array<Index, 3>& triangle) {
@@ -73,32 +83,66 @@ std::vector<char> changed_vertices(const ContactSurface& before, const ContactSu
 
 }  // namespace
 
-ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood)
+ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
+                                     SolidTrees& solids)
     : within(std::move(neighbourhood)) {
-    find(surface, std::vector<char>(surface.vertices(), 1));
+    find(surface, std::vector<char>(surface.vertices(), 1), solids);
 }
 
-void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed) {
-    const std::vector<Box> boxes = vertex_boxes(surface, within);
+void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
+                             SolidTrees& solids) {
+    const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
+    const auto has_changed = [&](const auto& element, const Box&) {
+        return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
+    };
+    const auto has_not = [&](const auto& element, const Box& box) { return !has_changed(element, box); };
     const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
         some.tree.meet(others.tree, [&](Index i, Index j) {
             look_at(surface, kind, both(some.vertices[i], others.vertices[j]));
         });
     };
-    std::vector<std::array<Index, 1>> points(surface.vertices());
-    for (Index v = 0; v < surface.vertices(); ++v) points[v] = {v};
-    const auto vertices = those(points, changed, true, boxes),
-               other_vertices = those(points, changed, false, boxes);
-    const auto triangles = those(surface.triangles(), changed, true, boxes);
-    const auto other_triangles = those(surface.triangles(), changed, false, boxes);
-    meet(PairKind::vertex_triangle, vertices, triangles);
-    meet(PairKind::vertex_triangle, vertices, other_triangles);
-    meet(PairKind::vertex_triangle, other_vertices, triangles);
-    const auto edges = those(surface.edges(), changed, true, boxes);
-    meet(PairKind::edge_edge, edges, those(surface.edges(), changed, false, boxes));
-    edges.tree.meet_itself([&](Index i, Index j) {
-        look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
-    });
+    const auto all_points = points(surface.solid_vertices(), surface.vertices());
+    const auto vertices = those(all_points, boxes, has_changed);
+    const auto triangles = those(surface.triangles(), boxes, has_changed);
+    const auto edges = those(surface.edges(), boxes, has_changed);
+    if (surface.sheets_meet()) {
+        meet(PairKind::vertex_triangle, vertices, triangles);
+        meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, has_not));
+        meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
+        meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
+        edges.tree.meet_itself([&](Index i, Index j) {
+            look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
+        });
+    }
+    if (surface.solid_vertices() > 0) find_on_solids(surface, changed, solids);
+}
+
+void ContactCandidates::find_on_solids(const ContactSurface& surface, const std::vector<char>& changed,
+                                       SolidTrees& solids) {
+    // Boxes of solids have no margin, so it is here twice.
+    const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
+    const auto has_changed = [&](const auto& element, const Box&) {
+        return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
+    };
+    const auto vertices = those(points(surface.solid_vertices(), surface.vertices()), boxes, has_changed);
+    const auto edges = those(surface.edges(), boxes, has_changed);
+    const auto triangles = those(surface.triangles(), boxes, has_changed);
+    for (std::size_t solid = 0; solid + 1 < surface.solid_starts().size(); ++solid) {
+        const ContactSurface::Start first = surface.solid_starts()[solid];
+        const SolidTrees::Trees& trees = solids.of(solid, surface, within);
+        vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
+            look_at(surface, PairKind::vertex_triangle,
+                    both(vertices.vertices[i], surface.solid_triangles()[first.triangle + j]));
+        });
+        triangles.tree.meet(trees.points, [&](Index i, Index j) {
+            look_at(surface, PairKind::vertex_triangle,
+                    both(std::array{first.vertex + j}, triangles.vertices[i]));
+        });
+        edges.tree.meet(trees.edges, [&](Index i, Index j) {
+            look_at(surface, PairKind::edge_edge,
+                    both(edges.vertices[i], surface.solid_edges()[first.edge + j]));
+        });
+    }
 }
 
 void ContactCandidates::look_at(const ContactSurface& surface, PairKind kind,
@@ -136,7 +180,8 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
     return picked;
 }
 
-void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after) {
+void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after,
+                               SolidTrees& solids) {
     const Index known = static_cast<Index>(within.start.cols());
     if (known != before.vertices() || before.triangles().size() != after.triangles().size()) {
         *this = {};
@@ -157,7 +202,7 @@ void ContactCandidates::follow(const ContactSurface& before, const ContactSurfac
         return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
                            [&](Index v) { return changed[v]; });
     });
-    find(after, changed);
+    find(after, changed, solids);
 }
 
 }  // namespace sherd

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "core/contact/contact_surface.h"
-#include "core/contact/neighbourhood.h"
+#include "core/contact/solid_trees.h"
 
 namespace sherd {
 
@@ -17,7 +16,8 @@ class ContactCandidates {
     static constexpr double nearness = 1.15;
 
     ContactCandidates() = default;
-    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood);
+    /// solids: what is kept of them from one call to the next.
+    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, SolidTrees& solids);
 
     const Neighbourhood& neighbourhood() const { return within; }
     /// Pairs among which are all that come near touching somewhere in `smaller`, which has to be in the
@@ -25,7 +25,7 @@ class ContactCandidates {
     std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller);
     /// Looks for pairs anew where triangles have got other vertices, or vertices got or lost twins. A vertex
     /// that is new has the start and the motion of the one it replaced.
-    void follow(const ContactSurface& before, const ContactSurface& after);
+    void follow(const ContactSurface& before, const ContactSurface& after, SolidTrees& solids);
 
   private:
     struct Candidate {
@@ -36,7 +36,8 @@ class ContactCandidates {
     };
 
     /// Looks at all pairs with a vertex that has changed.
-    void find(const ContactSurface& surface, const std::vector<char>& changed);
+    void find(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
+    void find_on_solids(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
     void look_at(const ContactSurface& surface, PairKind kind, const std::array<Index, 4>& vertices);
 
     Neighbourhood within;

@@ -16,18 +16,28 @@ Positions less_mean(const Positions& motion) {
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin)
-    : start(x), motion(less_mean(motion)), margin(margin) {
+Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin, Index solids)
+    : start(x),
+      motion(solids > 0 ? motion : less_mean(motion)),
+      margin(margin),
+      solids(solids),
+      solids_rest(motion.leftCols(solids).isZero(0)) {
     round_off = rounding * ((start.cwiseAbs() + this->motion.cwiseAbs()).maxCoeff() + margin);
 }
 
 bool Neighbourhood::contains(const Positions& x, double spare) const {
     if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
-    const Positions moved = less_mean(x - start);
-    const double way = motion.squaredNorm(), along = moved.cwiseProduct(motion).sum();
+    const bool skip = solids_rest && x.leftCols(solids) == start.leftCols(solids);
+    const auto looked_at = [&](const Positions& all) {
+        return all.rightCols(all.cols() - (skip ? solids : 0));
+    };
+    const Positions difference = looked_at(x) - looked_at(start);
+    const Positions moved = solids > 0 ? difference : less_mean(difference);
+    const auto along_motion = looked_at(motion);
+    const double way = along_motion.squaredNorm(), along = moved.cwiseProduct(along_motion).sum();
     const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;
     const double limit = std::max(0.0, margin - spare);
-    return ((moved - time * motion).colwise().squaredNorm().array() <= limit * limit).all();
+    return ((moved - time * along_motion).colwise().squaredNorm().array() <= limit * limit).all();
 }
 
 bool Neighbourhood::contains(const Neighbourhood& other) const {

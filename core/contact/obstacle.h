@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "core/contact/motion.h"
 #include "core/contact/shape.h"
+#include "core/contact/solid_surface.h"
 
 namespace sherd {
 
@@ -15,6 +17,8 @@ struct Obstacle {
     Motion motion;
     double young = 3e10;  ///< Pa, of what it is made of
     double friction = 0;  ///< Coulomb coefficient
+    /// Of the shape, in its frame. Without it only vertices of sheets meet the obstacle: enough for a plane.
+    std::shared_ptr<const SolidSurface> surface = nullptr;
 
     bool moves() const { return !motion.keys.empty(); }
 };
@@ -28,16 +32,13 @@ struct Overlap {
 
 /// What of a sheet touches obstacles.
 struct Touch {
-    Index vertices = 0;
-    double deepest = 0;  ///< m, depth of the deepest one's skin
+    std::set<Index> vertices;  ///< that touch, by themselves or with a triangle or an edge
+    double deepest = 0;        ///< m, depth of the deepest one's skin
 
-    void include(double depth) {
-        vertices += depth > 0;
+    void include(Index vertex, double depth) {
+        if (depth <= 0) return;
+        vertices.insert(vertex);
         deepest = std::max(deepest, depth);
-    }
-    void include(const Touch& other) {
-        vertices += other.vertices;
-        deepest = std::max(deepest, other.deepest);
     }
 };
 

@@ -45,10 +45,8 @@ double ObstacleContact::stored_energy(const Positions& x) const {
     return sum;
 }
 
-Touch ObstacleContact::touch(const Positions& x) const {
-    Touch touch;
-    for (Eigen::Index v = 0; v < x.cols(); ++v) touch.include(overlap(x, v, pose).depth);
-    return touch;
+void ObstacleContact::add_touch(const Positions& x, Touch& touch) const {
+    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);
 }
 
 double ObstacleContact::value(const Positions& x) const {

@@ -30,7 +30,7 @@ class ObstacleContact : public Energy {
 
     /// Elastic energy stored in the contacts, J.
     double stored_energy(const Positions& x) const;
-    Touch touch(const Positions& x) const;
+    void add_touch(const Positions& x, Touch& touch) const;
 
   private:
     /// A vertex that touched at the beginning of the step.

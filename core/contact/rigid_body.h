@@ -5,16 +5,18 @@
 #include <vector>
 
 #include "core/contact/shape.h"
+#include "core/contact/solid_surface.h"
 
 namespace sherd {
 
 /// A free rigid body.
 struct RigidBody {
-    std::shared_ptr<const Shape> shape;   ///< in the frame of its principal axes, about its centre of mass
-    double mass = 1;                      ///< kg
-    Vector3d inertia = Vector3d::Ones();  ///< kg m^2, about the principal axes
-    double young = 2.1e11;                ///< Pa
-    double friction = 0;                  ///< Coulomb coefficient
+    std::shared_ptr<const Shape> shape;  ///< in the frame of its principal axes, about its centre of mass
+    std::shared_ptr<const SolidSurface> surface = nullptr;  ///< of the shape, in its frame; null: none
+    double mass = 1;                                        ///< kg
+    Vector3d inertia = Vector3d::Ones();                    ///< kg m^2, about the principal axes
+    double young = 2.1e11;                                  ///< Pa
+    double friction = 0;                                    ///< Coulomb coefficient
     /// What of it meets obstacles: points of its frame with a skin (m) around them, and their stiffness over
     /// the modulus in contact (m).
     std::vector<Vector3d> feet;

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/contact_candidates.h"
+#include "core/contact/near_pairs.h"
 #include "core/energy.h"
 
 namespace sherd {
 
-/// Contact of sheets and fragments with each other and with themselves: the barriers of all pairs of a vertex
-/// and a triangle, and of two edges, that are nearer than half the sum of their thicknesses (Li et al. 2020,
-/// with the thickness of Li, Kaufman, Jiang 2021). Infinite where a pair is nearer than its minimum, which no
-/// motion up to safe_fraction() leads to.
+/// Contact of sheets and fragments with each other and with themselves, and with the surfaces of solids: the
+/// barriers of all pairs of a vertex and a triangle, and of two edges, that are nearer than half the sum of
+/// their thicknesses (Li et al. 2020, with the thickness of Li, Kaufman, Jiang 2021). Infinite where a pair
+/// is nearer than its minimum, which no motion up to safe_fraction() leads to.
 class SheetContact : public Energy {
   public:
-    /// The sheet must outlive it.
-    explicit SheetContact(const Sheet& sheet) : sheet(sheet), surface(sheet) {}
+    /// Sheet and solids' surfaces must outlive it. sheets_meet: whether elements of sheets meet each other.
+    explicit SheetContact(const Sheet& sheet, std::vector<ContactSolid> solids = {}, bool sheets_meet = true);
     /// To be called when vertices were added, or triangles or twins changed.
-    void surface_changed();
+    void surface_changed() { near.surface_changed(ContactSurface(sheet, solids, surface().sheets_meet())); }
+    /// Where the solids' vertices are at the beginning and at the end of the step, [3, S] m, those of all
+    /// solids in one row. Energies are those at the end.
+    void place_solids(const Positions& from, const Positions& to);
 
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -25,24 +28,41 @@ class SheetContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
+    /// As safe_fraction(), from where the sheet (x) and the solids are at the beginning of the step, and with
+    /// the motion of the solids.
+    double safe_fraction_of_step(const Positions& x, const Positions& motion) const;
+    /// For each vertex that a solid that moves is near to, or will be, the solid's displacement in the step;
+    /// zero for the others. x: at the beginning of the step. [3, V] m.
+    Positions taken_along(const Positions& x) const;
+
+    const ContactSurface& surface() const { return near.surface(); }
+    /// x [3, V] with the solids before it, at the end of the step and at its beginning; what
+    /// surface().vertices() numbers.
+    const Positions& at_end(const Positions& x) const { return with(end, x); }
+    Positions at_start(const Positions& x) const { return with(start, x); }
     /// The pairs that push at x, vertices with triangles first, ascending. Valid until the next call.
-    const std::vector<ContactPair>& touching(const Positions& x) const;
+    const std::vector<ContactPair>& touching(const Positions& x) const { return near.touching(at_end(x)); }
+    /// The same with the solids where they are at the beginning of the step.
+    const std::vector<ContactPair>& touching_at_start(const Positions& x) const {
+        return near.touching(with(start, x));
+    }
+    /// Adds the vertices that touch solids at x.
+    void add_touched_vertices(const Positions& x, std::set<Index>& vertices) const {
+        near.add_touched_vertices(at_end(x), vertices);
+    }
     /// Throws std::runtime_error, with the vertices of the first pair, if any is nearer than its minimum at
-    /// x.
+    /// the beginning of the step, where the sheet is at x.
     void require_apart(const Positions& x) const;
 
   private:
-    /// Pairs among which are all that touch between x and x + motion.
-    const std::vector<ContactPair>& candidates(const Positions& x, const Positions& motion) const;
+    /// Both in one row; kept until the next call.
+    const Positions& with(const Positions& solid, const Positions& x) const;
 
     const Sheet& sheet;
-    ContactSurface surface;
-    // Kept to save time; no result depends on them.
-    mutable ContactCandidates found;          ///< for some time to come
-    mutable Neighbourhood near;               ///< where the step is about
-    mutable std::vector<ContactPair> pairs;   ///< that may touch there
-    mutable Positions last;                   ///< where the touching pairs were last asked for, m
-    mutable std::vector<ContactPair> active;  ///< the answer
+    std::vector<ContactSolid> solids;
+    NearPairs near;
+    Positions start, end;     ///< [3, S] m, of the solids' vertices
+    mutable Positions whole;  ///< kept to save memory
 };
 
 }  // namespace sherd

@@ -52,14 +52,25 @@ SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double
 }
 
 SheetFriction::SheetFriction(const Sheet& sheet, const SheetContact& contact, double coefficient, double step)
-    : sheet(sheet) {
-    for (const ContactPair& pair : contact.touching(sheet.position))
-        pairs.push_back(sliding_pair(pair, pair_positions(sheet.position, pair.vertices), coefficient, step));
+    : first(contact.surface().solid_vertices()),
+      start(contact.at_start(sheet.position)),
+      solids(contact.at_end(sheet.position).leftCols(first) - start.leftCols(first)) {
+    for (const ContactPair& pair : contact.touching_at_start(sheet.position)) {
+        const ContactSolid* solid = contact.surface().solid_of(pair.kind, pair.vertices);
+        const double own = solid ? solid->friction : coefficient;
+        if (own > 0) pairs.push_back(sliding_pair(pair, pair_positions(start, pair.vertices), own, step));
+    }
 }
 
 Vector3d SheetFriction::slip(const SlidingPair& pair, const Positions& x) const {
-    const PairPositions moved =
-        pair_positions(x, pair.vertices) - pair_positions(sheet.position, pair.vertices);
+    PairPositions moved;
+    for (int i = 0; i < 4; ++i) {
+        const Index vertex = pair.vertices[i];
+        if (vertex < first)
+            moved.col(i) = solids.col(vertex);
+        else
+            moved.col(i) = x.col(vertex - first) - start.col(vertex);
+    }
     return pair.slip * moved.reshaped();
 }
 
@@ -73,7 +84,9 @@ void SheetFriction::add_gradient(const Positions& x, Positions& gradient) const 
     for (const SlidingPair& pair : pairs) {
         const Eigen::Matrix<double, 12, 1> local =
             pair.slip.transpose() * pair.friction.gradient(slip(pair, x));
-        for (int i = 0; i < 4; ++i) gradient.col(pair.vertices[i]) += local.segment<3>(3 * i);
+        for (int i = 0; i < 4; ++i)
+            if (const Index vertex = pair.vertices[i]; vertex >= first)
+                gradient.col(vertex - first) += local.segment<3>(3 * i);
     }
 }
 
@@ -81,11 +94,12 @@ void SheetFriction::add_hessian(const Positions& x, Curvature, BlockMatrix& hess
     for (const SlidingPair& pair : pairs)
         add_element(hessian, pair.vertices,
                     PairHessian(pair.slip.transpose() * pair.friction.hessian(slip(pair, x), pair.tangent) *
-                                pair.slip));
+                                pair.slip),
+                    first);
 }
 
 void SheetFriction::add_contacts(const Positions&, bool, std::vector<std::pair<Index, Index>>& all) const {
-    for (const SlidingPair& pair : pairs) add_pairs(all, pair.vertices);
+    for (const SlidingPair& pair : pairs) add_pairs(all, pair.vertices, first);
 }
 
 }  // namespace sherd

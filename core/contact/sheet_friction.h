@@ -19,11 +19,12 @@ struct SlidingPair {
 /// of its elements show it, so that what turns as a whole does not slide, and friction has no net torque.
 SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double step);
 
-/// Coulomb friction between sheets in one step, for the pairs that touch at its beginning and with their
-/// normal forces there.
+/// Coulomb friction between sheets, and of sheets on the surfaces of solids with their own coefficients, in
+/// one step, for the pairs that touch at its beginning and with their normal forces there.
 class SheetFriction : public Energy {
   public:
-    /// sheet.position are the positions at the beginning of the step; the sheet must outlive it. step: s.
+    /// sheet.position are the positions at the beginning of the step. coefficient: of sheets on sheets;
+    /// step: s. What contact says of solids is asked now and never again.
     SheetFriction(const Sheet& sheet, const SheetContact& contact, double coefficient, double step);
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -35,8 +36,10 @@ class SheetFriction : public Energy {
   private:
     Vector3d slip(const SlidingPair& pair, const Positions& x) const;  ///< m
 
-    const Sheet& sheet;
-    std::vector<SlidingPair> pairs;
+    Index first = 0;                 ///< vertex of the sheets, in the numbers of the pairs
+    Positions start;                 ///< [3, S + V] m, all vertices at the beginning of the step
+    Positions solids;                ///< [3, S] m, displacements
+    std::vector<SlidingPair> pairs;  ///< in the numbers of ContactSurface
 };
 
 }  // namespace sherd

@@ -98,7 +98,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     EXPECT_TRUE(warnings.empty());
     EXPECT_NEAR(distance(solid, 0, Vector3d(1, 0, 0)), -0.1 / std::sqrt(3.0), 1e-3);
     EXPECT_NEAR(distance(solid, 0, Vector3d(1.034, 0.034, 0.034)), 0.002 / std::sqrt(3.0), 2e-4);
-    EXPECT_EQ(obstacle_surface(scene.obstacles[0], solid).triangles.size(), 8u);
+    EXPECT_EQ(solid.surface->triangles.size(), 8u);
 }
 
 TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
@@ -128,16 +128,15 @@ TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
         const Scene scene = scene_of(text);
         std::vector<std::string> warnings;
         const Obstacle made = make_obstacles(scene, scene.obstacles, warnings).at(0);
-        const GridSurface surface = obstacle_surface(scene.obstacles[0], made);
+        const Positions& points = made.surface->points;
         double volume = 0;
-        for (const Vector3d& p : surface.points) EXPECT_NEAR(made.shape->distance(p).distance, 0, 1e-14);
-        for (const auto& [a, b, c] : surface.triangles)
-            volume += surface.points[a].dot(surface.points[b].cross(surface.points[c])) / 6;
+        for (const auto& p : points.colwise()) EXPECT_NEAR(made.shape->distance(p).distance, 0, 1e-14);
+        for (const auto& [a, b, c] : made.surface->triangles)
+            volume += points.col(a).dot(points.col(b).cross(points.col(c))) / 6;
         const double exact = text[0] == 's' ? pi / 6 : text[0] == 'b' ? 6 : pi / 2;
         EXPECT_NEAR(volume, exact, 0.01 * exact) << text;
     }
-    EXPECT_TRUE(
-        obstacle_surface(scene_of("plane = {}").obstacles[0], obstacle_of("plane = {}")).points.empty());
+    EXPECT_EQ(obstacle_of("plane = {}").surface, nullptr);
 }
 
 TEST(SceneObstacle, DensityOrMassMakesAFreeBody) {
@@ -246,6 +245,37 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     EXPECT_EQ(shallow.exit_code, 0) << shallow.err;
     EXPECT_NE(shallow.out.find("the deepest, 0.0001 m beyond touching"), std::string::npos) << shallow.out;
     EXPECT_EQ(outcome("check", 0.998).out.find("start inside"), std::string::npos) << "it lies on the plane";
+}
+
+// The corner of a box between the vertices of a face: none of them is inside, and yet nothing good could
+// come.
+TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
+    const TemporaryDirectory directory;
+    const auto outcome = [&](const std::string& command, const std::string& box) {
+        directory.write("scene.toml", plate + "box = " + box + "\n");
+        return run_sherd({command, "scene.toml"}, directory.path);
+    };
+    for (const std::string command : {"check", "run"}) {
+        const ProgramResult across =
+            outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.97] }");
+        EXPECT_EQ(across.exit_code, 2) << across.err;
+        for (const char* part : {"scene.toml:7: obstacle.thing.box: ",
+                                 " faces of sheet.plate start across its "
+                                 "surface, face "})
+            EXPECT_NE(across.err.find(part), std::string::npos) << across.err;
+        const ProgramResult near =
+            outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.949] }");
+        EXPECT_EQ(near.exit_code, 2) << near.err;
+        EXPECT_NE(near.err.find("sheet.plate starts 0.001 m from its surface, at ["), std::string::npos)
+            << near.err;
+    }
+    const ProgramResult pressed =
+        outcome("check", "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.9482] }");
+    EXPECT_EQ(pressed.exit_code, 0) << pressed.err;
+    EXPECT_NE(pressed.out.find("by 0.0002 m, or make it smaller"), std::string::npos) << pressed.out;
+    EXPECT_EQ(
+        outcome("check", "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.948] }").out.find("starts"),
+        std::string::npos);
 }
 
 }  // namespace

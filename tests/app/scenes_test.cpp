@@ -132,6 +132,8 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
         const Snapshot frame = recording.frame(i);
         expect_manifold(frame);
         expect_no_intersection(frame);
+        EXPECT_EQ(test::faces_in_obstacles(frame, recording.obstacles(), recording.poses(i)), 0u)
+            << "an obstacle passes through faces";
         expect_same_matter(frame, first, header);
         expect_corner_rule(frame, first);
     }

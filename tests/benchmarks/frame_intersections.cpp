@@ -15,12 +15,14 @@ namespace {
 
 void print_row(const std::filesystem::path& file) {
     const Recording recording(file);
-    std::size_t passing = 0, lips = 0;
+    std::size_t passing = 0, lips = 0, through = 0;
+    const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const Snapshot frame = recording.frame(i);
         const test::FrameIntersections found = test::frame_intersections(frame);
         passing += found.passing.size();
         lips = std::max(lips, found.lips);
+        through += test::faces_in_obstacles(frame, obstacles, recording.poses(i));
     }
     double lip = 0, obstacle = 0;
     for (const StepReport& step : recording.steps()) {
@@ -28,8 +30,9 @@ void print_row(const std::filesystem::path& file) {
         obstacle = std::max(obstacle, step.obstacle_overlap);
     }
     const Snapshot last = recording.frame(recording.frame_count() - 1);
-    fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} |\n", file.stem().string(), last.faces.size(),
-               recording.steps().size(), recording.frame_count(), passing, lips, 1e6 * lip, 1e6 * obstacle);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.1f} | {:.1f} |\n", file.stem().string(),
+               last.faces.size(), recording.steps().size(), recording.frame_count(), passing, through, lips,
+               1e6 * lip, 1e6 * obstacle);
 }
 
 }  // namespace

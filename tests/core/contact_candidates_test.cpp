@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tests/support/contact_pairs.h"
+#include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
@@ -37,6 +38,11 @@ std::vector<Name> near_pairs(const ContactSurface& surface, const Positions& x) 
     for (const auto& first : surface.edges())
         for (const auto& second : surface.edges())
             if (first < second) look({PairKind::edge_edge, {first[0], first[1], second[0], second[1]}});
+    for (const auto& [a, b] : surface.solid_edges())
+        for (const auto& [c, d] : surface.edges()) look({PairKind::edge_edge, {a, b, c, d}});
+    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v)
+        for (const auto& [a, b, c] : surface.solid_triangles())
+            look({PairKind::vertex_triangle, {v, a, b, c}});
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -90,7 +96,8 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
             for (const double common : {0.0, 10.0}) {
                 Positions motion = flight(random, sheet, speed, spin);
                 motion.colwise() += common * Vector3d(1, -2, 3);
-                ContactCandidates candidates(surface, {sheet.position, motion, 1e-3});
+                SolidTrees none;
+                ContactCandidates candidates(surface, {sheet.position, motion, 1e-3}, none);
                 for (int sample = 0; sample < 12; ++sample) {
                     const Positions x =
                         sheet.position + random.uniform(0, 1) * motion + noise(random, count, 4e-4);
@@ -111,12 +118,48 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
     EXPECT_GT(found, 10000u);
 }
 
+// Of solids, those that rest and those that move, whatever trees were kept of them.
+TEST(ContactCandidates, MissNoPairWithSolids) {
+    const Sheet sheet = test::stacked_plates(1, 4, 0, ceramic);
+    const auto box = test::box_surface(Vector3d(0, 0, -0.011), Vector3d(0.03, 0.02, 0.01));
+    const auto ball = test::sphere_surface(0.02, 2);
+    std::vector<ContactSolid> both(2);
+    both[0].surface = box.get();
+    both[1].surface = ball.get();
+    const ContactSurface surface(sheet, both, false);
+    const Index solids = surface.solid_vertices(), count = surface.vertices();
+    Positions start(3, count);
+    start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), sheet.position;
+    Random random(5);
+    SolidTrees kept;
+    std::size_t found = 0, asked = 0;
+    for (const double of_ball : {0.0, 0.01, 0.0})
+        for (const double of_sheet : {0.0, 0.01}) {
+            Positions motion = Positions::Zero(3, count);
+            motion.middleCols(8, solids - 8).colwise() = Vector3d(0, of_ball, 0);
+            motion.rightCols(count - solids).colwise() = Vector3d(of_sheet, 0, 0);
+            ContactCandidates candidates(surface, Neighbourhood(start, motion, 1e-3, solids), kept);
+            for (int sample = 0; sample < 20; ++sample) {
+                Positions x = start + random.uniform(0, 1) * motion;
+                x.rightCols(count - solids) += noise(random, count - solids, 4e-4);
+                const Neighbourhood near(x, Positions::Zero(3, count), 1e-4, solids);
+                if (!candidates.neighbourhood().contains(near)) continue;
+                ++asked;
+                expect_all_near(surface, candidates.pick(surface, near), x);
+                found += near_pairs(surface, x).size();
+            }
+        }
+    EXPECT_GT(asked, 50u);
+    EXPECT_GT(found, 1000u);
+}
+
 // Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
 TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     Sheet sheet = test::stacked_plates(2, 4, 2.1e-3, ceramic);
     ContactSurface surface(sheet);
     const Positions still = Positions::Zero(3, sheet.position.cols());
-    ContactCandidates candidates(surface, {sheet.position, still, 1e-3});
+    SolidTrees none;
+    ContactCandidates candidates(surface, {sheet.position, still, 1e-3}, none);
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
         const Index corner = sheet.triangles[triangle].vertices[1],
                     copy = static_cast<Index>(sheet.mass.size());
@@ -126,12 +169,12 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
         sheet.twins.push_back({corner, copy});
         if (triangle == 3) sheet.twins.erase(sheet.twins.begin());
         const ContactSurface before = std::exchange(surface, ContactSurface(sheet));
-        candidates.follow(before, surface);
+        candidates.follow(before, surface, none);
         const Neighbourhood here(sheet.position, Positions::Zero(3, copy + 1), 1e-4);
         ASSERT_TRUE(candidates.neighbourhood().contains(here));
         const std::vector<ContactPair> picked = candidates.pick(surface, here);
         expect_all_near(surface, picked, sheet.position);
-        ContactCandidates anew(surface, here);
+        ContactCandidates anew(surface, here, none);
         const std::vector<ContactPair> expected = anew.pick(surface, here);
         EXPECT_EQ(names_of(picked), names_of(expected));
         for (std::size_t i = 0; i < picked.size(); ++i) {

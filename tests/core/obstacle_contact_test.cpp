@@ -42,7 +42,9 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         for (const bool moves : {false, true}) {
             if (moves) obstacle.motion = turning;
             const ObstacleContact contact(sheet, obstacle, 0.5, 1e-3);
-            EXPECT_EQ(contact.touch(sheet.position).vertices, 1);
+            Touch touch;
+            contact.add_touch(sheet.position, touch);
+            EXPECT_EQ(touch.vertices.size(), 1u);
             for (int i = 0; i < 50; ++i) {
                 const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and below the smoothing
                 const Vector3d moved = Vector3d(sheet.position.col(0)) + random.matrix<Vector3d>(way);

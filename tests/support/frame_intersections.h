@@ -4,8 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "fracture/snapshot.h"
+#include "app/recording/recording.h"
 #include "meshops/self_intersections.h"
+#include "meshops/surface_crossings.h"
 
 namespace sherd::test {
 
@@ -38,6 +39,19 @@ inline FrameIntersections frame_intersections(const Snapshot& frame) {
             found.passing.push_back(pair);
     }
     return found;
+}
+
+/// Faces of a frame that a recorded obstacle passes through, of all obstacles as they stand in it.
+inline std::size_t faces_in_obstacles(const Snapshot& frame, const std::vector<RecordedObstacle>& obstacles,
+                                      const std::vector<Eigen::Isometry3d>& poses) {
+    const Mesh mesh = frame_mesh(frame);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        std::vector<Eigen::Vector3d> points = obstacles[i].surface.points;
+        for (Eigen::Vector3d& point : points) point = poses[i] * point;
+        count += surface_crossings(mesh, points, obstacles[i].surface.triangles).size();
+    }
+    return count;
 }
 
 }  // namespace sherd::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+
 #include "core/contact/obstacle.h"
 #include "core/contact/solids.h"
 #include "core/sheet.h"
@@ -15,6 +17,54 @@ Obstacle obstacle(const Solid& solid, double young = 3e10, double friction = 0) 
 /// The plane z = 0.
 inline Obstacle floor(double young = 3e10, double friction = 0) {
     return obstacle(PlaneShape{}, young, friction);
+}
+
+/// A box of twelve triangles.
+inline std::shared_ptr<const SolidSurface> box_surface(const Vector3d& centre, const Vector3d& half) {
+    Positions points(3, 8);
+    for (int i = 0; i < 8; ++i)
+        points.col(i) = centre + half.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+    std::vector<std::array<Index, 3>> triangles;
+    for (const auto& [a, b, c, d] :
+         {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4}, std::array{2, 6, 7, 3},
+          std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+        triangles.push_back({a, b, c});
+        triangles.push_back({a, c, d});
+    }
+    return std::make_shared<SolidSurface>(solid_surface(points, triangles));
+}
+
+/// A box with a surface.
+inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double young = 3e10,
+                          double friction = 0) {
+    Obstacle box = obstacle(BoxShape(centre, half), young, friction);
+    box.surface = box_surface(centre, half);
+    return box;
+}
+
+/// A sphere about the origin, from an octahedron whose triangles are cut in four so many times.
+inline std::shared_ptr<const SolidSurface> sphere_surface(double radius, int times) {
+    std::vector<Vector3d> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    std::vector<std::array<Index, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                                {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    for (; times > 0; --times) {
+        std::map<std::pair<Index, Index>, Index> middles;
+        const auto middle = [&](Index a, Index b) {
+            const auto [found, is_new] = middles.try_emplace(std::minmax({a, b}), points.size());
+            if (is_new) points.push_back((points[a] + points[b]).normalized());
+            return found->second;
+        };
+        std::vector<std::array<Index, 3>> finer;
+        for (const auto& [a, b, c] : triangles) {
+            const Index d = middle(a, b), e = middle(b, c), f = middle(c, a);
+            for (const auto& part : {std::array{a, d, f}, {d, b, e}, {f, e, c}, {d, e, f}})
+                finer.push_back(part);
+        }
+        triangles = finer;
+    }
+    Positions all(3, points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) all.col(i) = radius * points[i];
+    return std::make_shared<SolidSurface>(solid_surface(all, triangles));
 }
 
 /// A lone vertex, which a step treats as a ball of mass 0.1 kg, 1 cm thick.

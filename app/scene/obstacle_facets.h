@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/solid_surface.h"
+#include "core/contact/solids.h"
+#include "meshops/mesh.h"
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+// Surfaces of solids as triangles that face outward, in the frame of the solid. Round ones have their points
+// on the surface and facets inside it, by about `sagitta` (m), but no fewer than are good to look at and no
+// more than 36,000.
+
+SolidSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
+SolidSurface facets(const SphereShape& sphere, double sagitta);
+SolidSurface facets(const CylinderShape& cylinder, double sagitta);
+SolidSurface facets(const BoxShape& box, double sagitta);
+SolidSurface facets(const Mesh& mesh);
+SolidSurface facets(const GridSurface& surface);
+
+}  // namespace sherd

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an obstacle's corners and edges meet the faces of a sheet, and where it is thinner than a step is
+// long, its vertices alone would let it through.
+#include <gtest/gtest.h>
+
+#include "core/contact/contact_solids.h"
+#include "core/contact/sheet_friction.h"
+#include "core/time_step.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+#include "tests/support/solid_gap.h"
+
+namespace sherd::test {
+namespace {
+
+const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
+const Material rubber{.density = 1000, .thickness = 2e-3, .young = 1e7, .poisson = 0.4};
+
+TimeStepOptions against(const Obstacle& obstacle, double step) {
+    TimeStepOptions options;
+    options.step = step;
+    options.gravity.setZero();
+    options.obstacles = {obstacle};
+    options.newton.tolerance = 1e-8;
+    return options;
+}
+
+/// Advances by `count` steps, each of which must be possible and leave a gap.
+void advance(Sheet& sheet, const TimeStepOptions& options, int count, double thickness) {
+    TimeStep time_step(sheet, options);
+    for (int i = 1; i <= count; ++i) {
+        ASSERT_TRUE(time_step.begin()) << "step " << i;
+        ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
+        time_step.finish();
+        ASSERT_GT(gap(sheet, options.obstacles[0], i * options.step), 0.375 * thickness) << "step " << i;
+    }
+}
+
+/// A box that stands on one of its corners, which is at the origin.
+Obstacle spike(double friction = 0) {
+    const double half = 0.02;
+    Obstacle box = solid_box(Vector3d::Zero(), Vector3d::Constant(half), 3e10, friction);
+    box.motion.place.linear() =
+        Eigen::Quaterniond::FromTwoVectors(Vector3d::Ones(), Vector3d::UnitZ()).toRotationMatrix();
+    box.motion.place.translation() = Vector3d(0, 0, -std::sqrt(3.0) * half);
+    return box;
+}
+
+// The corner and the edges of a box under faces; what they do to the sheet must be what the energy says.
+TEST(SolidContact, ForceAndStiffnessAreDerivativesOfTheValue) {
+    Sheet sheet = stacked_plates(1, 2, 0, rubber);
+    sheet.position.colwise() += Vector3d(0.011, 0.007, 0.47 * rubber.thickness);
+    const std::vector<Obstacle> obstacles{spike(0.4)};
+    SheetContact contact(sheet, contact_solids(sheet, obstacles), false);
+    const Positions solid = solid_positions(obstacles, 0);
+    contact.place_solids(solid, solid);
+    ASSERT_GT(contact.touching(sheet.position).size(), 0u);
+    expect_derivatives(contact, sheet.position, 1e-9, 1e-4);
+
+    Positions moved = solid;
+    moved.row(0).array() += 2e-5;
+    contact.place_solids(solid, moved);
+    const SheetFriction friction(sheet, contact, 0, 1e-3);
+    Positions force = Positions::Zero(3, sheet.position.cols());
+    friction.add_gradient(sheet.position, force);
+    EXPECT_LT(force.row(0).sum(), 0) << "the energy falls where the sheet follows";
+    expect_derivatives(friction, sheet.position, 1e-10, 1e-3);
+}
+
+// Between the vertices of a coarse plate there is room for the corner of a box.
+TEST(SolidContact, ACornerDoesNotPassThroughAFace) {
+    Sheet sheet = stacked_plates(1, 2, 0, rubber);
+    sheet.position.colwise() += Vector3d(0.011, 0.007, 0.004);
+    sheet.velocity.row(2).setConstant(-10);
+    advance(sheet, against(spike(), 1e-4), 40, rubber.thickness);
+    EXPECT_GT(linear_momentum(sheet).z(), -0.9 * 10 * sheet.mass.sum()) << "it felt the corner";
+}
+
+// A kilometre a second at a step in which the plate would be far behind the wall.
+TEST(SolidContact, AThinWallStopsAPlateAtAKilometreASecond) {
+    Sheet sheet = stacked_plates(1, 4, 0, ceramic);
+    sheet.position.row(2).array() += 0.05;
+    sheet.velocity.row(2).setConstant(-1000);
+    const Obstacle wall = solid_box(Vector3d::Zero(), Vector3d(0.2, 0.2, 5e-5));
+    advance(sheet, against(wall, 1e-4), 5, ceramic.thickness);
+    EXPECT_GT(sheet.position.row(2).minCoeff(), 0);
+    EXPECT_GT(linear_momentum(sheet).z(), 0) << "thrown back";
+}
+
+// A thin box that is moved takes along what is in its way, though it advances by many thicknesses a step.
+TEST(SolidContact, AMovingWallTakesAPlateAlong) {
+    Sheet sheet = stacked_plates(1, 4, 0, rubber);
+    sheet.position.row(2).array() += 0.003;
+    Obstacle wall = solid_box(Vector3d::Zero(), Vector3d(0.2, 0.2, 5e-5));
+    wall.motion.smooth = false;
+    wall.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
+                        {1, Vector3d(0, 0, 20), Vector3d::UnitX(), 0.3}};
+    advance(sheet, against(wall, 1e-3), 20, rubber.thickness);
+    EXPECT_GT(sheet.velocity.row(2).mean(), 15);
+}
+
+// The surface must not add to the spring that the vertices feel: a plate lies on a box as on a plane.
+TEST(SolidContact, APlateLiesOnABoxAsOnAPlane) {
+    double depth[2];
+    for (const bool surface : {false, true}) {
+        Sheet sheet = stacked_plates(1, 4, 0, rubber);
+        sheet.position.row(2).array() += 0.5 * rubber.thickness;
+        Obstacle box = solid_box(Vector3d(0, 0, -1), Vector3d(1, 1, 1));
+        if (!surface) box.surface = nullptr;
+        TimeStepOptions options = against(box, 1e-2);
+        options.gravity = Vector3d(0, 0, -9.81);
+        options.newton.tolerance = 1e-13;
+        TimeStep time_step(sheet, options);
+        for (int i = 0; i < 100; ++i) {
+            time_step.begin();
+            time_step.solve(50);
+            time_step.finish();
+        }
+        depth[surface] = 0.5 * rubber.thickness - sheet.position.row(2).mean();
+    }
+    EXPECT_GT(depth[0], 0);
+    EXPECT_NEAR(depth[1], depth[0], 1e-2 * depth[0]);
+}
+
+// A sheet that is pinned inside a box hangs from it; the rest of it meets the box.
+TEST(SolidContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
+    Sheet sheet = stacked_plates(1, 8, 0, rubber);
+    const Obstacle holder = solid_box(Vector3d(-0.06, 0, 0), Vector3d(0.015, 0.2, 0.01));
+    for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
+        sheet.fixed[v] = sheet.rest(0, v) < -0.044;
+    TimeStepOptions options = against(holder, 1e-3);
+    options.gravity = Vector3d(0, 0, -9.81);
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < 50; ++i) {
+        ASSERT_TRUE(time_step.begin());
+        ASSERT_TRUE(time_step.solve(100).converged);
+        time_step.finish();
+    }
+    EXPECT_LT(sheet.position.row(2).minCoeff(), -5e-3) << "it hangs";
+}
+
+}  // namespace
+}  // namespace sherd::test
