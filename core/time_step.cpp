@@ -54,7 +54,7 @@ void TimeStep::prepare() {
         obstacle_contact.emplace_back(sheet, obstacle, start, step);
     prepare_bodies();
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
-    for (const BodyContact& contact : body_contact) energies.push_back(&contact);
+    if (body_contact) energies.push_back(body_contact.get());
     for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
     if (sheet_contact) energies.push_back(sheet_contact.get());
     if (options.sheet_contact) energies.push_back(&lips);
@@ -64,13 +64,14 @@ void TimeStep::prepare() {
 }
 
 void TimeStep::prepare_bodies() {
-    std::vector<Vector6d> apart;
-    for (const BodyContact& contact : body_contact) apart.push_back(contact.apart());
-    if (apart.empty()) apart.assign(start_bodies.size(), Vector6d::Zero());
-    body_contact.clear();
+    if (start_bodies.empty()) return;
+    std::vector<BodyStep> steps;
     for (std::size_t i = 0; i < start_bodies.size(); ++i)
-        body_contact.emplace_back(sheet, start_bodies[i], options.obstacles, options.gravity, start, step,
-                                  body_pairs[i].get(), apart[i]);
+        steps.emplace_back(sheet, start_bodies[i], options.obstacles, options.gravity, start, step,
+                           body_pairs[i].get());
+    const VectorXd apart =
+        body_contact ? body_contact->apart() : VectorXd(VectorXd::Zero(6 * start_bodies.size()));
+    body_contact = std::make_unique<BodyContact>(std::move(steps), step, apart);
 }
 
 Positions TimeStep::carried(const Positions& motion) const {
@@ -90,8 +91,7 @@ bool TimeStep::predict() {
     const Positions motion = potential->predicted() - sheet.position;
     const auto free_way = [&](const Positions& way) {
         double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(sheet.position, way) : 1;
-        for (const BodyContact& body : body_contact)
-            fraction = std::min(fraction, body.safe_fraction(sheet.position, way));
+        if (body_contact) fraction = std::min(fraction, body_contact->safe_fraction(sheet.position, way));
         return fraction;
     };
     const double fraction = free_way(motion);
@@ -113,7 +113,7 @@ bool TimeStep::begin(double length) {
     step = length;
     start = time;
     start_bodies = moved_bodies;
-    body_contact.clear();
+    body_contact = nullptr;
     prepare();
     if (sheet_contact) sheet_contact->require_apart(sheet.position);
     const bool carried = predict();
@@ -136,7 +136,7 @@ void TimeStep::stencils_changed() {
 }
 
 void TimeStep::finish() {
-    for (std::size_t i = 0; i < body_contact.size(); ++i) moved_bodies[i] = body_contact[i].moved(position);
+    if (body_contact) moved_bodies = body_contact->moved(position);
     sheet.velocity = (position - sheet.position) / step;
     sheet.position = position;
     time = start + step;
@@ -148,7 +148,7 @@ PotentialEnergies TimeStep::energies() const {
     sum.membrane = membrane.value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const ObstacleContact& contact : obstacle_contact) sum.contact += contact.stored_energy(position);
-    for (const BodyContact& contact : body_contact) sum.contact += contact.stored_energy(position);
+    if (body_contact) sum.contact += body_contact->stored_energy(position);
     for (const RigidBody& body : moved_bodies) sum.gravity -= body.mass * options.gravity.dot(body.centre);
     if (sheet_contact) sum.contact += sheet_contact->value(position);
     if (options.sheet_contact) sum.contact += lips.value(position);
@@ -158,7 +158,7 @@ PotentialEnergies TimeStep::energies() const {
 Touch TimeStep::touch() const {
     Touch touch;
     for (const ObstacleContact& contact : obstacle_contact) contact.add_touch(position, touch);
-    for (const BodyContact& contact : body_contact) contact.add_touch(position, touch);
+    if (body_contact) body_contact->add_touch(position, touch);
     if (sheet_contact) sheet_contact->add_touched_vertices(position, touch.vertices);
     return touch;
 }

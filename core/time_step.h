@@ -83,8 +83,8 @@ class TimeStep {
     std::vector<MirrorHinge> mirror_hinges;  ///< at the end of the open step, or the last one
     MirrorEnergy mirrors;
     std::vector<std::unique_ptr<NearPairs>> body_pairs;  ///< of each body; null: it has no surface
-    std::vector<BodyContact> body_contact;               ///< of the open step, or the last one
-    std::vector<ObstacleContact> obstacle_contact;       ///< of the open step, or the last one
+    std::unique_ptr<BodyContact> body_contact;      ///< of the open step, or the last one; null: no bodies
+    std::vector<ObstacleContact> obstacle_contact;  ///< of the open step, or the last one
     /// None if sheets are not to meet each other, and no obstacle has a surface.
     std::unique_ptr<SheetContact> sheet_contact;
     LipContact lips;

@@ -64,16 +64,38 @@ void require_few_voxels(const Polygons& polygons, double voxel) {
                          ": make them larger"));
 }
 
-openvdb::FloatGrid::Ptr distances(const Polygons& polygons, double voxel, double reach) {
-    require_few_voxels(polygons, voxel);
-    openvdb::initialize();
+using TransformPointer = openvdb::math::Transform::Ptr;
+
+openvdb::FloatGrid::Ptr distances(const Polygons& polygons, const TransformPointer& transform, double reach) {
+    const double voxel = transform->voxelSize().x();
     // In several threads, which of two triangles that are equally near is kept would be a matter of luck.
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-    const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
     const auto layer = static_cast<float>(std::ceil(reach / voxel) + layer_beyond);
     return openvdb::tools::meshToSignedDistanceField<openvdb::FloatGrid>(
         *transform, polygons.points, polygons.triangles, polygons.quads, layer,
         std::numeric_limits<float>::max());
+}
+
+/// Puts the distances that a level set holds where it holds some: all but its background.
+void take_values(const openvdb::FloatGrid& level_set, double scale, openvdb::FloatGrid& grid) {
+    auto voxels = grid.getAccessor();
+    for (auto value = level_set.cbeginValueOn(); value; ++value)
+        if (value.isVoxelValue() && std::abs(*value) < level_set.background())
+            voxels.setValue(value.getCoord(), static_cast<float>(scale * *value));
+}
+
+Vector3d eigen(const openvdb::Vec3d& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+/// From space to numbers of voxels.
+Eigen::Affine3d to_index(const openvdb::math::Transform& transform) {
+    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    map.translation() = eigen(transform.worldToIndex({0, 0, 0}));
+    map.linear().col(0) = eigen(transform.worldToIndex({1, 0, 0})) - map.translation();
+    map.linear().col(1) = eigen(transform.worldToIndex({0, 1, 0})) - map.translation();
+    map.linear().col(2) = eigen(transform.worldToIndex({0, 0, 1})) - map.translation();
+    return map;
 }
 
 Polygons polygons_of(const Mesh& mesh) {
@@ -137,13 +159,17 @@ GridSurface surface_of(const Polygons& polygons) {
 }  // namespace
 
 struct SignedDistanceGrid::State {
-    openvdb::FloatGrid::ConstPtr grid;
+    openvdb::FloatGrid::Ptr grid;
     double voxel;
+    Eigen::Affine3d to_index;
     GridSurface surface;
     Eigen::AlignedBox3d box;
 
-    State(const Polygons& polygons, double voxel, double reach)
-        : grid(distances(polygons, voxel, reach)), voxel(voxel), surface(surface_of(polygons)) {
+    State(const Polygons& polygons, const TransformPointer& transform, double reach)
+        : grid(distances(polygons, transform, reach)),
+          voxel(transform->voxelSize().x()),
+          to_index(sherd::to_index(*transform)),
+          surface(surface_of(polygons)) {
         // By a voxel more than the surface, which single precision does not put where the distances do: where
         // the box ends forces would have a step.
         const Vector3d margin = Vector3d::Constant(voxel);
@@ -154,7 +180,11 @@ struct SignedDistanceGrid::State {
 SignedDistanceGrid::SignedDistanceGrid(std::shared_ptr<const State> state) : state(std::move(state)) {}
 
 SignedDistanceGrid SignedDistanceGrid::of_mesh(const Mesh& mesh, double voxel, double reach) {
-    SignedDistanceGrid grid(std::make_shared<State>(polygons_of(mesh), voxel, reach));
+    openvdb::initialize();
+    const Polygons polygons = polygons_of(mesh);
+    require_few_voxels(polygons, voxel);
+    SignedDistanceGrid grid(
+        std::make_shared<State>(polygons, openvdb::math::Transform::createLinearTransform(voxel), reach));
     const double expected = enclosed_volume(mesh), found = grid.volume();
     if (found > 0.5 * expected && found > 0) return grid;
     throw Error(
@@ -177,14 +207,23 @@ SignedDistanceGrid SignedDistanceGrid::of_level_set(const std::filesystem::path&
                              "distance VDB of Houdini's VDB from Polygons"));
         const Polygons polygons = polygons_of(*level_set, scale);
         if (polygons.points.empty()) throw Error("its level set is empty");
-        const openvdb::Vec3d size = level_set->voxelSize();
-        const double voxel = scale * std::min({size.x(), size.y(), size.z()});
-        return SignedDistanceGrid(std::make_shared<State>(polygons, voxel, reach));
+        TransformPointer transform = level_set->transform().copy();
+        transform->postScale(scale);
+        const openvdb::Vec3d size = transform->voxelSize();
+        require_few_voxels(polygons, std::min({size.x(), size.y(), size.z()}));
+        const bool cubic = transform->isLinear() && transform->hasUniformScale();
+        if (!cubic)
+            transform =
+                openvdb::math::Transform::createLinearTransform(std::min({size.x(), size.y(), size.z()}));
+        const auto state = std::make_shared<State>(polygons, transform, reach);
+        if (cubic) take_values(*level_set, scale, *state->grid);
+        return SignedDistanceGrid(state);
     });
 }
 
 SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vector3d& point) const {
-    const SplineWeights x(point.x() / state->voxel), y(point.y() / state->voxel), z(point.z() / state->voxel);
+    const Vector3d index = state->to_index * point;
+    const SplineWeights x(index.x()), y(index.y()), z(index.z());
     const auto voxels = state->grid->getConstUnsafeAccessor();
     const float beyond = state->grid->background();
     Sample sum{0, Vector3d::Zero(), Matrix3d::Zero()};
@@ -205,8 +244,10 @@ SignedDistanceGrid::Sample SignedDistanceGrid::sample(const Vector3d& point) con
                 sum.hessian(2, 0) += value * x.slope[i] * y.value[j] * z.slope[k];
                 sum.hessian(2, 1) += value * x.value[i] * y.slope[j] * z.slope[k];
             }
-    sum.gradient /= state->voxel;
-    sum.hessian = sum.hessian.selfadjointView<Eigen::Lower>().toDenseMatrix() / (state->voxel * state->voxel);
+    const Matrix3d by_place = state->to_index.linear();
+    sum.gradient = (by_place.transpose() * sum.gradient).eval();
+    sum.hessian =
+        by_place.transpose() * sum.hessian.selfadjointView<Eigen::Lower>().toDenseMatrix() * by_place;
     return sum;
 }
 

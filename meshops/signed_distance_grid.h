@@ -33,9 +33,10 @@ class SignedDistanceGrid {
     /// in.
     static SignedDistanceGrid of_mesh(const Mesh& mesh, double voxel, double reach);
     /// The level set `name` of an OpenVDB file (empty: the only one), in its own world space times `scale`.
-    /// Its surface is what is kept; the distances are made anew, with voxels of its size. Throws Error naming
-    /// the file when it is missing, damaged or no OpenVDB file, has no such grid, or one that is no level
-    /// set.
+    /// Its voxels are taken as they are; beyond the layer that it has, inward to the middle and outward as
+    /// far as `reach`, distances from its surface are added. Of voxels that are not cubic only the surface is
+    /// kept, with the distances made anew. Throws Error naming the file when it is missing, damaged or no
+    /// OpenVDB file, has no such grid, or one that is no level set.
     static SignedDistanceGrid of_level_set(const std::filesystem::path& file, const std::string& name,
                                            double scale, double reach);
 

@@ -3,7 +3,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 
 namespace sherd {
@@ -11,189 +14,142 @@ namespace {
 
 constexpr int most_iterations = 100, most_halvings = 40;
 constexpr double round_off_of_value = 1e-12;
-constexpr double ahead_of_contact = 0.1;  // of the body's size: vertices that may soon touch
-constexpr double largest_turn = 1;        // rad, between two poses that are tried one after the other
+constexpr double ahead_of_contact = 0.1;  // of a body's size: others that may soon touch it
 
-/// A matrix of four vertices' blocks in axes that are turned.
-PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
-    PairHessian result;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            result.block<3, 3>(3 * i, 3 * j) =
-                rotation * matrix.block<3, 3>(3 * i, 3 * j) * rotation.transpose();
-    return result;
+bool is_ball(const RigidBody& body) {
+    return body.feet.size() == 1;
+}
+
+double foot_stiffness(const RigidBody& body, const RigidBody& other) {
+    return body.foot / (1 / body.young + 1 / other.young);
 }
 
 }  // namespace
 
-ContactSurface surface_with(const Sheet& sheet, const RigidBody& body) {
-    return ContactSurface(sheet, {{body.surface.get(), body.young, body.friction, {}}}, false);
+BodyContact::BodyContact(std::vector<BodyStep> steps, double step, const VectorXd& q)
+    : bodies(std::move(steps)), base(q) {
+    find_meetings();
+    find_sliding(step);
 }
 
-BodyContact::BodyContact(const Sheet& sheet, const RigidBody& body, const std::vector<Obstacle>& obstacles,
-                         const Vector3d& gravity, double time, double step, const NearPairs* near,
-                         const Vector6d& q)
-    : sheet(sheet),
-      body(body),
-      obstacles(obstacles),
-      near(near),
-      step(step),
-      end(time + step),
-      inertia(body.inertia_in_space()),
-      base(q) {
-    predicted << step * body.velocity + step * step * gravity, step * body.spin();
-    if (body.friction > 0) find_sliding();
-}
-
-void BodyContact::find_sliding() {
-    const BodyPose start = pose(Vector6d::Zero());
-    for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v) {
-        const Vector3d x = sheet.position.col(v);
-        const Overlap at = overlap(*body.shape, start.place, x, 0.5 * sheet.thickness[v]);
-        if (at.depth > 0)
-            sliding.push_back({v,
-                               start.place.inverse() * x,
-                               Matrix3d::Identity() - at.normal * at.normal.transpose(),
-                               {body.friction * stiffness(v) * at.depth, smoothing_speed * step}});
-    }
-    if (!near) return;
-    const Positions local = seen_from(start, sheet.position), space = start.place * local;
-    for (const ContactPair& pair : near->touching(local))
-        sliding_pairs.push_back(
-            sliding_pair(pair, pair_positions(space, pair.vertices), body.friction, step));
-}
-
-double BodyContact::stiffness(Eigen::Index vertex) const {
-    return column_stiffness(sheet.footprint[vertex], sheet.thickness[vertex], sheet.young[vertex],
-                            body.young);
-}
-
-BodyPose BodyContact::pose(const Vector6d& q) const {
-    BodyPose pose{Eigen::Isometry3d::Identity(), rotation_jacobian(q.tail<3>())};
-    pose.place.linear() = turned(q.tail<3>()) * body.rotation;
-    pose.place.translation() = body.centre + q.head<3>();
-    return pose;
-}
-
-Positions BodyContact::seen_from(const BodyPose& pose, const Positions& x) const {
-    const Positions& points = body.surface->points;
-    Positions all(3, points.cols() + x.cols());
-    all << points, pose.place.inverse() * x;
-    return all;
-}
-
-void BodyContact::add_inertia(const Vector6d& q, BodyPotential& sum) const {
-    Matrix6d mass = Matrix6d::Zero();
-    mass.topLeftCorner<3, 3>().diagonal().setConstant(body.mass / (step * step));
-    mass.bottomRightCorner<3, 3>() = inertia / (step * step);
-    const Vector6d away = q - predicted;
-    sum.value += 0.5 * away.dot(mass * away);
-    sum.gradient += mass * away;
-    sum.hessian += mass;
-}
-
-void BodyContact::add_obstacles(const BodyPose& here, BodyPotential& sum) const {
-    for (const Obstacle& obstacle : obstacles) {
-        const double stiffness = body.foot / (1 / body.young + 1 / obstacle.young);
-        const Eigen::Isometry3d there = obstacle.motion.at(end);
-        for (const Vector3d& foot : body.feet) {
-            const Overlap at = overlap(*obstacle.shape, there, here.place * foot, body.skin);
-            if (at.depth <= 0) continue;
-            const Vector6d slope = here.point_motion(here.place.linear() * foot).transpose() * at.normal;
-            sum.stored += 0.5 * stiffness * at.depth * at.depth;
-            sum.gradient -= stiffness * at.depth * slope;
-            sum.hessian += stiffness * slope * slope.transpose();
+void BodyContact::find_meetings() {
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            const RigidBody &one = bodies[a].start(), &other = bodies[b].start();
+            // A ball says all of what it meets, so that corners need not say it again, nor a second ball.
+            const bool said = is_ball(other) && (!is_ball(one) || b < a);
+            if (a == b || said) continue;
+            for (const Vector3d& foot : one.feet)
+                meetings.push_back({a, b, foot, foot_stiffness(one, other)});
         }
+}
+
+void BodyContact::find_sliding(double step) {
+    for (const Meeting& meeting : meetings) {
+        const RigidBody &one = bodies[meeting.one].start(), &other = bodies[meeting.other].start();
+        const double friction = friction_between(one.friction, other.friction);
+        const BodyPose here = bodies[meeting.one].pose(Vector6d::Zero()),
+                       there = bodies[meeting.other].pose(Vector6d::Zero());
+        const Overlap at = overlap(*other.shape, there.place, here.place * meeting.foot, one.skin);
+        if (friction == 0 || at.depth <= 0) continue;
+        const Vector3d touching = here.place * meeting.foot - one.skin * at.normal;
+        sliding.push_back({meeting.one,
+                           meeting.other,
+                           {here.place.inverse() * touching,
+                            there.place.inverse() * touching,
+                            Matrix3d::Identity() - at.normal * at.normal.transpose(),
+                            {friction * meeting.stiffness * at.depth, smoothing_speed * step}}});
     }
 }
 
-void BodyContact::add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
-    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) {
-        const Overlap at = overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]);
+void BodyContact::add_between(const VectorXd& q, std::size_t one, std::size_t other, const Vector3d& arm,
+                              const Vector3d& other_arm, const Vector3d& gradient, const Matrix3d& hessian,
+                              Potential& sum) const {
+    const Matrix36d here = bodies[one].pose(part(q, one)).point_motion(arm),
+                    there = -bodies[other].pose(part(q, other)).point_motion(other_arm);
+    sum.gradient.segment<6>(6 * one) += here.transpose() * gradient;
+    sum.gradient.segment<6>(6 * other) += there.transpose() * gradient;
+    sum.hessian.block<6, 6>(6 * one, 6 * one) += here.transpose() * hessian * here;
+    sum.hessian.block<6, 6>(6 * other, 6 * other) += there.transpose() * hessian * there;
+    const Matrix6d mixed = here.transpose() * hessian * there;
+    sum.hessian.block<6, 6>(6 * one, 6 * other) += mixed;
+    sum.hessian.block<6, 6>(6 * other, 6 * one) += mixed.transpose();
+}
+
+void BodyContact::add_meetings(const VectorXd& q, Potential& sum) const {
+    const auto place = [&](std::size_t body) { return bodies[body].pose(part(q, body)).place; };
+    for (const auto& [one, other, local, k] : meetings) {
+        const Eigen::Isometry3d here = place(one), there = place(other);
+        const Vector3d foot = here * local;
+        const Overlap at = overlap(*bodies[other].start().shape, there, foot, bodies[one].start().skin);
         if (at.depth <= 0) continue;
-        const double k = stiffness(v);
         sum.stored += 0.5 * k * at.depth * at.depth;
-        sum.add_vertex(here, v, -k * at.depth * at.normal, k * at.normal * at.normal.transpose(),
-                       x.col(v) - here.place.translation());
+        add_between(q, one, other, foot - here.translation(), foot - there.translation(),
+                    -k * at.depth * at.normal, k * at.normal * at.normal.transpose(), sum);
     }
-    for (const Sliding& slider : sliding) {
-        const Vector3d slip = slider.tangent * (x.col(slider.vertex) - here.place * slider.foot);
-        sum.value += slider.friction.value(slip);
-        sum.add_vertex(here, slider.vertex, slider.friction.gradient(slip),
-                       slider.friction.hessian(slip, slider.tangent), here.place.linear() * slider.foot);
-    }
-}
-
-void BodyContact::add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
-    const Positions& points = body.surface->points;
-    const Positions local = seen_from(here, x);
-    const Matrix3d rotation = here.place.linear();
-    for (const ContactPair& pair : near->touching(local)) {
-        const PairPositions at = pair_positions(local, pair.vertices);
-        sum.stored += sherd::value(pair, at);
-        sum.add_element(here, pair.vertices, body.surface->size(), points, rotation * gradient(pair, at),
-                        turned_blocks(hessian(pair, at, true), rotation));
+    for (const auto& [one, other, foot] : sliding) {
+        const Eigen::Isometry3d here = place(one), there = place(other);
+        const Vector3d slip = foot.tangent * (here * foot.point - there * foot.other);
+        sum.value += foot.friction.value(slip);
+        add_between(q, one, other, here.linear() * foot.point, there.linear() * foot.other,
+                    foot.friction.gradient(slip), foot.friction.hessian(slip, foot.tangent), sum);
     }
 }
 
-void BodyContact::add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
-    const Positions& points = body.surface->points;
-    const Eigen::Isometry3d before = pose(Vector6d::Zero()).place;
-    for (const SlidingPair& pair : sliding_pairs) {
-        PairPositions moved;
-        for (int i = 0; i < 4; ++i) {
-            const Index vertex = pair.vertices[i];
-            if (vertex < body.surface->size())
-                moved.col(i) =
-                    here.place * Vector3d(points.col(vertex)) - before * Vector3d(points.col(vertex));
-            else
-                moved.col(i) =
-                    x.col(vertex - body.surface->size()) - sheet.position.col(vertex - body.surface->size());
-        }
-        const Vector3d slip = pair.slip * moved.reshaped();
-        sum.value += pair.friction.value(slip);
-        const Eigen::Matrix<double, 12, 1> slope = pair.slip.transpose() * pair.friction.gradient(slip);
-        sum.add_element(here, pair.vertices, body.surface->size(), points, slope.reshaped(3, 4),
-                        pair.slip.transpose() * pair.friction.hessian(slip, pair.tangent) * pair.slip);
-    }
-}
-
-BodyPotential BodyContact::potential(const Positions& x, const Vector6d& q) const {
-    const BodyPose here = pose(q);
-    BodyPotential sum;
-    add_inertia(q, sum);
-    add_obstacles(here, sum);
-    add_vertices(x, here, sum);
-    if (near) {
-        add_pairs(x, here, sum);
-        add_sliding_pairs(x, here, sum);
-    }
+BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd& q) const {
+    Potential sum;
+    const auto size = static_cast<Eigen::Index>(6 * bodies.size());
+    sum.gradient = VectorXd::Zero(size);
+    sum.hessian = Eigen::MatrixXd::Zero(size, size);
+    add_meetings(q, sum);
     sum.value += sum.stored;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        sum.bodies.push_back(bodies[b].potential(x, part(q, b)));
+        const BodyPotential& own = sum.bodies.back();
+        sum.value += own.value;
+        sum.stored += own.stored;
+        sum.gradient.segment<6>(6 * b) += own.gradient;
+        sum.hessian.block<6, 6>(6 * b, 6 * b) += own.hessian;
+    }
     return sum;
 }
 
-double BodyContact::free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const {
-    if (!near) return 1;
-    const BodyPose before = pose(from), after = pose(to);
-    const double angle = Eigen::AngleAxisd(before.place.linear().transpose() * after.place.linear()).angle();
-    // Seen from the body, the straight motion takes the sheet through images of itself that are not folded
-    // over as long as the angle is less than pi.
-    if (angle > largest_turn) return 0.5 * largest_turn / angle;
-    const Positions start = seen_from(before, x);
-    return near->safe_fraction(start, seen_from(after, x) - start);
+std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) const {
+    std::vector<std::size_t> group(bodies.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    const auto join = [&](std::size_t one, std::size_t other) {
+        const auto [kept, gone] = std::minmax(group[one], group[other]);
+        std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
+    };
+    for (const auto& [one, other, local, k] : meetings) {
+        const Vector3d foot = bodies[one].pose(part(q, one)).place * local;
+        const Eigen::Isometry3d there = bodies[other].pose(part(q, other)).place;
+        const Shape& shape = *bodies[other].start().shape;
+        const double margin = ahead ? ahead_of_contact * shape.bounds().diagonal().norm() : 0;
+        if (overlap(shape, there, foot, bodies[one].start().skin + margin).depth > 0) join(one, other);
+    }
+    for (const SlidingMeeting& meeting : sliding) join(meeting.one, meeting.other);
+    return group;
+}
+
+double BodyContact::free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const {
+    double fraction = 1;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        fraction = std::min(fraction, bodies[b].free_way(x, part(from, b), part(to, b)));
+    return fraction;
 }
 
 double BodyContact::safe_fraction(const Positions& x, const Positions& motion) const {
-    if (!near) return 1;
     solve(x);
     base = best;
-    const BodyPose here = pose(best);
-    const Positions start = seen_from(here, x);
-    return near->safe_fraction(start, seen_from(here, x + motion) - start);
+    double fraction = 1;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        fraction = std::min(fraction, bodies[b].free_motion(x, motion, part(best, b)));
+    return fraction;
 }
 
 bool BodyContact::improve(const Positions& x) const {
-    Vector6d direction = -at_best.hessian.ldlt().solve(at_best.gradient);
+    VectorXd direction = -at_best.hessian.ldlt().solve(at_best.gradient);
     const double slope = direction.dot(at_best.gradient);
     for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
         if (best + direction == best) return false;
@@ -202,7 +158,7 @@ bool BodyContact::improve(const Positions& x) const {
             direction *= 2 * 0.9 * fraction;
             continue;
         }
-        BodyPotential trial = potential(x, best + direction);
+        Potential trial = potential(x, best + direction);
         const double change = trial.value - at_best.value;
         // Where round-off hides the decrease, a step after which the slope is flatter is good, too.
         const bool hidden = std::abs(change) <= round_off_of_value * std::abs(at_best.value);
@@ -216,7 +172,7 @@ bool BodyContact::improve(const Positions& x) const {
     return false;
 }
 
-const BodyPotential& BodyContact::solve(const Positions& x) const {
+const BodyContact::Potential& BodyContact::solve(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return at_best;
     best = base;
     at_best = potential(x, best);
@@ -231,57 +187,60 @@ double BodyContact::value(const Positions& x) const {
 }
 
 void BodyContact::add_gradient(const Positions& x, Positions& gradient) const {
-    for (const auto& [vertex, push] : solve(x).pushes) gradient.col(vertex) += push.gradient;
+    for (const BodyPotential& body : solve(x).bodies)
+        for (const auto& [vertex, push] : body.pushes) gradient.col(vertex) += push.gradient;
 }
 
 void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
-    const BodyPotential& here = solve(x);
-    const Matrix6d inverse = here.hessian.inverse();
-    for (const auto& [a, push] : here.pushes) {
-        const Matrix36d eliminated = push.mixed * inverse;
-        for (const auto& [b, other] : here.pushes) {
-            if (b > a) break;
-            Matrix3d block = -eliminated * other.mixed.transpose();
-            if (a == b) block = (push.hessian + 0.5 * (block + block.transpose())).eval();
-            hessian.add(a, b, block);
+    const Potential& here = solve(x);
+    const Eigen::MatrixXd inverse = here.hessian.inverse();
+    const std::vector<std::size_t> group = groups(best, false);
+    for (std::size_t one = 0; one < bodies.size(); ++one) {
+        for (std::size_t other = 0; other < bodies.size(); ++other) {
+            if (group[one] != group[other]) continue;
+            const Matrix6d block = inverse.block<6, 6>(6 * one, 6 * other);
+            for (const auto& [a, push] : here.bodies[one].pushes) {
+                const Matrix36d eliminated = push.mixed * block;
+                for (const auto& [b, against] : here.bodies[other].pushes) {
+                    if (b > a) break;
+                    const Matrix3d part = -eliminated * against.mixed.transpose();
+                    if (a != b)
+                        hessian.add(a, b, part);
+                    else
+                        hessian.add(a, a, 0.5 * (part + part.transpose()));
+                }
+            }
         }
+        for (const auto& [vertex, push] : here.bodies[one].pushes) hessian.add(vertex, vertex, push.hessian);
+        for (const auto& [vertices, part] : here.bodies[one].couplings)
+            hessian.add(vertices[0], vertices[1], part);
     }
-    for (const auto& [vertices, block] : here.couplings) hessian.add(vertices[0], vertices[1], block);
 }
 
 void BodyContact::add_contacts(const Positions& x, bool ahead,
                                std::vector<std::pair<Index, Index>>& pairs) const {
-    std::set<Index> vertices;
-    for (const auto& [vertex, push] : solve(x).pushes) vertices.insert(vertex);
-    if (ahead) {
-        const BodyPose here = pose(best);
-        const double margin = ahead_of_contact * body.shape->bounds().diagonal().norm();
-        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-            if (overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v] + margin).depth > 0)
-                vertices.insert(v);
-        std::vector<std::pair<Index, Index>> soon;
-        if (near) near->add_contacts(seen_from(here, x), true, soon);
-        for (const auto& [a, b] : soon) vertices.insert({a, b});
+    const Potential& here = solve(x);
+    // Bodies that press on each other pass on what the sheet does to one of them.
+    const std::vector<std::size_t> group = groups(best, ahead);
+    std::map<std::size_t, std::set<Index>> vertices;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        std::set<Index>& all = vertices[group[b]];
+        for (const auto& [vertex, push] : here.bodies[b].pushes) all.insert(vertex);
+        if (ahead) bodies[b].add_near_vertices(x, part(best, b), all);
     }
-    for (const Index a : vertices)
-        for (const Index b : vertices) {
-            if (b == a) break;
-            pairs.emplace_back(a, b);
-        }
+    for (const auto& [first, all] : vertices)
+        for (const Index a : all)
+            for (const Index b : all) {
+                if (b == a) break;
+                pairs.emplace_back(a, b);
+            }
 }
 
-RigidBody BodyContact::moved(const Positions& x) const {
+std::vector<RigidBody> BodyContact::moved(const Positions& x) const {
     solve(x);
-    const BodyPose here = pose(best);
-    RigidBody result = body;
-    result.centre += best.head<3>();
-    result.rotation = Eigen::Quaterniond(here.place.linear()).normalized().toRotationMatrix();
-    result.velocity = best.head<3>() / step;
-    // Of P, the rotation feels torques times the Jacobian; the angular momentum takes them as they are, or
-    // what the sheet gains would not be what the body loses.
-    const Vector3d turned_by_torque = inertia * (best.tail<3>() - predicted.tail<3>()) / step;
-    result.angular_momentum += here.jacobian.transpose().inverse() * turned_by_torque;
-    return result;
+    std::vector<RigidBody> moved;
+    for (std::size_t b = 0; b < bodies.size(); ++b) moved.push_back(bodies[b].moved(part(best, b)));
+    return moved;
 }
 
 double BodyContact::stored_energy(const Positions& x) const {
@@ -289,10 +248,8 @@ double BodyContact::stored_energy(const Positions& x) const {
 }
 
 void BodyContact::add_touch(const Positions& x, Touch& touch) const {
-    const BodyPose here = (solve(x), pose(best));
-    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        touch.include(v, overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]).depth);
-    if (near) near->add_touched_vertices(seen_from(here, x), touch.vertices);
+    solve(x);
+    for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].add_touch(x, part(best, b), touch);
 }
 
 }  // namespace sherd

@@ -1,37 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/body_potential.h"
-#include "core/contact/near_pairs.h"
-#include "core/contact/obstacle.h"
-#include "core/contact/rigid_body.h"
-#include "core/contact/sheet_friction.h"
+#include "core/contact/body_step.h"
 #include "core/energy.h"
-#include "core/sheet.h"
 
 namespace sherd {
 
-/// What NearPairs need of a sheet and a body that has a surface.
-ContactSurface surface_with(const Sheet& sheet, const RigidBody& body);
-
-/// A free rigid body in one step: its inertia, weight, contact with a sheet's vertices, with its triangles
-/// and edges by the body's surface, and with obstacles. Both ends of every contact feel the same force. The
-/// energy is that of the best pose: E(x) = min over q of P(x, q), where q are the displacement and the
-/// rotation vector of the body in the step and P is its incremental potential (implicit Euler, as for the
-/// sheet: m / (2 h^2) |c - c_n - h v_n - h^2 g|^2, with the inertia of the step's beginning for the rotation)
-/// plus the springs and friction of ObstacleContact and the barriers of SheetContact. dE/dx is then P's
-/// derivative at that pose, and d2E/dx2 the Schur complement P_xx - P_xq P_qq^-1 P_qx: Newton's method on x
-/// alone solves for sheet and body together. On the way to the best pose, too, no motion leads through the
-/// sheet; the least is looked for from the pose on that the body had when safe_fraction() was last asked.
+/// All free rigid bodies in one step, with a sheet, with obstacles and with each other. The energy is that of
+/// the best poses: E(x) = min over q of P(x, q), where q are the displacements and rotation vectors of all
+/// bodies in the step, and P the sum of their potentials (BodyStep) and of the springs and the friction
+/// between them. dE/dx is then P's derivative at these poses, and d2E/dx2 the Schur complement P_xx - P_xq
+/// P_qq^-1 P_qx: Newton's method on x alone solves for sheet and bodies together. On the way to the best
+/// poses, too, no motion leads through the sheet; the least is looked for from the poses on that the bodies
+/// had when safe_fraction() was last asked.
+///
+/// Bodies meet each other by springs, by their feet: a ball with its surface, a box with its corners, which
+/// are in the other body's shape; not the edges of two boxes.
 class BodyContact : public Energy {
   public:
-    /// sheet and body as they are at the beginning of the step, at `time` (s); gravity: m/s^2. near: pairs of
-    /// the sheet and the body's surface, which rests in its frame; null: it has none. q: a pose at which the
-    /// body and the sheet at the positions that are asked for next are apart. Sheet, obstacles and near must
-    /// outlive it.
-    BodyContact(const Sheet& sheet, const RigidBody& body, const std::vector<Obstacle>& obstacles,
-                const Vector3d& gravity, double time, double step, const NearPairs* near = nullptr,
-                const Vector6d& q = Vector6d::Zero());
+    /// q: poses at which the bodies and the sheet at the positions that are asked for next are apart, [6 B];
+    /// step: s.
+    BodyContact(std::vector<BodyStep> bodies, double step, const VectorXd& q);
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
@@ -40,56 +29,61 @@ class BodyContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
-    /// The body at the end of a step in which the sheet moves to x.
-    RigidBody moved(const Positions& x) const;
-    /// A pose q at which the body and the sheet were apart when safe_fraction() was last asked, and on all of
-    /// the motion that it granted.
-    const Vector6d& apart() const { return base; }
+    /// The bodies at the end of a step in which the sheet moves to x.
+    std::vector<RigidBody> moved(const Positions& x) const;
+    /// Poses q at which the bodies and the sheet were apart when safe_fraction() was last asked, and on all
+    /// of the motion that it granted.
+    const VectorXd& apart() const { return base; }
     double stored_energy(const Positions& x) const;  ///< J, elastic, in the contacts
     void add_touch(const Positions& x, Touch& touch) const;
 
   private:
-    /// A vertex that touched at the beginning of the step.
-    struct Sliding {
-        Index vertex;
-        Vector3d foot;  ///< m, where it was on the body, in its frame
-        Matrix3d tangent;
-        Friction friction;
+    /// P and its derivatives by q; the others are those of each body.
+    struct Potential {
+        double value = 0, stored = 0;  ///< J
+        VectorXd gradient;             ///< [6 B]
+        Eigen::MatrixXd hessian;
+        std::vector<BodyPotential> bodies;
+    };
+    /// A foot of one body against the shape of another one.
+    struct Meeting {
+        std::size_t one, other;
+        Vector3d foot;     ///< m, in the first one's frame
+        double stiffness;  ///< N/m
+    };
+    /// The sliding of a meeting that was one at the beginning of the step.
+    struct SlidingMeeting {
+        std::size_t one, other;
+        SlidingFoot foot;
     };
 
-    void find_sliding();
-    BodyPose pose(const Vector6d& q) const;
-    /// The body's points and the sheet's vertices, m, in the body's frame; what `near` is asked for.
-    Positions seen_from(const BodyPose& pose, const Positions& x) const;
-    BodyPotential potential(const Positions& x, const Vector6d& q) const;
-    void add_inertia(const Vector6d& q, BodyPotential& sum) const;
-    void add_obstacles(const BodyPose& here, BodyPotential& sum) const;
-    void add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
-    void add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
-    void add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
-    /// Fraction of the way from one q to another that is free of the sheet at x.
-    double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
+    void find_meetings();
+    void find_sliding(double step);
+    Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
+    Potential potential(const Positions& x, const VectorXd& q) const;
+    void add_meetings(const VectorXd& q, Potential& sum) const;
+    /// Adds a force between two bodies, by the position of the first one's point at `arm` from its centre
+    /// against that of the second one's at `other_arm`.
+    void add_between(const VectorXd& q, std::size_t one, std::size_t other, const Vector3d& arm,
+                     const Vector3d& other_arm, const Vector3d& gradient, const Matrix3d& hessian,
+                     Potential& sum) const;
+    /// Of each body the first of those that it touches, over others too; `ahead`: or may touch soon.
+    std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
+    double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
     /// A step of Newton's method on q; false when there is nothing more to gain.
     bool improve(const Positions& x) const;
-    /// The best pose for x; kept until x changes.
-    const BodyPotential& solve(const Positions& x) const;
-    double stiffness(Eigen::Index vertex) const;  ///< N/m
+    /// The best poses for x; kept until x changes.
+    const Potential& solve(const Positions& x) const;
 
-    const Sheet& sheet;
-    RigidBody body;
-    const std::vector<Obstacle>& obstacles;
-    const NearPairs* near;
-    double step, end;    ///< s
-    Matrix3d inertia;    ///< kg m^2, in space
-    Vector6d predicted;  ///< q without contact
-    std::vector<Sliding> sliding;
-    std::vector<SlidingPair> sliding_pairs;  ///< with the body's points as the first vertices
-    // Kept to save time, but for `base`: where the body was when the sheet was last known to be apart from
-    // it.
-    mutable Vector6d base;
+    std::vector<BodyStep> bodies;
+    std::vector<Meeting> meetings;
+    std::vector<SlidingMeeting> sliding;
+    // Kept to save time, but for `base`: where bodies were when the sheet was last known to be apart from
+    // them.
+    mutable VectorXd base;
     mutable Positions last;
-    mutable Vector6d best;
-    mutable BodyPotential at_best;
+    mutable VectorXd best;
+    mutable Potential at_best;
 };
 
 }  // namespace sherd

@@ -51,7 +51,9 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         const std::vector<Obstacle> none;
         std::optional<NearPairs> near;
         if (body.surface) near.emplace(surface_with(sheet, body));
-        const BodyContact contact(sheet, body, none, Vector3d::Zero(), 0, 1e-3, near ? &*near : nullptr);
+        const BodyContact contact(
+            {BodyStep(sheet, body, none, Vector3d::Zero(), 0, 1e-3, near ? &*near : nullptr)}, 1e-3,
+            Vector6d::Zero());
         ASSERT_GT(contact.stored_energy(sheet.position), 0);
         Random random(2);
         Positions x = sheet.position;
@@ -189,6 +191,106 @@ TEST(BodyContact, ASheetCarriesABody) {
     EXPECT_LT(body.velocity.norm(), 0.02);
     EXPECT_LT(sheet.position.row(2).minCoeff(), -1e-4);
     EXPECT_GT(body.centre.z(), 0.01);
+}
+
+// A ball on a ball on a sheet: what the sheet does to one, the other must feel, and the Hessian must know.
+TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
+    Sheet sheet = stacked_plates(1, 8, 0, rubber());
+    sheet.velocity.setZero();
+    const std::vector<RigidBody> balls{ball(Vector3d(0.003, 0.001, 0.0208), Vector3d(0.1, 0, -1)),
+                                       ball(Vector3d(0.006, 0.001, 0.0606), Vector3d(0, 0.1, -2))};
+    const std::vector<Obstacle> none;
+    std::vector<BodyStep> steps;
+    for (const RigidBody& body : balls) steps.emplace_back(sheet, body, none, Vector3d::Zero(), 0, 1e-3);
+    const BodyContact contact(steps, 1e-3, VectorXd::Zero(12));
+    const std::vector<RigidBody> moved = contact.moved(sheet.position);
+    EXPECT_GT(moved[1].velocity.z(), -1.9) << "the upper one was stopped by the lower one";
+    Random random(2);
+    Positions x = sheet.position;
+    for (double& entry : x.reshaped()) entry += 1e-5 * random.uniform(-1, 1);
+    expect_derivatives(contact, x, 1e-9, 2e-2);
+}
+
+// Balls and boxes that collide in the air keep momentum of both kinds, and do not end in each other.
+TEST(BodyContact, BodiesCollide) {
+    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    sheet.velocity.setZero();
+    TimeStepOptions options;
+    options.step = 1e-5;
+    options.gravity.setZero();
+    options.newton.tolerance = 1e-12;
+    RigidBody box = rigid_box(Vector3d(0.05, 0.04, 0.03), 800);
+    box.centre = Vector3d(0.01, 0.0445, 0.005);
+    box.velocity = Vector3d(0, -3, 0);
+    box.friction = 0.3;
+    options.bodies = {ball(Vector3d(-0.0205, 0, 0), Vector3d(2, 0, 0)),
+                      ball(Vector3d(0.0205, 0.004, 0), Vector3d::Zero()), box};
+    const auto total = [](const std::vector<RigidBody>& bodies) {
+        Vector6d sum = Vector6d::Zero();
+        for (const RigidBody& body : bodies) {
+            sum.head<3>() += body.mass * body.velocity;
+            sum.tail<3>() += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
+        }
+        return sum;
+    };
+    const auto before = total(options.bodies);
+    TimeStep time_step(sheet, options);
+    Vector3d lost = Vector3d::Zero();  // by implicit Euler
+    for (int i = 0; i < 1000; ++i) {
+        const std::vector<RigidBody> start = time_step.bodies();
+        step(time_step, 1);
+        for (std::size_t b = 0; b < start.size(); ++b)
+            lost += options.step * start[b].mass * time_step.bodies()[b].velocity.cross(start[b].velocity);
+    }
+    const std::vector<RigidBody>& bodies = time_step.bodies();
+    const auto after = total(bodies);
+    EXPECT_LT((after - before).head<3>().norm(), 1e-8 * before.head<3>().norm());
+    EXPECT_LT((after - before).tail<3>().norm(), 1e-3 * before.tail<3>().norm() + lost.norm());
+    EXPECT_LT((bodies[0].velocity - Vector3d(2, 0, 0)).norm(), 3);
+    EXPECT_GT(bodies[1].velocity.norm(), 0.5) << "it was hit";
+    EXPECT_LT(bodies[2].velocity.norm(), 2.5) << "it hit";
+    EXPECT_GT((bodies[0].centre - bodies[1].centre).norm(), 0.0399);
+}
+
+// On a slope with friction a ball rolls, at 5/7 of the acceleration at which it would slide without.
+TEST(BodyContact, ABallRollsDownASlope) {
+    const double slope = 0.3, seconds = 0.3, gravity = 9.81;
+    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    const Vector3d normal(std::sin(slope), 0, std::cos(slope)),
+        downhill(std::cos(slope), 0, -std::sin(slope));
+    for (const double friction : {0.0, 0.6}) {
+        TimeStepOptions options;
+        options.step = 1e-3;
+        options.obstacles = {obstacle(PlaneShape(Vector3d::Zero(), normal), 3e10, friction)};
+        options.bodies = {ball(0.02 * normal, Vector3d::Zero())};
+        options.bodies[0].friction = friction;
+        TimeStep time_step(sheet, options);
+        step(time_step, static_cast<int>(seconds / options.step + 0.5));
+        const double way = 0.5 * gravity * std::sin(slope) * seconds * seconds * (friction > 0 ? 5.0 / 7 : 1);
+        const RigidBody& moved = time_step.bodies()[0];
+        EXPECT_NEAR((moved.centre - 0.02 * normal).dot(downhill), way, 0.02 * way) << friction;
+        EXPECT_NEAR(moved.spin().y() * 0.02, friction > 0 ? moved.velocity.dot(downhill) : 0,
+                    0.03 * moved.velocity.norm());
+    }
+}
+
+// Coulomb: a box that slides stops after v^2 / (2 mu g).
+TEST(BodyContact, FrictionStopsABox) {
+    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    TimeStepOptions options;
+    options.step = 1e-3;
+    options.newton.tolerance = 1e-13;
+    options.obstacles = {floor(3e10, 0.8)};
+    options.bodies = {rigid_box(Vector3d(0.1, 0.1, 0.02), 1000)};
+    options.bodies[0].friction = 0.2;
+    options.bodies[0].centre = Vector3d(0, 0, 0.01);
+    options.bodies[0].velocity = Vector3d(1, 0, 0);
+    TimeStep time_step(sheet, options);
+    step(time_step, 500);
+    const RigidBody& moved = time_step.bodies()[0];
+    EXPECT_NEAR(moved.centre.x(), 1 / (2 * 0.4 * 9.81), 0.03 / (2 * 0.4 * 9.81))
+        << "the mean of 0.8 and 0.2 is 0.4";
+    EXPECT_LT(moved.velocity.norm(), 2e-3);
 }
 
 }  // namespace

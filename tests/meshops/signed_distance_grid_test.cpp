@@ -86,6 +86,30 @@ TEST(SignedDistanceGrid, ALevelSetIsTakenAsItIsScaledAndFilled) {
     }
 }
 
+// What Houdini or Blender computed is what counts, in a grid that is turned and moved, and be it no distance.
+TEST(SignedDistanceGrid, VoxelsOfALevelSetAreTakenAsTheyAre) {
+    const TemporaryDirectory directory;
+    openvdb::initialize();
+    const auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1, {0, 0, 0}, 0.04);
+    for (auto value = grid->beginValueOn(); value; ++value) value.setValue(0.9f * *value);
+    grid->transform().postRotate(0.3, openvdb::math::Y_AXIS);
+    grid->transform().postTranslate({3, 0.013, 0});
+    const auto file = write_vdb(directory.path / "ball.vdb", {grid});
+    const SignedDistanceGrid taken = SignedDistanceGrid::of_level_set(file, "", radius, 0.03);
+    const Vector3d centre = radius * Vector3d(3, 0.013, 0);
+    Random random(3);
+    for (int i = 0; i < 500; ++i) {
+        const Vector3d out = random.matrix<Vector3d>(1).normalized();
+        const double away = radius * random.uniform(0.95, 1.05);
+        const auto sample = taken.sample(centre + away * out);
+        ASSERT_NEAR(sample.distance, 0.9 * (away - radius), 1e-4) << "the surface is 0.1 m";
+        ASSERT_NEAR(sample.gradient.dot(out), 0.9, 0.03);
+        ASSERT_LT((sample.gradient - 0.9 * out).norm(), 0.03);
+    }
+    EXPECT_NEAR(taken.sample(centre + Vector3d(0, 0, radius + 0.025)).distance, 0.025, 4e-4) << "added";
+    EXPECT_LT(taken.sample(centre).distance, -0.09) << "filled";
+}
+
 std::string message_of(const std::function<void()>& work) {
     try {
         work();
