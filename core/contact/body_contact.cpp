@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-constexpr int most_iterations = 100, most_halvings = 40;
+constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
 constexpr double ahead_of_contact = 0.1;  // of a body's size: others that may soon touch it
 
@@ -164,6 +164,7 @@ bool BodyContact::improve(const Positions& x) const {
         const bool hidden = std::abs(change) <= round_off_of_value * std::abs(at_best.value);
         const bool flatter =
             std::abs(direction.dot(trial.gradient)) <= 0.5 * std::abs(direction.dot(at_best.gradient));
+        if (hidden && !flatter && halving >= most_hidden_halvings) return false;
         if (hidden ? !flatter : change > 0) continue;
         best += direction;
         at_best = std::move(trial);

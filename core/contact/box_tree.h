@@ -41,6 +41,9 @@ class BoxTree {
   public:
     explicit BoxTree(const std::vector<Box>& boxes);
 
+    /// Around all of them.
+    Box bounds() const { return around.empty() ? Box{} : around[0]; }
+
     /// Calls visit(i, j) once for every box i of this tree and j of the other that meet, in an order that
     /// only depends on the boxes.
     template <class Visit>

@@ -91,6 +91,11 @@ ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhoo
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
                              SolidTrees& solids) {
+    if (surface.sheets_meet()) find_on_sheets(surface, changed);
+    if (surface.solid_vertices() > 0) find_on_solids(surface, changed, solids);
+}
+
+void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed) {
     const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -105,31 +110,31 @@ void ContactCandidates::find(const ContactSurface& surface, const std::vector<ch
     const auto vertices = those(all_points, boxes, has_changed);
     const auto triangles = those(surface.triangles(), boxes, has_changed);
     const auto edges = those(surface.edges(), boxes, has_changed);
-    if (surface.sheets_meet()) {
-        meet(PairKind::vertex_triangle, vertices, triangles);
-        meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, has_not));
-        meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
-        meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
-        edges.tree.meet_itself([&](Index i, Index j) {
-            look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
-        });
-    }
-    if (surface.solid_vertices() > 0) find_on_solids(surface, changed, solids);
+    meet(PairKind::vertex_triangle, vertices, triangles);
+    meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, has_not));
+    meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
+    meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
+    edges.tree.meet_itself([&](Index i, Index j) {
+        look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
+    });
 }
 
 void ContactCandidates::find_on_solids(const ContactSurface& surface, const std::vector<char>& changed,
                                        SolidTrees& solids) {
     // Boxes of solids have no margin, so it is here twice.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
-    const auto has_changed = [&](const auto& element, const Box&) {
-        return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
-    };
-    const auto vertices = those(points(surface.solid_vertices(), surface.vertices()), boxes, has_changed);
-    const auto edges = those(surface.edges(), boxes, has_changed);
-    const auto triangles = those(surface.triangles(), boxes, has_changed);
+    const auto all_points = points(surface.solid_vertices(), surface.vertices());
     for (std::size_t solid = 0; solid + 1 < surface.solid_starts().size(); ++solid) {
         const ContactSurface::Start first = surface.solid_starts()[solid];
         const SolidTrees::Trees& trees = solids.of(solid, surface, within);
+        const Box around = trees.points.bounds();
+        const auto wanted = [&](const auto& element, const Box& box) {
+            return box.meets(around) &&
+                   std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
+        };
+        const auto vertices = those(all_points, boxes, wanted);
+        const auto edges = those(surface.edges(), boxes, wanted);
+        const auto triangles = those(surface.triangles(), boxes, wanted);
         vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
             look_at(surface, PairKind::vertex_triangle,
                     both(vertices.vertices[i], surface.solid_triangles()[first.triangle + j]));

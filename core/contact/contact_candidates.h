@@ -37,6 +37,7 @@ class ContactCandidates {
 
     /// Looks at all pairs with a vertex that has changed.
     void find(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
+    void find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed);
     void find_on_solids(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
     void look_at(const ContactSurface& surface, PairKind kind, const std::array<Index, 4>& vertices);
 
