@@ -26,8 +26,8 @@ void TimeStep::carry_mirrors() {
             mirror_hinges[i] = moved(options.mirrors[i], sheet.motions[carrier - 1].at(start + step));
 }
 
-void TimeStep::prepare() {
-    carry_mirrors();
+void TimeStep::prepare_loads() {
+    const Stopwatch watch(spent, Task::loads);
     of_step.clear();
     if (!options.loads.empty())
         of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
@@ -37,6 +37,11 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
+}
+
+void TimeStep::prepare_contact() {
+    if (!sheet_contact && options.obstacles.empty() && start_bodies.empty()) return;
+    const Stopwatch watch(spent, Task::contact);
     if (sheet_contact && options.sheet_friction > 0)
         of_step.push_back(
             std::make_unique<SheetFriction>(sheet, *sheet_contact, options.sheet_friction, step));
@@ -46,6 +51,12 @@ void TimeStep::prepare() {
     body_contact.clear();
     for (const RigidBody& body : start_bodies)
         body_contact.emplace_back(sheet, body, this->options.obstacles, options.gravity, start, step);
+}
+
+void TimeStep::prepare() {
+    carry_mirrors();
+    prepare_loads();
+    prepare_contact();
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     for (const BodyContact& contact : body_contact) energies.push_back(&contact);
     for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
@@ -55,7 +66,7 @@ void TimeStep::prepare() {
     }
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity,
-                                                       start + step);
+                                                       spent, start + step);
 }
 
 bool TimeStep::predict() {
@@ -79,20 +90,27 @@ bool TimeStep::begin(double length) {
     start = time;
     start_bodies = moved_bodies;
     prepare();
-    if (sheet_contact) sheet_contact->require_apart(sheet.position);
+    if (sheet_contact) {
+        const Stopwatch watch(spent, Task::contact);
+        sheet_contact->require_apart(sheet.position);
+    }
     const bool carried = predict();
     if (!system) system = std::make_unique<NewtonSystem>(*potential, position);
     return carried;
 }
 
 NewtonResult TimeStep::solve(int max_iterations) {
+    const Stopwatch watch(spent, Task::other);  // but for what its parts book
     NewtonOptions newton = options.newton;
     newton.max_iterations = max_iterations;
     return minimise(*potential, *system, newton, position);
 }
 
 void TimeStep::stencils_changed() {
-    if (sheet_contact) sheet_contact->surface_changed();
+    if (sheet_contact) {
+        const Stopwatch watch(spent, Task::contact);
+        sheet_contact->surface_changed();
+    }
     prepare();
     system = std::make_unique<NewtonSystem>(*potential, position);
 }
