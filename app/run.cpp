@@ -12,6 +12,7 @@
 #include "app/run_variants.h"
 #include "app/scene/scene_simulation.h"
 #include "app/scene/sheet_parting.h"
+#include "app/time_table.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -40,6 +41,7 @@ class Runner {
     /// Returns how the run ended: "complete" or "interrupted".
     std::string run();
     void print_summary(const std::string& end, const std::filesystem::path& output) const;
+    void print_time_spent() const;
     double wall_seconds() const { return progress.wall_seconds(); }
 
   private:
@@ -51,6 +53,7 @@ class Runner {
     Simulation& simulation;
     RecordingWriter& writer;
     Progress progress;
+    double recording = 0;  ///< s, of wall time
     Totals totals;
     std::vector<StepReport> unrecorded;
     CrackEvents unrecorded_events;
@@ -72,9 +75,11 @@ void Runner::step() {
 }
 
 void Runner::record() {
+    const double start = wall_seconds();
     writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation));
     unrecorded.clear();
     unrecorded_events = {};
+    recording += wall_seconds() - start;
 }
 
 std::string Runner::run() {
@@ -117,6 +122,11 @@ void Runner::print_summary(const std::string& end, const std::filesystem::path& 
     if (totals.capped > 0) row("steps out of stages", fmt::format("{}", totals.capped));
 }
 
+void Runner::print_time_spent() const {
+    std::fflush(stdout);  // the summary comes first
+    fmt::print(stderr, "{}", time_table(simulation.time_spent(), recording, wall_seconds()));
+}
+
 void warn(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
 }
@@ -138,6 +148,7 @@ int run(const Scene& scene, const std::filesystem::path& output, bool force) {
         const std::string end = runner.run();
         writer.finish(runner.wall_seconds(), end);
         runner.print_summary(end, output);
+        runner.print_time_spent();
         return end == "complete" ? 0 : 1;
     } catch (const std::exception& error) {
         writer.finish(runner.wall_seconds(), std::string("failed: ") + error.what());

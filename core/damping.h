@@ -26,6 +26,7 @@ class StiffnessDamping : public Energy {
     double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
@@ -46,6 +47,7 @@ class MassDamping : public Energy {
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
 
   private:

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/block_matrix.h"
+#include "core/time_spent.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -34,6 +35,8 @@ struct Energy {
                               std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite on the whole way.
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
+    /// What the time that it takes counts for.
+    virtual Task task() const { return Task::elasticity; }
 };
 
 }  // namespace sherd

@@ -6,8 +6,8 @@
 namespace sherd {
 
 IncrementalPotential::IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies,
-                                           double step, const Vector3d& gravity, double end)
-    : sheet(sheet), energies(std::move(energies)), step(step) {
+                                           double step, const Vector3d& gravity, TimeSpent& spent, double end)
+    : sheet(sheet), energies(std::move(energies)), step(step), spent(spent) {
     Positions displacement = step * sheet.velocity;
     displacement.colwise() += step * step * gravity;
     constrain(displacement);
@@ -32,45 +32,55 @@ void IncrementalPotential::constrain(Positions& displacement) const {
     }
 }
 
+template <class Action>
+void IncrementalPotential::each(const Action& action) const {
+    for (const Energy* energy : energies) {
+        const Stopwatch watch(spent, energy->task());
+        action(*energy);
+    }
+}
+
 double IncrementalPotential::value(const Positions& x) const {
     double sum = 0.5 / (step * step) * sheet.mass.dot((x - inertial).colwise().squaredNorm().transpose());
-    for (const Energy* energy : energies) sum += energy->value(x);
+    each([&](const Energy& energy) { sum += energy.value(x); });
     return sum;
 }
 
 double IncrementalPotential::round_off() const {
     double sum = 0;
-    for (const Energy* energy : energies) sum += energy->round_off();
+    each([&](const Energy& energy) { sum += energy.round_off(); });
     return sum;
 }
 
 Positions IncrementalPotential::gradient(const Positions& x) const {
     Positions sum = (x - inertial) * (sheet.mass / (step * step)).asDiagonal();
-    for (const Energy* energy : energies) energy->add_gradient(x, sum);
+    each([&](const Energy& energy) { energy.add_gradient(x, sum); });
     constrain(sum);
     return sum;
 }
 
 BlockMatrix IncrementalPotential::hessian_pattern(const Positions& x) const {
     std::vector<std::pair<Index, Index>> pairs;
-    for (const Energy* energy : energies) {
-        energy->add_pattern(pairs);
-        energy->add_contacts(x, true, pairs);
-    }
+    each([&](const Energy& energy) {
+        energy.add_pattern(pairs);
+        energy.add_contacts(x, true, pairs);
+    });
     return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed, sheet.guide,
                        sheet.guides);
 }
 
 bool IncrementalPotential::fits(const Positions& x, const BlockMatrix& hessian) const {
     std::vector<std::pair<Index, Index>> pairs;
-    for (const Energy* energy : energies) energy->add_contacts(x, false, pairs);
+    each([&](const Energy& energy) { energy.add_contacts(x, false, pairs); });
+    if (pairs.empty()) return true;
+    const Stopwatch watch(spent, Task::contact);
     return std::all_of(pairs.begin(), pairs.end(),
                        [&](const auto& pair) { return hessian.has(pair.first, pair.second); });
 }
 
 double IncrementalPotential::safe_fraction(const Positions& x, const Positions& motion) const {
     double fraction = 1;
-    for (const Energy* energy : energies) fraction = std::min(fraction, energy->safe_fraction(x, motion));
+    each([&](const Energy& energy) { fraction = std::min(fraction, energy.safe_fraction(x, motion)); });
     return fraction;
 }
 
@@ -78,7 +88,7 @@ void IncrementalPotential::hessian(const Positions& x, Curvature curvature, Bloc
     hessian.set_zero();
     for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v)
         hessian.add(v, v, sheet.mass[v] / (step * step) * Matrix3d::Identity());
-    for (const Energy* energy : energies) energy->add_hessian(x, curvature, hessian);
+    each([&](const Energy& energy) { energy.add_hessian(x, curvature, hessian); });
 }
 
 }  // namespace sherd

@@ -13,9 +13,10 @@ namespace sherd {
 /// Guided vertices stay in the directions that are not free.
 class IncrementalPotential {
   public:
-    /// All energies and the sheet must outlive it. step: s; gravity: m/s^2; end: s, time of the step's end.
+    /// All energies, the sheet and `spent` must outlive it. step: s; gravity: m/s^2; end: s, time of the
+    /// step's end.
     IncrementalPotential(const Sheet& sheet, std::vector<const Energy*> energies, double step,
-                         const Vector3d& gravity, double end = 0);
+                         const Vector3d& gravity, TimeSpent& spent, double end = 0);
 
     /// y, m; of fixed vertices where they are at the end of the step.
     const Positions& predicted() const { return inertial; }
@@ -29,17 +30,23 @@ class IncrementalPotential {
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
     /// Fraction, 0 to 1, of a straight motion from x [3, V] that leads through no sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
+    /// Where it is booked what time is spent on.
+    TimeSpent& time_spent() const { return spent; }
 
     /// Takes away what pins and guides do not let through.
     void constrain(Positions& displacement) const;
 
   private:
+    /// Does `action` with each energy, and books the time for its task.
+    template <class Action>
+    void each(const Action& action) const;
     /// Predicts the vertices that motions carry.
     void carry(double end);
 
     const Sheet& sheet;
     std::vector<const Energy*> energies;
     double step;
+    TimeSpent& spent;
     Positions inertial;
 };
 

@@ -44,6 +44,7 @@ class LoadEnergy : public Energy {
     double value(const Positions& x) const override;  ///< zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:

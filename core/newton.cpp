@@ -16,19 +16,34 @@ constexpr int max_halvings = 40;
 /// that iterations creep.
 constexpr double shares_of_convex[] = {0.25, 1};
 
+/// Whether the matrix is positive definite.
+bool has_factor(const IncrementalPotential& potential, NewtonSystem& system) {
+    const Stopwatch watch(potential.time_spent(), Task::factorization);
+    return system.solver.factorize(system.matrix);
+}
+
 void factorize(const IncrementalPotential& potential, NewtonSystem& system, const Positions& x) {
-    if (!potential.fits(x, system.matrix)) system = NewtonSystem(potential, x);
+    if (!potential.fits(x, system.matrix)) {
+        const Stopwatch watch(potential.time_spent(), Task::contact);
+        system = NewtonSystem(potential, x);
+    }
     potential.hessian(x, Curvature::exact, system.matrix);
-    if (system.solver.factorize(system.matrix)) return;
+    if (has_factor(potential, system)) return;
     const std::vector<double> exact(system.matrix.values().begin(), system.matrix.values().end());
     potential.hessian(x, Curvature::convex, system.matrix);
     const std::vector<double> convex(system.matrix.values().begin(), system.matrix.values().end());
     for (const double share : shares_of_convex) {
         system.matrix.blend(exact, convex, share);
-        if (system.solver.factorize(system.matrix)) return;
+        if (has_factor(potential, system)) return;
     }
     throw std::runtime_error(
         "Newton's method: the convex Hessian is not positive definite (NaN in the positions?)");
+}
+
+Positions newton_direction(const IncrementalPotential& potential, NewtonSystem& system,
+                           const Positions& gradient) {
+    const Stopwatch watch(potential.time_spent(), Task::solution);
+    return system.solver.solve(-gradient.reshaped()).reshaped(3, gradient.cols());
 }
 
 /// Moves x along `direction`, as far as nothing is met, halving it until the potential decreases. The value
@@ -66,8 +81,7 @@ NewtonResult minimise(const IncrementalPotential& potential, NewtonSystem& syste
         const Positions gradient = potential.gradient(x);
         factorize(potential, system, x);
         ++result.iterations;
-        const VectorXd solution = system.solver.solve(-gradient.reshaped());
-        const Positions direction = solution.reshaped(3, x.cols());
+        const Positions direction = newton_direction(potential, system, gradient);
         result.correction = direction.cwiseAbs().maxCoeff();
         const bool moved = line_search(potential, direction, gradient.cwiseProduct(direction).sum(), x);
         result.converged = result.correction <= options.tolerance;

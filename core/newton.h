@@ -25,6 +25,7 @@ struct NewtonSystem {
 
     NewtonSystem(const IncrementalPotential& potential, const Positions& x)
         : matrix(potential.hessian_pattern(x)) {
+        const Stopwatch watch(potential.time_spent(), Task::analysis);
         solver.analyze(matrix);
     }
 };

@@ -16,7 +16,8 @@ bool stable_at_rest(const Sheet& sheet, BendingModel model) {
     const BendingEnergy bending(sheet.hinges, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(sheet.triangles);
     // With a step of the growth time, the masses on the diagonal outweigh what grows more slowly.
-    const IncrementalPotential potential(sheet, {&bending, &membrane}, growth_time, Vector3d::Zero());
+    TimeSpent spent;
+    const IncrementalPotential potential(sheet, {&bending, &membrane}, growth_time, Vector3d::Zero(), spent);
     BlockMatrix stiffness = potential.hessian_pattern(sheet.rest);
     potential.hessian(sheet.rest, Curvature::exact, stiffness);
     LinearSolver solver;

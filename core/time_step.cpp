@@ -32,8 +32,8 @@ void TimeStep::carry_mirrors() {
             mirror_hinges[i] = moved(options.mirrors[i], sheet.motions[carrier - 1].at(start + step));
 }
 
-void TimeStep::prepare() {
-    carry_mirrors();
+void TimeStep::prepare_loads() {
+    const Stopwatch watch(spent, Task::loads);
     of_step.clear();
     if (!options.loads.empty())
         of_step.push_back(std::make_unique<LoadEnergy>(sheet, options.loads, start + step));
@@ -43,6 +43,11 @@ void TimeStep::prepare() {
         of_step.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness, step));
     if (options.damping.mass > 0)
         of_step.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass, step));
+}
+
+void TimeStep::prepare_contact() {
+    if (!sheet_contact && options.obstacles.empty() && start_bodies.empty()) return;
+    const Stopwatch watch(spent, Task::contact);
     if (sheet_contact) {
         sheet_contact->place_solids(solid_positions(options.obstacles, start),
                                     solid_positions(options.obstacles, start + step));
@@ -53,6 +58,12 @@ void TimeStep::prepare() {
     for (const Obstacle& obstacle : options.obstacles)
         obstacle_contact.emplace_back(sheet, obstacle, start, step);
     prepare_bodies();
+}
+
+void TimeStep::prepare() {
+    carry_mirrors();
+    prepare_loads();
+    prepare_contact();
     std::vector<const Energy*> energies{&bending, &membrane, &mirrors};
     if (body_contact) energies.push_back(body_contact.get());
     for (const ObstacleContact& contact : obstacle_contact) energies.push_back(&contact);
@@ -60,7 +71,7 @@ void TimeStep::prepare() {
     if (options.sheet_contact) energies.push_back(&lips);
     for (const std::unique_ptr<Energy>& energy : of_step) energies.push_back(energy.get());
     potential = std::make_unique<IncrementalPotential>(sheet, std::move(energies), step, options.gravity,
-                                                       start + step);
+                                                       spent, start + step);
 }
 
 void TimeStep::prepare_bodies() {
@@ -81,7 +92,9 @@ Positions TimeStep::carried(const Positions& motion) const {
     return carried;
 }
 
-Positions TimeStep::taken_along(const Positions& motion) const {
+Positions TimeStep::taken_along(const Positions& motion) {
+    if (!sheet_contact) return carried(motion);
+    const Stopwatch watch(spent, Task::contact);
     Positions taken = sheet_contact->taken_along(sheet.position);
     potential->constrain(taken);
     return carried(motion) + taken;
@@ -90,6 +103,8 @@ Positions TimeStep::taken_along(const Positions& motion) const {
 bool TimeStep::predict() {
     const Positions motion = potential->predicted() - sheet.position;
     const auto free_way = [&](const Positions& way) {
+        if (!sheet_contact && !body_contact) return 1.0;
+        const Stopwatch watch(spent, Task::contact);
         double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(sheet.position, way) : 1;
         if (body_contact) fraction = std::min(fraction, body_contact->safe_fraction(sheet.position, way));
         return fraction;
@@ -115,22 +130,32 @@ bool TimeStep::begin(double length) {
     start_bodies = moved_bodies;
     body_contact = nullptr;
     prepare();
-    if (sheet_contact) sheet_contact->require_apart(sheet.position);
+    if (sheet_contact) {
+        const Stopwatch watch(spent, Task::contact);
+        sheet_contact->require_apart(sheet.position);
+    }
     const bool carried = predict();
     if (!system) system = std::make_unique<NewtonSystem>(*potential, position);
     return carried;
 }
 
 NewtonResult TimeStep::solve(int max_iterations) {
+    const Stopwatch watch(spent, Task::other);  // but for what its parts book
     NewtonOptions newton = options.newton;
     newton.max_iterations = max_iterations;
     return minimise(*potential, *system, newton, position);
 }
 
-void TimeStep::stencils_changed() {
+void TimeStep::change_surface() {
+    if (!sheet_contact && body_pairs.empty()) return;
+    const Stopwatch watch(spent, Task::contact);
     if (sheet_contact) sheet_contact->surface_changed();
     for (std::size_t i = 0; i < body_pairs.size(); ++i)
         if (body_pairs[i]) body_pairs[i]->surface_changed(surface_with(sheet, start_bodies[i]));
+}
+
+void TimeStep::stencils_changed() {
+    change_surface();
     prepare();
     system = std::make_unique<NewtonSystem>(*potential, position);
 }

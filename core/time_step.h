@@ -61,18 +61,25 @@ class TimeStep {
     /// At the end of the last finished step.
     const std::vector<RigidBody>& bodies() const { return moved_bodies; }
     double lip_overlap() const { return lips.largest_overlap(position); }  ///< m
+    /// Where all of the step is booked; who works on it in between may book there, too.
+    TimeSpent& time_spent() { return spent; }
+    const TimeSpent& time_spent() const { return spent; }
 
     Positions position;  ///< [3, V] m, at the end of the open step
 
   private:
     void prepare();
+    void prepare_loads();
+    void prepare_contact();
     void prepare_bodies();
+    void change_surface();
     void carry_mirrors();
     /// Moves `position` towards the prediction; false if what has to arrive cannot.
     bool predict();
-    Positions carried(const Positions& motion) const;      ///< that of vertices that motions carry, m
-    Positions taken_along(const Positions& motion) const;  ///< with what obstacles that move are near to
+    Positions carried(const Positions& motion) const;  ///< that of vertices that motions carry, m
+    Positions taken_along(const Positions& motion);    ///< with what obstacles that move are near to
 
+    TimeSpent spent;
     Sheet& sheet;
     TimeStepOptions options;
     double time = 0;   ///< s, up to which steps are finished

@@ -53,6 +53,7 @@ class WindEnergy : public Energy {
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}  // on the diagonal only
 
   private:

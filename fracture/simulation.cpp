@@ -89,6 +89,7 @@ bool Simulation::attempt(StepReport& report) {
     if (!time_step.begin(step_size.size())) return false;
     NewtonResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
+    const Stopwatch watch(time_step.time_spent(), Task::breaking);
     const HingeMeasures measures = hinge_measures(breakable, time_step.position);
     report_peaks(report, measures);
     if (options.rule == BreakingRule::staged)
@@ -158,10 +159,16 @@ void Simulation::record_change(const CrackMesh::Change& change) {
 }
 
 void Simulation::update_fragments() {
+    const Stopwatch watch(time_step.time_spent(), Task::breaking);
     const Index before = fragments.count();
     fragments.update(breakable.mesh(), breakable.face_areas());
     for (Index fragment = before; fragment < fragments.count(); ++fragment)
         events.births.push_back({0, steps, fragment, fragments.parents()[fragment]});
+}
+
+void Simulation::release_lips() {
+    const Stopwatch watch(time_step.time_spent(), Task::contact);
+    if (breakable.release_lips()) time_step.stencils_changed();
 }
 
 void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
@@ -182,7 +189,7 @@ void Simulation::finish(StepReport& report) {
     report.time = time();
     if (report.stages > 0) update_fragments();
     set_time(events, steps, time());
-    if (options.sheet_contact && breakable.release_lips()) time_step.stencils_changed();
+    if (options.sheet_contact) release_lips();
     const PotentialEnergies potential = time_step.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;

@@ -55,6 +55,8 @@ class Simulation {
     /// The crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s
+    /// Where the wall time of all steps went.
+    const TimeSpent& time_spent() const { return time_step.time_spent(); }
 
   private:
     [[noreturn]] void give_up(const StepReport& report) const;
@@ -67,6 +69,7 @@ class Simulation {
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
     void update_fragments();
+    void release_lips();
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
 

@@ -31,6 +31,7 @@ class LipContact : public Energy {
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::contact; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
     double largest_overlap(const Positions& x) const;  ///< m, 0 when nothing overlaps

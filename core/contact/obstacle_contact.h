@@ -26,6 +26,7 @@ class ObstacleContact : public Energy {
     double value(const Positions& x) const override;  ///< with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::contact; }
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
 
     /// Elastic energy stored in the contacts, J.

@@ -23,6 +23,7 @@ class SheetContact : public Energy {
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::contact; }
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;

@@ -2,12 +2,28 @@
 // How runs end, through the real program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
 #include "app/recording/recording.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd {
 namespace {
+
+test::ProgramResult run_briefly(const std::string& recording, const test::TemporaryDirectory& directory) {
+    return test::run_sherd({"run", std::string(SHERD_SCENES) + "/bowl_drop.toml", "-o", recording, "--set",
+                            "duration=0.0005", "--set", "output.every=0.0001"},
+                           directory.path);
+}
+
+std::string bytes(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 // Hours of a run must not be lost, nor wrong steps recorded, because a later step has no solution.
 TEST(Run, ThatCannotGoOnEndsWithARecordingOfWhatWas) {
@@ -23,6 +39,43 @@ TEST(Run, ThatCannotGoOnEndsWithARecordingOfWhatWas) {
     EXPECT_TRUE(recording.steps().empty());
     const auto info = test::run_sherd({"info", "run.h5"}, directory.path);
     EXPECT_NE(info.out.find("failed: step 1"), std::string::npos) << info.out;
+}
+
+// Nobody could see what a run spends its time on, or would have to filter it out of the results.
+TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
+    const test::TemporaryDirectory directory;
+    const auto result = run_briefly("run.h5", directory);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out.find("time spent on"), std::string::npos) << result.out;
+    const std::size_t table = result.err.find("time spent on");
+    ASSERT_NE(table, std::string::npos) << result.err;
+    std::istringstream lines(result.err.substr(table));
+    std::string line;
+    std::getline(lines, line);
+    double sum = 0, linear_solver = 0, solver_parts = 0, contact = 0;
+    while (std::getline(lines, line)) {
+        const double share = std::stod(line.substr(32));
+        EXPECT_GE(share, 0) << line;
+        (line.starts_with("  ") ? solver_parts : sum) += share;
+        if (line.starts_with("contact")) contact = share;
+        if (line.starts_with("linear solver")) linear_solver = share;
+    }
+    EXPECT_NEAR(sum, 100, 0.5) << result.err;
+    EXPECT_GT(contact, 0);
+    EXPECT_GT(linear_solver, 0);
+    EXPECT_NEAR(solver_parts, linear_solver, 0.3);
+}
+
+// What the time was spent on would have got into a recording, or decided something.
+TEST(Run, TwoRunsRecordTheSameBytesButForTheirWallTime) {
+    const test::TemporaryDirectory directory;
+    for (const char* name : {"one.h5", "two.h5"}) ASSERT_EQ(run_briefly(name, directory).exit_code, 0);
+    const std::string one = bytes(directory.path / "one.h5"), two = bytes(directory.path / "two.h5");
+    ASSERT_EQ(one.size(), two.size());
+    ASSERT_FALSE(one.empty());
+    const auto first = std::mismatch(one.begin(), one.end(), two.begin()).first - one.begin();
+    const auto last = std::mismatch(one.rbegin(), one.rend(), two.rbegin()).first.base() - one.begin();
+    EXPECT_LE(last - first, static_cast<std::ptrdiff_t>(sizeof(double))) << "from byte " << first;
 }
 
 }  // namespace

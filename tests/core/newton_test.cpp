@@ -46,7 +46,8 @@ TEST(Newton, BucklesInFewIterations) {
     press(sheet, 1e-4);
     const BendingEnergy bending(sheet.hinges, {});
     const MembraneEnergy membrane(sheet.triangles);
-    const IncrementalPotential potential(sheet, {&bending, &membrane}, 0.1, Vector3d::Zero());
+    TimeSpent spent;
+    const IncrementalPotential potential(sheet, {&bending, &membrane}, 0.1, Vector3d::Zero(), spent);
     Positions x = sheet.position;
     NewtonSystem system(potential, x);
     const NewtonResult result = minimise(potential, system, {.max_iterations = 200, .tolerance = 1e-8}, x);

@@ -21,7 +21,9 @@ VectorXd frequencies(const Sheet& sheet, const std::vector<MirrorHinge>& mirrors
     const BendingEnergy bending(sheet.hinges);
     const MembraneEnergy membrane(sheet.triangles);
     const MirrorEnergy mirror(sheet, mirrors);
-    const IncrementalPotential potential(sheet, {&bending, &membrane, &mirror}, step, Vector3d::Zero());
+    TimeSpent spent;
+    const IncrementalPotential potential(sheet, {&bending, &membrane, &mirror}, step, Vector3d::Zero(),
+                                         spent);
     BlockMatrix matrix = potential.hessian_pattern(sheet.rest);
     potential.hessian(sheet.rest, Curvature::exact, matrix);
     LinearSolver solver;

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time_spent.h"
+
+#include <gtest/gtest.h>
+
+#include "core/time_step.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
+constexpr Task tasks[] = {Task::other,    Task::elasticity,    Task::contact,  Task::loads,
+                          Task::analysis, Task::factorization, Task::solution, Task::breaking};
+constexpr double nap = 2e-3;  // s
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void wait_for(double seconds) {
+    for (const Clock::time_point start = Clock::now(); seconds_since(start) < seconds;) {
+    }
+}
+
+double sum(const TimeSpent& spent) {
+    double sum = 0;
+    for (const Task task : tasks) {
+        EXPECT_GE(spent.on(task), 0);
+        sum += spent.on(task);
+    }
+    return sum;
+}
+
+/// Two plates, the upper one on its way to the lower one, two steps before they meet.
+void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
+    Sheet sheet = test::stacked_plates(2, 4, 1.2 * ceramic.thickness, ceramic);
+    sheet.velocity.rightCols(sheet.velocity.cols() / 2).row(2).setConstant(-2);
+    TimeStepOptions options;
+    options.newton.tolerance = 1e-8;
+    options.sheet_contact = sheet_contact;
+    const Clock::time_point start = Clock::now();
+    TimeStep time_step(sheet, options);
+    for (int i = 0; i < 5; ++i) {
+        time_step.begin();
+        EXPECT_TRUE(time_step.solve(200).converged);
+        time_step.finish();
+    }
+    wall = seconds_since(start);
+    result = time_step.time_spent();
+}
+
+// The search for pairs, which happens inside of something else, would be counted twice, or not at all.
+TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
+    const Clock::time_point start = Clock::now();
+    TimeSpent spent;
+    {
+        const Stopwatch outer(spent, Task::contact);
+        wait_for(nap);
+        {
+            const Stopwatch inner(spent, Task::analysis);
+            wait_for(nap);
+        }
+        wait_for(nap);
+    }
+    wait_for(nap);
+    const double wall = seconds_since(start);
+    EXPECT_GE(spent.on(Task::contact), 2 * nap);
+    EXPECT_GE(spent.on(Task::analysis), nap);
+    EXPECT_LE(sum(spent), wall - nap) << "what came after the stopwatch counts for its task";
+}
+
+// The table at the end of a run would show more than there was, or leave out what costs most.
+TEST(TimeSpent, PartsOfAStepAreNoMoreThanTheWhole) {
+    TimeSpent spent;
+    double wall = 0;
+    let_plates_fall(true, spent, wall);
+    EXPECT_LE(sum(spent), wall);
+    for (const Task task :
+         {Task::elasticity, Task::contact, Task::analysis, Task::factorization, Task::solution})
+        EXPECT_GT(spent.on(task), 0) << static_cast<int>(task);
+    EXPECT_EQ(spent.on(Task::breaking), 0);
+}
+
+// Contact would be blamed for what others cost.
+TEST(TimeSpent, NothingGoesIntoContactWhereThereIsNone) {
+    TimeSpent spent;
+    double wall = 0;
+    let_plates_fall(false, spent, wall);
+    EXPECT_LE(sum(spent), wall);
+    EXPECT_EQ(spent.on(Task::contact), 0);
+    EXPECT_GT(spent.on(Task::elasticity), 0);
+}
+
+}  // namespace
+}  // namespace sherd
