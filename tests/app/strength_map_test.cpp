@@ -274,7 +274,9 @@ TEST_P(BadStrengthMap, IsAnErrorThatNamesLineAndKey) {
     write_vdb(directory.path / "half.vdb", {vdb_grid("first", 1, block, 1.0f, one)});
     std::filesystem::resize_file(directory.path / "half.vdb",
                                  std::filesystem::file_size(directory.path / "half.vdb") / 2);
-    write_vdb(directory.path / "double.vdb", {vdb_grid<openvdb::DoubleGrid>("first", 1, block, 1.0, one)});
+    const auto doubles = openvdb::GridBase::createGrid(openvdb::DoubleGrid::gridType());
+    doubles->setName("first");
+    write_vdb(directory.path / "double.vdb", {doubles});
     directory.write("edges.txt", "6 7\n7 7\n");
     directory.write("scene.toml",
                     "duration = 1\n[sheet.square]\nmesh = " + GetParam().mesh +

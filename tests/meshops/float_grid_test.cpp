@@ -64,7 +64,8 @@ TEST_F(FloatGrid, IsLinearBetweenVoxelsAndBackgroundOutside) {
 
 TEST_F(FloatGrid, IsFoundByNameAmongOthers) {
     const auto zero = [](double, double, double) { return 0.25f; };
-    const auto vectors = openvdb::Vec3SGrid::create();
+    openvdb::initialize();
+    const auto vectors = openvdb::GridBase::createGrid(openvdb::Vec3SGrid::gridType());
     vectors->setName("v");
     write_vdb(file, {vectors, vdb_grid("low", 1, block, 0.0f, zero), plane_grid("plane")});
     EXPECT_EQ(sample(file, "low", {Vector3d::Zero()}).values[0], 0.25);

@@ -11,17 +11,19 @@ namespace sherd::test {
 
 /// A grid of cubic voxels whose centres in [lower, upper] (numbers of voxels) are active and hold
 /// `value(x, y, z)` of their place in space.
-template <class Grid = openvdb::FloatGrid, class Value>
-typename Grid::Ptr vdb_grid(const std::string& name, double voxel, const openvdb::CoordBBox& active,
-                            typename Grid::ValueType background, const Value& value) {
+template <class Value>
+openvdb::FloatGrid::Ptr vdb_grid(const std::string& name, double voxel, const openvdb::CoordBBox& active,
+                                 float background, const Value& value) {
     openvdb::initialize();
-    const typename Grid::Ptr grid = Grid::create(background);
+    // By its type's name: Grid::create would compile all of OpenVDB's tree a second time.
+    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(
+        openvdb::GridBase::createGrid(openvdb::FloatGrid::gridType()));
+    grid->tree().root().setBackground(background, false);
     grid->setName(name);
     grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
-    auto voxels = grid->getAccessor();
     for (auto at = active.begin(); at; ++at) {
         const openvdb::Vec3d place = grid->indexToWorld(*at);
-        voxels.setValue(*at, static_cast<typename Grid::ValueType>(value(place.x(), place.y(), place.z())));
+        grid->tree().setValue(*at, static_cast<float>(value(place.x(), place.y(), place.z())));
     }
     return grid;
 }
