@@ -55,7 +55,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 struct SurfaceMeeting {
     std::vector<Face> crossing;
     double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that touches
-    double touching = 0, minimum = 0;                           ///< m, of the same pair
+    double touching = 0;                                        ///< m, of the same pair
     Vector3d at = Vector3d::Zero();
 };
 
@@ -87,7 +87,7 @@ SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle
     for (const ContactPair& pair : contact.touching(x)) {
         const PairPositions local = pair_positions(contact.at_end(x), pair.vertices);
         if (const double apart = distance(pair, local); apart < found.distance)
-            found = {found.crossing, apart, pair.touching, pair.minimum(), local.rowwise().mean()};
+            found = {found.crossing, apart, pair.touching, local.rowwise().mean()};
     }
     return found;
 }
@@ -128,7 +128,7 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
             if (inside_it.count > 0) tell(deep, scene.sheets[s], inputs[s], specs[o], inside_it);
             if (deep) continue;
             const SurfaceMeeting met = surface_meeting(inputs[s], obstacles[o]);
-            const bool too_near = met.distance <= met.minimum;
+            const bool too_near = met.touching - met.distance > deepest_start * inputs[s].material.thickness;
             if (!met.crossing.empty() || too_near ||
                 (inside_it.count == 0 && met.distance < pressed * met.touching))
                 tell(!met.crossing.empty() || too_near, scene.sheets[s], inputs[s], specs[o], met);

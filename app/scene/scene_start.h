@@ -8,11 +8,10 @@
 namespace sherd {
 
 /// Looks for vertices of sheets that start inside an obstacle, and for faces that start across its surface or
-/// nearer to it than half the thickness; pinned vertices may be inside. Vertices deeper than a quarter of the
-/// thickness, and faces that cross or are nearer than the minimum of their pair, which contact pushes out
-/// with violence or not at all: it throws Error that names the scene's line and key, the sheet, how many
-/// there are and where; less than that, it warns. inputs: of all sheets, in the scene's order; obstacles:
-/// made of specs.
+/// nearer to it than half the thickness; pinned vertices may be inside. By more than a quarter of the
+/// thickness, or across, contact would push them out with violence or not at all: it throws Error that names
+/// the scene's line and key, the sheet, how many there are and where; by less, it warns. inputs: of all
+/// sheets, in the scene's order; obstacles: made of specs.
 void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings);

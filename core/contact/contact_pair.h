@@ -16,8 +16,9 @@ struct ContactPair {
     double stiffness;               ///< N/m, of the column of sheet between them: see ContactSurface
     double touching;                ///< m, the distance of the middle surfaces from which on they push
     EdgeMollifier mollifier;        ///< idle for a vertex and a triangle
+    double closest = 0.75;          ///< of the touching distance: they never come as near
 
-    double minimum() const { return 0.75 * touching; }  ///< m, the distance that they never reach
+    double minimum() const { return closest * touching; }  ///< m
     Barrier barrier() const { return {touching - minimum()}; }
 };
 

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double share = 0.5;           // of a column, for each way of touching
 constexpr double share_of_rest = 0.75;  // of the distance at rest, from which neighbours push
+// Of the touching distance. Where a solid is soft it is the solid that gives, so springs have nearly all of
+// it.
+constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.1;
 
 template <std::size_t N>
 std::array<Index, N> shifted(std::array<Index, N> vertices, Index by) {
@@ -151,10 +154,15 @@ double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertice
 
 ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices, double touching) const {
     const auto [a, b, c, d] = vertices;
-    const double on = solid_of(kind, vertices) ? area_on_solid(kind, vertices) : area(kind, vertices);
+    const bool on_solid = solid_of(kind, vertices);
+    const double on = on_solid ? area_on_solid(kind, vertices) : area(kind, vertices);
     return {
-        kind, vertices, share * on / column(kind, vertices), touching,
-        kind == PairKind::edge_edge ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{}};
+        kind,
+        vertices,
+        share * on / column(kind, vertices),
+        touching,
+        kind == PairKind::edge_edge ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{},
+        on_solid ? closest_to_solid : closest_to_sheet};
 }
 
 }  // namespace sherd

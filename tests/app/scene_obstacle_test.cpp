@@ -264,9 +264,9 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
                                  "surface, face "})
             EXPECT_NE(across.err.find(part), std::string::npos) << across.err;
         const ProgramResult near =
-            outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.949] }");
+            outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.9492] }");
         EXPECT_EQ(near.exit_code, 2) << near.err;
-        EXPECT_NE(near.err.find("sheet.plate starts 0.001 m from its surface, at ["), std::string::npos)
+        EXPECT_NE(near.err.find("sheet.plate starts 0.0008 m from its surface, at ["), std::string::npos)
             << near.err;
     }
     const ProgramResult pressed =
