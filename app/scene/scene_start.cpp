@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/contact/contact_solids.h"
@@ -16,7 +17,6 @@ namespace sherd {
 namespace {
 
 constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
-constexpr double pressed = 0.99;                        // of the distance at which surfaces touch
 
 /// The vertices of one sheet that touch one obstacle at the start.
 struct InsideObstacle {
@@ -54,8 +54,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 /// How the faces of one sheet stand to the surface of one obstacle.
 struct SurfaceMeeting {
     std::vector<Face> crossing;
-    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that touches
-    double touching = 0;                                        ///< m, of the same pair
+    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
     Vector3d at = Vector3d::Zero();
 };
 
@@ -87,7 +86,7 @@ SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle
     for (const ContactPair& pair : contact.touching(x)) {
         const PairPositions local = pair_positions(contact.at_end(x), pair.vertices);
         if (const double apart = distance(pair, local); apart < found.distance)
-            found = {found.crossing, apart, pair.touching, local.rowwise().mean()};
+            found = {found.crossing, apart, local.rowwise().mean()};
     }
     return found;
 }
@@ -99,17 +98,16 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         const Point& at = input.mesh.point(input.mesh.target(input.mesh.halfedge(first)));
         return fmt::format(
             "{}: {} of {} faces of sheet.{} start across its surface, face {} at [{:.4g}, {:.4g}, {:.4g}] "
-            "the "
-            "first: move the sheet or the obstacle, or pin the vertices that it holds",
+            "the first: move the sheet or the obstacle, or pin the vertices that it holds",
             obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name, first.idx(),
             at.x(), at.y(), at.z());
     }
+    const double half = 0.5 * input.material.thickness;
     return fmt::format(
         "{}: sheet.{} starts {:.3g} m from its surface, at [{:.4g}, {:.4g}, {:.4g}], where {:.3g} m, half "
-        "its "
-        "thickness, is touching: move the sheet or the obstacle by {:.3g} m, or make it smaller",
-        obstacle.where, sheet.name, found.distance, found.at.x(), found.at.y(), found.at.z(), found.touching,
-        found.touching - found.distance);
+        "its thickness, is touching: move the sheet or the obstacle by {:.3g} m, or make it smaller",
+        obstacle.where, sheet.name, found.distance, found.at.x(), found.at.y(), found.at.z(), half,
+        half - found.distance);
 }
 
 }  // namespace
@@ -118,20 +116,17 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
-    const auto tell = [&](bool refused, auto&&... what) {
-        (refused ? mistakes : warnings).push_back(message(what...));
-    };
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
             const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
             const bool deep = inside_it.depth > deepest_start * inputs[s].material.thickness;
-            if (inside_it.count > 0) tell(deep, scene.sheets[s], inputs[s], specs[o], inside_it);
+            if (inside_it.count > 0)
+                (deep ? mistakes : warnings)
+                    .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it));
             if (deep) continue;
             const SurfaceMeeting met = surface_meeting(inputs[s], obstacles[o]);
-            const bool too_near = met.touching - met.distance > deepest_start * inputs[s].material.thickness;
-            if (!met.crossing.empty() || too_near ||
-                (inside_it.count == 0 && met.distance < pressed * met.touching))
-                tell(!met.crossing.empty() || too_near, scene.sheets[s], inputs[s], specs[o], met);
+            if (!met.crossing.empty() || std::isfinite(met.distance))
+                mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

@@ -11,9 +11,11 @@ namespace {
 
 constexpr double share = 0.5;           // of a column, for each way of touching
 constexpr double share_of_rest = 0.75;  // of the distance at rest, from which neighbours push
-// Of the touching distance. Where a solid is soft it is the solid that gives, so springs have nearly all of
-// it.
-constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.1;
+// From this share of half the thickness on a solid's surface pushes. Before that the springs of vertices are
+// alone, whose stiffness is that of the materials; where the solid is soft it is the solid that gives, and
+// that may be much.
+constexpr double share_of_solid = 0.5;
+constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.2;  // of the distance from which they push
 
 template <std::size_t N>
 std::array<Index, N> shifted(std::array<Index, N> vertices, Index by) {
@@ -102,7 +104,7 @@ double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vert
 
 double ContactSurface::touching(PairKind kind, const std::array<Index, 4>& vertices) const {
     const double together = thickness(kind, vertices);
-    if (solid_of(kind, vertices)) return together;
+    if (solid_of(kind, vertices)) return share_of_solid * together;
     const std::array<Index, 4> mine = shifted(vertices, -solid_vertices());
     if (sheet->body[mine[0]] != sheet->body[mine[vertices_of_first(kind)]]) return together;
     const PairPositions rest = pair_positions(sheet->rest, mine);

@@ -24,7 +24,8 @@ struct ContactSolid {
 /// Two elements push when their middle surfaces are closer than half the sum of the thicknesses. Elements of
 /// one sheet that are closer than that at rest (its own edges may be shorter than it is thick) push from
 /// three quarters of their distance at rest on, so that the rest shape is free of contact forces. A solid is
-/// nothing but its surface, so a sheet touches it at half its thickness.
+/// nothing but its surface, which a sheet touches at half its thickness, where the springs of ObstacleContact
+/// begin; pairs with it push from half of that on, to keep apart what vertices and springs do not.
 ///
 /// Stiffness is that of a column of sheet, half of each thickness high, of the two materials in series:
 /// k = area / (t_a / (2 Y_a) + t_b / (2 Y_b)). The area of a vertex is its footprint; that of two edges pi/2

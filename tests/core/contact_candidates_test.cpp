@@ -121,7 +121,7 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
 // Of solids, those that rest and those that move, whatever trees were kept of them.
 TEST(ContactCandidates, MissNoPairWithSolids) {
     const Sheet sheet = test::stacked_plates(1, 4, 0, ceramic);
-    const auto box = test::box_surface(Vector3d(0, 0, -0.0114), Vector3d(0.03, 0.02, 0.01));
+    const auto box = test::box_surface(Vector3d(0, 0, -0.0109), Vector3d(0.03, 0.02, 0.01));
     const auto ball = test::sphere_surface(0.02, 2);
     std::vector<ContactSolid> both(2);
     both[0].surface = box.get();
@@ -129,7 +129,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
     const ContactSurface surface(sheet, both, false);
     const Index solids = surface.solid_vertices(), count = surface.vertices();
     Positions start(3, count);
-    start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0214), sheet.position;
+    start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), sheet.position;
     Random random(5);
     SolidTrees kept;
     std::size_t found = 0, asked = 0;
@@ -150,7 +150,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
             }
         }
     EXPECT_GT(asked, 50u);
-    EXPECT_GT(found, 300u);
+    EXPECT_GT(found, 100u);
 }
 
 // Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
