@@ -80,8 +80,10 @@ void Simulation::give_up(const StepReport& report) const {
     text << "step " << report.step << ", at " << time() << " s: even a step of " << step_size.size()
          << " s cannot be solved within " << options.max_iterations
          << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
-    if (!breakable.mechanics().motions.empty())
-        text << "; or a moving pin meets what cannot get out of its way";
+    const bool obstacle_moves = std::any_of(options.obstacles.begin(), options.obstacles.end(),
+                                            [](const Obstacle& obstacle) { return obstacle.moves(); });
+    if (obstacle_moves || !breakable.mechanics().motions.empty())
+        text << "; or a moving pin or obstacle meets what cannot get out of its way";
     throw std::runtime_error(text.str());
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/scene/body_start.h"
 #include "app/scene/obstacle_shape.h"
 #include "app/scene/scene_force.h"
 #include "app/scene/scene_mesh.h"
@@ -80,6 +81,7 @@ SimulationOptions simulation_options(const Scene& scene, const std::vector<Sheet
     options.sheet_friction = scene.contact.friction;
     options.obstacles = make_obstacles(scene, scene.obstacles, warnings);
     options.bodies = make_bodies(scene);
+    require_free_bodies(scene, options.obstacles, options.bodies);
     require_free_start(scene, inputs, scene.obstacles, options.obstacles, warnings);
     require_free_start(scene, inputs, scene.bodies, make_obstacles(scene, scene.bodies, warnings), warnings);
     const BreakableSheet all(inputs);

@@ -274,5 +274,25 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
         std::string::npos);
 }
 
+// Springs of 1e9 N/m would fling it out at a hundred metres a second.
+TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
+    const TemporaryDirectory directory;
+    const auto outcome = [&](double height) {
+        directory.write("scene.toml",
+                        plate + "plane = {}\n[obstacle.ball]\nsphere = { radius = 0.1, centre = [0, 0, " +
+                            std::to_string(height) +
+                            "] }\ndensity = 1000\n[obstacle.brick]\n"
+                            "box = { size = [0.1, 0.1, 0.1], centre = [0.14, 0, 0.1] }\nmass = 1\n");
+        return run_sherd({"check", "scene.toml"}, directory.path);
+    };
+    const ProgramResult inside = outcome(0.09);
+    EXPECT_EQ(inside.exit_code, 2) << inside.err;
+    for (const char* part : {"scene.toml:9: obstacle.ball.sphere: starts 0.01 m inside obstacle.thing",
+                             "scene.toml:12: obstacle.brick.box: starts 0.01 m inside obstacle.ball: move"})
+        EXPECT_NE(inside.err.find(part), std::string::npos) << inside.err;
+    EXPECT_EQ(outcome(0.1).err.find("obstacle.thing"), std::string::npos) << "it lies on the floor";
+    EXPECT_EQ(outcome(0.3).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene.h"
+#include "core/contact/obstacle.h"
+#include "core/contact/rigid_body.h"
+
+namespace sherd {
+
+/// Throws Error, with the scene's lines and keys, if a free body starts in an obstacle or in another body,
+/// whose springs would fling it out. obstacles, bodies: those of the scene, in its order.
+void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
+                         const std::vector<RigidBody>& bodies);
+
+}  // namespace sherd
