@@ -191,7 +191,6 @@ void Simulation::finish(StepReport& report) {
     report.time = time();
     if (report.stages > 0) update_fragments();
     set_time(events, steps, time());
-    if (options.sheet_contact) release_lips();
     const PotentialEnergies potential = time_step.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
@@ -210,6 +209,8 @@ void Simulation::finish(StepReport& report) {
     report.obstacle_overlap = touch.deepest;
     report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();
+    // At the end: what is reported is the step as it was solved.
+    if (options.sheet_contact) release_lips();
 }
 
 Snapshot Simulation::snapshot() const {

@@ -65,6 +65,39 @@ TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     EXPECT_NEAR(0.005 - sheet.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
 }
 
+// Free fall, contact as half a swing of the spring, and up again; with long steps it would stay down.
+TEST(ObstacleContact, BouncesAsTheSpringSays) {
+    const double height = 0.01, gravity = 9.81, mass = 0.1, stiffness = 5e4, length = 2e-6;
+    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 + height));
+    TimeStepOptions options;
+    options.step = length;
+    options.obstacles = {floor(1e7)};
+    options.newton.tolerance = 1e-14;
+    TimeStep time_step(sheet, options);
+    const double fall = std::sqrt(2 * height / gravity), swing = std::sqrt(mass / stiffness);
+    const double sinking = mass * gravity / stiffness,
+                 amplitude = std::hypot(sinking, gravity * fall * swing);
+    const double contact = 2 * swing * (std::numbers::pi - std::acos(sinking / amplitude));
+    const auto advance_to = [&](double time, int& done, auto&& look) {
+        for (; done < std::lround(time / length); ++done) {
+            time_step.begin();
+            time_step.solve(20);
+            time_step.finish();
+            look(sheet.position(2, 0) - 0.005);
+        }
+    };
+    int done = 0;
+    double lowest = 0;
+    advance_to(fall, done, [](double) {});
+    EXPECT_NEAR(sheet.position(2, 0), 0.005, 1e-3 * height);
+    EXPECT_NEAR(sheet.velocity(2, 0), -gravity * fall, 1e-3 * gravity * fall);
+    advance_to(fall + contact, done, [&](double at) { lowest = std::min(lowest, at); });
+    EXPECT_NEAR(-lowest, sinking + amplitude, 5e-3 * amplitude);
+    EXPECT_NEAR(sheet.position(2, 0), 0.005, 5e-3 * height) << "just leaving";
+    advance_to(2 * fall + contact, done, [](double) {});
+    EXPECT_NEAR(sheet.position(2, 0), 0.005 + height, 0.01 * height) << "as high as it was";
+}
+
 // Coulomb: a = mu g, until it stops after v^2 / (2 mu g).
 TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
     Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
