@@ -114,7 +114,8 @@ bool TimeStep::predict() {
     if (fraction == 1) return true;
     // What is carried has to arrive, and obstacles too, so they go first, if need be with what is near them,
     // and the others as far as there is room.
-    for (const Positions& first : {carried(motion), taken_along(motion)}) {
+    for (const bool along : {false, true}) {
+        const Positions first = along ? taken_along(motion) : carried(motion);
         if (free_way(first) < 1) continue;
         const Positions others = motion - first;
         position = sheet.position + first;

@@ -27,12 +27,7 @@ ObstacleTrack::ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& ob
 std::vector<Eigen::Isometry3d> ObstacleTrack::poses(const Simulation& simulation) const {
     std::vector<Eigen::Isometry3d> poses;
     for (const Motion& motion : motions) poses.push_back(motion.at(simulation.time()));
-    for (const RigidBody& body : simulation.bodies()) {
-        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-        pose.linear() = body.rotation;
-        pose.translation() = body.centre;
-        poses.push_back(pose);
-    }
+    for (const RigidBody& body : simulation.bodies()) poses.push_back(body.pose());
     return poses;
 }
 

@@ -12,18 +12,11 @@ namespace {
 
 constexpr double noticed = 1e-6;  // of a body's size: less is rounding, as of what is placed on a floor
 
-Eigen::Isometry3d pose(const RigidBody& body) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = body.rotation;
-    pose.translation() = body.centre;
-    return pose;
-}
-
 /// m, how deep the deepest foot is in a shape; less than zero if none is.
 double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
     double deepest = -1;
     for (const Vector3d& foot : body.feet)
-        deepest = std::max(deepest, overlap(shape, there, pose(body) * foot, body.skin).depth);
+        deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.skin).depth);
     const double size = body.shape->bounds().diagonal().norm();
     return deepest > noticed * size ? deepest : -1;
 }
@@ -47,8 +40,8 @@ void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstac
                   depth(bodies[b], *obstacles[o].shape, obstacles[o].motion.at(0)));
         for (std::size_t c = 0; c < b; ++c)
             judge(scene.bodies[b], scene.bodies[c],
-                  std::max(depth(bodies[b], *bodies[c].shape, pose(bodies[c])),
-                           depth(bodies[c], *bodies[b].shape, pose(bodies[b]))));
+                  std::max(depth(bodies[b], *bodies[c].shape, bodies[c].pose()),
+                           depth(bodies[c], *bodies[b].shape, bodies[b].pose())));
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }

@@ -10,7 +10,7 @@ namespace sherd {
 
 // Surfaces of solids as triangles that face outward, in the frame of the solid. Round ones have their points
 // on the surface and facets inside it, by about `sagitta` (m), but no fewer than are good to look at and no
-// more than 36,000.
+// more than 37,000.
 
 SolidSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
 SolidSurface facets(const SphereShape& sphere, double sagitta);

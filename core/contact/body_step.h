@@ -30,7 +30,6 @@ class BodyStep {
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
     BodyPose pose(const Vector6d& q) const;
-    const Vector6d& unhindered() const { return predicted; }  ///< q without contact
     const RigidBody& start() const { return body; }
     RigidBody moved(const Vector6d& q) const;
 
@@ -69,9 +68,9 @@ class BodyStep {
     RigidBody body;
     const std::vector<Obstacle>& obstacles;
     const NearPairs* near;
-    double step, end;  ///< s
-    Matrix3d inertia;  ///< kg m^2, in space
-    Vector6d predicted;
+    double step, end;    ///< s
+    Matrix3d inertia;    ///< kg m^2, in space
+    Vector6d predicted;  ///< q without contact
     std::vector<Sliding> sliding;
     std::vector<SlidingPair> sliding_pairs;  ///< with the body's points as the first vertices
     std::vector<SlidingFoot> sliding_feet;   ///< on obstacles

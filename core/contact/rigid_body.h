@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct RigidBody {
     Vector3d velocity = Vector3d::Zero();          ///< m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about its centre
 
+    Eigen::Isometry3d pose() const {  ///< from its frame to space
+        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+        pose.linear() = rotation;
+        pose.translation() = centre;
+        return pose;
+    }
     Matrix3d inertia_in_space() const { return rotation * inertia.asDiagonal() * rotation.transpose(); }
     Vector3d spin() const {  ///< rad/s
         return rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose() * angular_momentum;

@@ -87,8 +87,7 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
             const RigidBody& now = time_step.bodies()[0];
             Obstacle solid;
             solid.surface = now.surface;
-            solid.motion.place.linear() = now.rotation;
-            solid.motion.place.translation() = now.centre;
+            solid.motion.place = now.pose();
             ASSERT_GT(gap(sheet, solid, 0), 0.05 * 0.002) << "step " << i;
             ASSERT_LT((momentum(sheet, now) - before).norm(), 1e-8 * before.norm()) << "step " << i;
         }
