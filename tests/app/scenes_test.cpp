@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ShippedScene{"plate_stack", {"duration=0.015"}},
                       ShippedScene{"shards_in_box", {"duration=0.02"}},
                       ShippedScene{"bowl_on_anvil", {"duration=0.008"}},
-                      ShippedScene{"window_ball", {"duration=0.0012"}},
+                      ShippedScene{"window_ball", {"duration=0.0012", "obstacle.ball.velocity=[0, 0, -60]"}},
                       ShippedScene{"drape", {"duration=0.2"}},
                       ShippedScene{"crumple", {"sheet.tube.mesh.edge_length=0.01", "duration=0.4"}}),
     [](const auto& scene) { return scene.param.name; });
