@@ -2,10 +2,15 @@
 #include "app/export/export_vtp.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <memory>
+#include <new>
+#include <vector>
 
+#include "app/base64.h"
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
 #include "app/recording/xdmf.h"
@@ -16,72 +21,75 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header says little endian");
 
-/// The XML of arrays whose numbers are appended behind it.
-class Arrays {
-  public:
-    template <class T>
-    void add(const char* type, const char* name, int width, const T* values, std::size_t count) {
-        xml += fmt::format(
-            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
-            "offset=\"{}\"/>\n",
-            type, name, width, data.size());
-        const std::uint64_t size = count * sizeof(T);
-        data.append(reinterpret_cast<const char*>(&size), sizeof size);
-        data.append(reinterpret_cast<const char*>(values), size);
-    }
-    void line(const std::string& text) { xml += text + "\n"; }
-    std::string finish() { return xml + "<AppendedData encoding=\"raw\">\n_" + data + "\n</AppendedData>\n"; }
+constexpr std::size_t block_bytes = 32768;  // before compression; as VTK's own files have it
 
-  private:
-    std::string xml, data;
-};
-
-void add_face_arrays(Arrays& arrays, const Snapshot& frame) {
-    const std::size_t faces = frame.faces.size();
-    arrays.line("<CellData Scalars=\"fragment\">");
-    arrays.add("Int32", "fragment", 1, frame.face_fragment.data(), faces);
-    arrays.add("Int32", "sheet", 1, frame.face_sheet.data(), faces);
-    arrays.add("Float64", "strain", 1, face_quality(frame, "strain").data(), faces);
-    arrays.line("</CellData>");
+std::vector<std::uint8_t> compressed(std::span<const std::uint8_t> block) {
+    std::vector<std::uint8_t> result(compressBound(block.size()));
+    uLongf size = result.size();
+    if (compress(result.data(), &size, block.data(), block.size()) != Z_OK) throw std::bad_alloc();
+    result.resize(size);
+    return result;
 }
 
-void add_vertex_arrays(Arrays& arrays, const Snapshot& frame) {
+/// Numbers as VTK reads them between the tags of an array: in base64 the numbers and sizes of the compressed
+/// blocks, and in base64 anew these, one behind the other.
+std::string encoded(std::span<const std::uint8_t> bytes) {
+    const std::size_t blocks = (bytes.size() + block_bytes - 1) / block_bytes;
+    std::vector<std::uint64_t> head{blocks, block_bytes, bytes.size() % block_bytes};
+    std::vector<std::uint8_t> data;
+    for (std::size_t i = 0; i < blocks; ++i) {
+        const std::size_t begin = i * block_bytes;
+        const auto block = compressed(bytes.subspan(begin, std::min(block_bytes, bytes.size() - begin)));
+        head.push_back(block.size());
+        data.insert(data.end(), block.begin(), block.end());
+    }
+    return base64({reinterpret_cast<const std::uint8_t*>(head.data()), head.size() * sizeof head[0]}) +
+           base64(data);
+}
+
+template <class T>
+std::string array(const char* type, const char* name, int width, const T* values, std::size_t count) {
+    return fmt::format(
+        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n",
+        type, name, width, encoded({reinterpret_cast<const std::uint8_t*>(values), count * sizeof(T)}));
+}
+
+std::string vertex_arrays(const Snapshot& frame) {
     const VectorXd speed = frame.velocity.colwise().norm();
     const auto vertices = static_cast<std::size_t>(frame.position.cols());
-    arrays.line("<PointData Scalars=\"speed\">");
-    arrays.add("Float64", "speed", 1, speed.data(), vertices);
-    arrays.add("Float64", "velocity", 3, frame.velocity.data(), 3 * vertices);
-    arrays.line("</PointData>\n<Points>");
-    arrays.add("Float64", "Points", 3, frame.position.data(), 3 * vertices);
-    arrays.line("</Points>");
+    return "<PointData Scalars=\"speed\">\n" + array("Float64", "speed", 1, speed.data(), vertices) +
+           array("Float64", "velocity", 3, frame.velocity.data(), 3 * vertices) + "</PointData>\n<Points>\n" +
+           array("Float64", "Points", 3, frame.position.data(), 3 * vertices) + "</Points>\n";
 }
 
-void add_triangles(Arrays& arrays, const Snapshot& frame) {
+std::string face_arrays(const Snapshot& frame) {
+    const std::size_t faces = frame.faces.size();
+    return "<CellData Scalars=\"fragment\">\n" +
+           array("Int32", "fragment", 1, frame.face_fragment.data(), faces) +
+           array("Int32", "sheet", 1, frame.face_sheet.data(), faces) +
+           array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) + "</CellData>\n";
+}
+
+std::string triangles(const Snapshot& frame) {
     std::vector<std::int64_t> ends;
     for (std::size_t f = 1; f <= frame.faces.size(); ++f) ends.push_back(static_cast<std::int64_t>(3 * f));
-    arrays.line("<Polys>");
-    arrays.add("Int32", "connectivity", 1, frame.faces.empty() ? nullptr : frame.faces[0].data(),
-               3 * frame.faces.size());
-    arrays.add("Int64", "offsets", 1, ends.data(), ends.size());
-    arrays.line("</Polys>");
+    return "<Polys>\n" +
+           array("Int32", "connectivity", 1, frame.faces.empty() ? nullptr : frame.faces[0].data(),
+                 3 * frame.faces.size()) +
+           array("Int64", "offsets", 1, ends.data(), ends.size()) + "</Polys>\n";
 }
 
 }  // namespace
 
 std::string vtp_bytes(const Snapshot& frame) {
-    Arrays arrays;
-    arrays.line(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<PolyData>");
-    arrays.line(
-        fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-                    "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
-                    frame.position.cols(), frame.faces.size()));
-    add_vertex_arrays(arrays, frame);
-    add_face_arrays(arrays, frame);
-    add_triangles(arrays, frame);
-    arrays.line("</Piece>\n</PolyData>");
-    return arrays.finish() + "</VTKFile>\n";
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n" +
+           fmt::format(
+               "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+               "NumberOfPolys=\"{}\">\n",
+               frame.position.cols(), frame.faces.size()) +
+           vertex_arrays(frame) + face_arrays(frame) + triangles(frame) +
+           "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 std::string pvd_text(std::span<const TimedFile> files) {

@@ -9,8 +9,9 @@
 
 namespace sherd {
 
-/// The content of a VTK file (.vtp, appended raw) of a frame: its faces with `fragment`, `sheet` and `strain`
-/// (1/m, largest of the face's edges), its vertices with `speed` and `velocity`, all in the frame's order.
+/// The content of a VTK file (.vtp, XML that any parser reads, numbers in base64 of zlib's blocks) of a
+/// frame: its faces with `fragment`, `sheet` and `strain` (1/m, largest of the face's edges), its vertices
+/// with `speed` and `velocity`, all in the frame's order.
 std::string vtp_bytes(const Snapshot& frame);
 
 /// A file of a frame and its time.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "app/recording/recording.h"
@@ -13,9 +10,6 @@
 #include "app/view/view_thinning.h"
 
 namespace sherd {
-
-/// The bytes of numbers, little-endian, in base64.
-std::string base64(std::span<const std::uint8_t> bytes);
 
 /// Frames of `count` that are shown when a frame takes `frame_bytes` and there are `most_bytes` for all:
 /// every one, or as many as there is room for at nearly equal distances; the first and the last always.

@@ -8,6 +8,7 @@
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
 #include "meshops/error.h"
+#include "tests/support/base64.h"
 #include "tests/support/program.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
@@ -18,34 +19,9 @@ namespace {
 using Frames = std::vector<std::size_t>;
 using Json = nlohmann::json;
 
-std::string coded(const std::string& text) {
-    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-/// RFC 4648, section 10.
-TEST(Base64, GivesTheTestVectors) {
-    EXPECT_EQ(coded(""), "");
-    EXPECT_EQ(coded("f"), "Zg==");
-    EXPECT_EQ(coded("fo"), "Zm8=");
-    EXPECT_EQ(coded("foo"), "Zm9v");
-    EXPECT_EQ(coded("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(coded("\xff\xfe\xfb"), "//77");
-}
-
 template <class Number>
 std::vector<Number> decoded(const std::string& text) {
-    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        if (c == '=') break;
-        bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 255);
-    }
+    const std::string bytes = from_base64(text);
     std::vector<Number> numbers(bytes.size() / sizeof(Number));
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
     return numbers;
