@@ -211,7 +211,7 @@ TEST_F(StrengthMaps, ScoresMultiplyWhereTheyMeet) {
 
 // A disc held at two opposite sides and pressed down between them breaks along the score across it, and
 // nowhere else.
-TEST(Score, ADiscBreaksAlongItAndNowhereElse) {
+TEST(BreakingScore, ADiscBreaksAlongItAndNowhereElse) {
     const TemporaryDirectory directory;
     const std::filesystem::path file = directory.write("scene.toml", R"(duration = 0.004
 [sheet.disc]

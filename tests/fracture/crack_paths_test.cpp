@@ -116,7 +116,7 @@ double largest_distance(const Outcome& outcome, const SheetInput& sheet, double 
 
 // From a notch at a third of the span, where an even load bends the strip less than in its middle: straight
 // across, with nothing broken elsewhere.
-TEST(CrackPath, RunsFromANotchAcrossABentStrip) {
+TEST(BreakingPath, RunsFromANotchAcrossABentStrip) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         SheetInput strip = strip_on_two_supports(seed);
         const double place = span / 3;
@@ -131,7 +131,7 @@ TEST(CrackPath, RunsFromANotchAcrossABentStrip) {
 }
 
 // A load on a narrow band in the middle, as a bar presses.
-TEST(CrackPath, BreaksAStripBentOverAnEdgeOnce) {
+TEST(BreakingPath, BreaksAStripBentOverAnEdgeOnce) {
     constexpr double most = 3e5;  // N/m^2
     for (const unsigned seed : {1u, 2u, 3u}) {
         const SheetInput strip = strip_on_two_supports(seed);
@@ -165,7 +165,7 @@ std::array<double, 6> angle_histogram(const Outcome& outcome, const SheetInput& 
 }
 
 // Four times as strong along the axis as across: cracks run along it, whichever way it points on the mesh.
-TEST(CrackPath, FollowsTheWeakDirectionOfAPlate) {
+TEST(BreakingPath, FollowsTheWeakDirectionOfAPlate) {
     for (const double degrees : {0, 90}) {
         SheetInput plate = glass_rectangle(0.2, 0.2, 4);
         for (const Vertex vertex : plate.mesh.vertices())
