@@ -11,7 +11,7 @@
 #include "app/commands.h"
 #include "app/export/export.h"
 #include "app/interruption.h"
-#include "app/progress.h"
+#include "app/progress/progress.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_file.h"
 #include "app/render/render_film.h"
