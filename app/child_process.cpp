@@ -24,11 +24,12 @@ void require(int reason) {
         throw Error(fmt::format("cannot start another process: {}", std::strerror(reason)), Fault::run);
 }
 
-/// Ends for reading and for writing.
-std::array<int, 2> open_pipe() {
+/// Keeps the end of a new pipe for reading, and returns the one for writing.
+Descriptor open_pipe(Descriptor& to_read) {
     std::array<int, 2> ends{-1, -1};
     require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno);
-    return ends;
+    to_read = Descriptor(ends[0]);
+    return Descriptor(ends[1]);
 }
 
 }  // namespace
@@ -38,25 +39,20 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) {
     std::vector<char*> pointers{name.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    const std::array<int, 2> outputs = open_pipe(), errors = open_pipe();
-    out = outputs[0];
-    err = errors[0];
+    const Descriptor outputs = open_pipe(out), errors = open_pipe(err), told = open_pipe(reports);
     posix_spawn_file_actions_t redirection;
     posix_spawn_file_actions_init(&redirection);
-    posix_spawn_file_actions_adddup2(&redirection, outputs[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&redirection, errors[1], STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&redirection, outputs, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&redirection, errors, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&redirection, told, report_descriptor);
     const int reason = posix_spawn(&process, this_program, &redirection, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&redirection);
-    close(outputs[1]);
-    close(errors[1]);
     require(reason);
 }
 
 ChildProcess::~ChildProcess() {
     interrupt();
     wait();  // with the pipes open: its last words must not end it
-    close(out);
-    close(err);
 }
 
 void ChildProcess::interrupt() const {

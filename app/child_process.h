@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "app/descriptor.h"
+
 namespace sherd {
 
-/// This program once more, running beside the first one with its output in pipes.
+/// This program once more, running beside the first one with its output in pipes, and one pipe more by which
+/// it can tell how far it is.
 class ChildProcess {
   public:
     /// arguments: without the program's name. Throws Error (run) when it cannot be started.
@@ -21,7 +24,9 @@ class ChildProcess {
     /// Waits for its end. Returns its exit code; 128 + signal when one ended it.
     int wait();
 
-    int out = -1, err = -1;  ///< descriptors to read its stdout and stderr from
+    static constexpr int report_descriptor = 3;  ///< where it writes what `reports` reads
+
+    Descriptor out, err, reports;  ///< to read from: its stdout, its stderr, its reports
 
   private:
     int process = 0;  ///< 0: it has ended

@@ -39,7 +39,7 @@ nlohmann::ordered_json summary(const Mesh& before, std::span<const Edge> edges, 
                  static_cast<std::int64_t>(mesh.number_of_edges())}};
 }
 
-void check_output(const CutOptions& options) {
+OutputLock checked_output(const CutOptions& options) {
     const std::filesystem::path& output = options.output;
     if (!can_write_mesh(output))
         throw Error(fmt::format(
@@ -50,11 +50,13 @@ void check_output(const CutOptions& options) {
         if (std::filesystem::equivalent(output, input, none))
             throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",
                                     output.string()));
+    OutputLock lock(output);
     check_free(output, options.force);
+    return lock;
 }
 
 int cut(const CutOptions& options) {
-    check_output(options);
+    const OutputLock lock = checked_output(options);
     std::vector<std::string> warnings;
     const Mesh mesh = read_mesh(options.mesh, options.read, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);

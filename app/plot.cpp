@@ -88,8 +88,9 @@ int plot(PlotOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".svg");
     const Recording recording(options.recording);
+    const OutputLock lock(options.output);
     check_free(options.output, options.force);
-    PendingFile pending(options.output, Fault::input);
+    PendingFile pending(lock, Fault::input);
     pending.write(plot_svg(recording));
     pending.publish(options.force);
     fmt::print("{}\n", options.output.string());

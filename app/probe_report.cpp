@@ -124,8 +124,9 @@ void write_probe(const Probe& probe, const std::filesystem::path& file, bool for
     // The bare numbers, and generously for HDF5's own.
     const std::size_t bytes = (256 << 10) + 24 * probe.energies.size() * probe.energies.front().force.cols() +
                               48 * probe.hinges.size();
+    const OutputLock lock(file);
     check_free(file, force);
-    PendingFile pending(file, Fault::input);
+    PendingFile pending(lock, Fault::input);
     {
         const DiskRoom room(pending.path(), bytes);
         hdf5::Handle created = hdf5::create_file(pending.path());

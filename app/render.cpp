@@ -11,7 +11,7 @@
 #include "app/commands.h"
 #include "app/export/export.h"
 #include "app/interruption.h"
-#include "app/progress.h"
+#include "app/progress/progress.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_file.h"
 #include "app/render/render_film.h"
@@ -78,16 +78,22 @@ std::vector<fs::path> planned_files(const RenderOptions& options, const std::vec
     return files;
 }
 
-void write_whole(const fs::path& file, const std::string& bytes, bool force) {
-    PendingFile pending(file, Fault::run);
+/// What is locked while pictures are drawn: the one, or the name that all have without their number.
+fs::path whole_output(const RenderOptions& options) {
+    if (options.output.extension() == ".png") return options.output;
+    return options.output / fmt::format("{}.png", options.recording.stem().string());
+}
+
+void write_whole(const fs::path& file, const std::string& bytes, const OutputLock& lock, bool force) {
+    PendingFile pending(file, Fault::run, lock);
     pending.write(bytes);
     pending.publish(force);
 }
 
 /// Draws the pictures one after the other.
 void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
-              const std::vector<fs::path>& files, const RenderOptions& options, RenderFilm* film,
-              Rendering& result) {
+              const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock& lock,
+              RenderFilm* film, Rendering& result) {
     const PictureOptions picture = picture_options(options);
     Progress progress(static_cast<double>(frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -99,7 +105,7 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
             break;
         }
         const std::string bytes = png_bytes(*image);
-        write_whole(files[i], bytes, options.force);
+        write_whole(files[i], bytes, lock, options.force);
         result.files.push_back(files[i]);
         if (film) film->add(bytes);
         if (frames.size() > 1)
@@ -132,12 +138,13 @@ Rendering render_recording(const RenderOptions& options) {
     const RenderStage stage(recording, wanted, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     make_folder(files.front().parent_path());
+    const OutputLock lock(whole_output(options));
     std::optional<RenderFilm> film;
     if (!options.film.empty()) film.emplace(options.film, options.rate);
     Rendering result;
     result.legend = stage.legend();
     try {
-        draw_all(recording, stage, frames, files, options, film ? &*film : nullptr, result);
+        draw_all(recording, stage, frames, files, options, lock, film ? &*film : nullptr, result);
         if (!film || result.interrupted) return result;
         film->publish(options.force);
         result.files.push_back(options.film);

@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
-#include "app/progress.h"
+#include "app/progress/run_reporter.h"
 #include "app/recording/obstacle_track.h"
 #include "app/run_variants.h"
 #include "app/scene/scene_simulation.h"
@@ -31,12 +31,12 @@ struct Totals {
 class Runner {
   public:
     Runner(const Scene& scene, const ObstacleTrack& obstacles, Simulation& simulation,
-           RecordingWriter& writer)
+           RecordingWriter& writer, int progress_to)
         : scene(scene),
           obstacles(obstacles),
           simulation(simulation),
           writer(writer),
-          progress(scene.duration) {}
+          progress(scene.duration, progress_to) {}
 
     /// Returns how the run ended: "complete" or "interrupted".
     std::string run();
@@ -52,7 +52,7 @@ class Runner {
     const ObstacleTrack& obstacles;
     Simulation& simulation;
     RecordingWriter& writer;
-    Progress progress;
+    RunReporter progress;
     double recording = 0;  ///< s, of wall time
     Totals totals;
     std::vector<StepReport> unrecorded;
@@ -71,7 +71,8 @@ void Runner::step() {
     totals.last = report;
     unrecorded.push_back(report);
     append(unrecorded_events, events);
-    progress.update(report, totals.cracks, totals.halvings);
+    progress.update({report.step, report.time, scene.duration, report.step_size,
+                     static_cast<std::int64_t>(totals.cracks), report.fragments, totals.halvings});
 }
 
 void Runner::record() {
@@ -131,7 +132,8 @@ void warn(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
 }
 
-int run(const Scene& scene, const std::filesystem::path& output, bool force) {
+int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
+    RecordingOutput output(file, options.force);
     std::vector<std::string> warnings;
     std::vector<SheetInput> sheets;
     for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
@@ -141,13 +143,13 @@ int run(const Scene& scene, const std::filesystem::path& output, bool force) {
     Simulation simulation(sheets, simulated);
     const ObstacleTrack obstacles(scene, simulated.obstacles, simulated.bodies);
     watch_for_interruption();
-    RecordingWriter writer(output, recording_header(scene, simulation), force, obstacles.obstacles());
+    RecordingWriter writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles());
 
-    Runner runner(scene, obstacles, simulation, writer);
+    Runner runner(scene, obstacles, simulation, writer, options.progress_to);
     try {
         const std::string end = runner.run();
         writer.finish(runner.wall_seconds(), end);
-        runner.print_summary(end, output);
+        runner.print_summary(end, file);
         runner.print_time_spent();
         return end == "complete" ? 0 : 1;
     } catch (const std::exception& error) {
@@ -160,7 +162,7 @@ int run(const RunOptions& options) {
     const std::vector<Scene> scenes = read_scenes(options.scene);
     const Scene& first = scenes.front();
     if (options.scene.choice.variant.empty() && !first.variant.empty()) return run_variants(scenes, options);
-    return run(first, options.output.empty() ? recording_name(first) : options.output, options.force);
+    return run(first, options.output.empty() ? recording_name(first) : options.output, options);
 }
 
 }  // namespace
@@ -177,6 +179,8 @@ void add_run(CLI::App& program, Command& chosen) {
     command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    command->add_option("--progress-to", options->progress_to, "Descriptor for reports to this program")
+        ->group("");  // not for people, and not shown to them
     command->footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5 --set duration=0.02");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }

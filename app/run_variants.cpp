@@ -4,15 +4,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
-#include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
 #include <list>
 
-#include "app/child_process.h"
 #include "app/interruption.h"
+#include "app/progress/progress_display.h"
+#include "app/recording/recording.h"
 #include "app/recording/recording_file.h"
+#include "app/variant_run.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -22,84 +23,127 @@ namespace fs = std::filesystem;
 
 constexpr int patience = 50;  // ms until an interruption is seen
 
-/// A variant that is being run.
-class VariantRun {
-  public:
-    VariantRun(std::string variant, std::vector<std::string> arguments)
-        : variant(std::move(variant)), process(std::move(arguments)) {}
-
-    /// Passes on what it has to say: its progress at once, line by line with its name in front, its results
-    /// at its end. Returns false when there will be no more.
-    bool listen();
-    /// Waits for its end and prints its results; returns its exit code.
-    int finish();
-    void interrupt() { process.interrupt(); }
-
-    std::string variant;
-
-  private:
-    void show_lines();
-
-    ChildProcess process;
-    std::string results, line;
-    bool out_open = true, err_open = true;
-};
-
-/// Appends what there is in a pipe; false at its end.
-bool read_some(int pipe, std::string& text) {
-    std::array<char, 4096> buffer;
-    const ssize_t count = read(pipe, buffer.data(), buffer.size());
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-    return count > 0 || (count < 0 && errno == EINTR);
+/// What all recordings have in their names: the name that a scene without variants would get.
+fs::path common_output(const Scene& first, const RunOptions& options) {
+    if (options.output.extension() == ".h5") return options.output;
+    return options.output / fmt::format("{}.h5", first.file.stem().string());
 }
 
-void VariantRun::show_lines() {
-    for (std::size_t end = line.find('\n'); end != std::string::npos; end = line.find('\n')) {
-        fmt::print(stderr, "{}: {}\n", variant, line.substr(0, end));
-        line.erase(0, end + 1);
-    }
-}
-
-bool VariantRun::listen() {
-    std::array<pollfd, 2> pipes{pollfd{out_open ? process.out : -1, POLLIN, 0},
-                                pollfd{err_open ? process.err : -1, POLLIN, 0}};
-    if (poll(pipes.data(), pipes.size(), patience) <= 0) return true;
-    if (pipes[0].revents != 0) out_open = read_some(process.out, results);
-    if (pipes[1].revents != 0) err_open = read_some(process.err, line);
-    show_lines();
-    return out_open || err_open;
-}
-
-int VariantRun::finish() {
-    const int exit_code = process.wait();
-    if (!line.empty()) fmt::print(stderr, "{}: {}\n", variant, line);
-    if (!results.empty()) fmt::print("variant {}\n{}\n", variant, results);
-    std::fflush(stdout);
-    return exit_code;
-}
-
-std::vector<fs::path> recordings(std::span<const Scene> variants, const RunOptions& options) {
+std::vector<fs::path> recordings(std::span<const Scene> variants, const fs::path& common) {
     std::vector<fs::path> files;
-    for (const Scene& scene : variants) {
-        fs::path file = options.output / recording_name(scene);
-        if (options.output.extension() == ".h5")
-            file =
-                fs::path(options.output)
-                    .replace_filename(fmt::format("{}-{}.h5", options.output.stem().string(), scene.variant));
-        files.push_back(file);
-    }
+    for (const Scene& scene : variants)
+        files.push_back(fs::path(common).replace_filename(
+            fmt::format("{}-{}.h5", common.stem().string(), scene.variant)));
     return files;
 }
 
 /// The command line that runs one variant.
 std::vector<std::string> arguments_of(const std::string& variant, const fs::path& recording,
                                       const RunOptions& options) {
-    std::vector<std::string> arguments{"run",      options.scene.file.string(), "--variant", variant,
-                                       "--output", recording.string()};
+    std::vector<std::string> arguments{"run",           options.scene.file.string(),
+                                       "--variant",     variant,
+                                       "--output",      recording.string(),
+                                       "--progress-to", std::to_string(ChildProcess::report_descriptor)};
     for (const std::string& assignment : options.scene.choice.overrides)
         arguments.insert(arguments.end(), {"--set", assignment});
     if (options.force) arguments.push_back("--force");
     return arguments;
+}
+
+/// Runs variants side by side, each in a process of its own, and shows how far they are.
+class VariantRunner {
+  public:
+    VariantRunner(std::span<const Scene> variants, std::span<const fs::path> files, const RunOptions& options)
+        : variants(variants), files(files), options(options), display(longest_name(variants)) {}
+
+    /// Returns the names of those that failed, after all have ended.
+    std::vector<std::string> run();
+    /// Whether an interruption has ended them.
+    bool stopped = false;
+
+  private:
+    static std::size_t longest_name(std::span<const Scene> variants);
+    void start_some();
+    void wait_for_output() const;
+    void listen();
+    void finish(VariantRun& run);
+    void show();
+    void stop();
+
+    std::span<const Scene> variants;
+    std::span<const fs::path> files;
+    const RunOptions& options;
+    ProgressDisplay display;
+    std::list<VariantRun> running;
+    std::size_t next = 0;  ///< of the variants
+    std::vector<std::string> failed;
+};
+
+std::size_t VariantRunner::longest_name(std::span<const Scene> variants) {
+    std::size_t longest = 0;
+    for (const Scene& scene : variants) longest = std::max(longest, scene.variant.size());
+    return longest;
+}
+
+void VariantRunner::start_some() {
+    while (next < variants.size() && running.size() < static_cast<std::size_t>(options.jobs)) {
+        running.emplace_back(variants[next], arguments_of(variants[next].variant, files[next], options));
+        ++next;
+    }
+}
+
+void VariantRunner::wait_for_output() const {
+    std::vector<pollfd> pipes;
+    for (const VariantRun& run : running) run.add_pipes(pipes);
+    poll(pipes.data(), pipes.size(), patience);
+}
+
+void VariantRunner::listen() {
+    for (auto run = running.begin(); run != running.end();) {
+        const bool goes_on = run->listen();
+        if (const std::string words = run->take_words(); !words.empty()) {
+            display.make_way();
+            fmt::print(stderr, "{}", words);
+        }
+        if (goes_on) {
+            ++run;
+            continue;
+        }
+        show();  // its last tenth
+        finish(*run);
+        run = running.erase(run);
+    }
+}
+
+void VariantRunner::finish(VariantRun& run) {
+    if (run.finish() != 0) failed.push_back(run.variant);
+    display.make_way();
+    display.leave(run.meter);
+    if (!run.results.empty()) fmt::print("variant {}\n{}\n", run.variant, run.results);
+    std::fflush(stdout);
+}
+
+void VariantRunner::show() {
+    std::vector<ProgressMeter*> meters;
+    for (VariantRun& run : running) meters.push_back(&run.meter);
+    display.show(meters);
+}
+
+void VariantRunner::stop() {
+    stopped = true;
+    next = variants.size();
+    for (VariantRun& run : running) run.interrupt();
+}
+
+std::vector<std::string> VariantRunner::run() {
+    while (next < variants.size() || !running.empty()) {
+        start_some();
+        wait_for_output();
+        listen();
+        show();
+        if (interrupted() && !stopped) stop();
+    }
+    return failed;
 }
 
 }  // namespace
@@ -110,35 +154,15 @@ fs::path recording_name(const Scene& scene) {
 }
 
 int run_variants(std::span<const Scene> variants, const RunOptions& options) {
-    const std::vector<fs::path> files = recordings(variants, options);
-    for (const fs::path& file : files) check_free(file, options.force);
-    make_folder(files.front().parent_path());
+    const fs::path common = common_output(variants.front(), options);
+    const std::vector<fs::path> files = recordings(variants, common);
+    make_folder(common.parent_path());
+    const OutputLock lock(common);  // each process locks its own recording, when its turn has come
+    for (const fs::path& file : files) RecordingOutput(file, options.force);
     watch_for_interruption();
-    std::list<VariantRun> running;
-    std::vector<std::string> failed;
-    bool stopping = false;
-    for (std::size_t next = 0; next < variants.size() || !running.empty();) {
-        while (next < variants.size() && running.size() < static_cast<std::size_t>(options.jobs) &&
-               !stopping) {
-            running.emplace_back(variants[next].variant,
-                                 arguments_of(variants[next].variant, files[next], options));
-            ++next;
-        }
-        for (auto run = running.begin(); run != running.end();) {
-            if (run->listen()) {
-                ++run;
-                continue;
-            }
-            if (run->finish() != 0) failed.push_back(run->variant);
-            run = running.erase(run);
-        }
-        if (interrupted() && !stopping) {
-            stopping = true;
-            next = variants.size();
-            for (VariantRun& run : running) run.interrupt();
-        }
-    }
-    if (stopping) return 1;
+    VariantRunner runner(variants, files, options);
+    const std::vector<std::string> failed = runner.run();
+    if (runner.stopped) return 1;
     if (!failed.empty())
         throw Error(fmt::format("{} of {} variants failed: {}", failed.size(), variants.size(),
                                 fmt::join(failed, ", ")),

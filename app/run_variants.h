@@ -16,14 +16,16 @@ struct RunOptions {
     std::filesystem::path output;  ///< empty: named after the scene, in the working directory
     bool force = false;            ///< replace recordings that exist
     int jobs = 2;                  ///< variants at a time
+    int progress_to = -1;          ///< descriptor for to_line() of RunProgress, instead of stderr; -1: none
 };
 
 /// SCENE.h5, or SCENE-VARIANT.h5.
 std::filesystem::path recording_name(const Scene& scene);
 
 /// Runs the variants of a scene, `jobs` at a time, each in a process of its own: what happens in one stays
-/// there. Nothing is run unless all recordings can be written. Returns the exit code: 1 after an
-/// interruption, which ends all of them. Throws Error (run) when some variants failed, after all have ended.
+/// there. Nothing is run unless all recordings can be written and nobody writes them. Returns the exit code:
+/// 1 after an interruption, which ends all of them. Throws Error (run) when some variants failed, after all
+/// have ended.
 int run_variants(std::span<const Scene> variants, const RunOptions& options);
 
 }  // namespace sherd

@@ -23,8 +23,8 @@ void prepare_folder(const ExportOptions& options, const fs::path& folder) {
                                 reason ? reason.message() : "it does not exist"));
 }
 
-void write(const ExportJob& job, bool force) {
-    PendingFile pending(job.file, Fault::run);
+void write(const ExportJob& job, const OutputLock& whole, bool force) {
+    PendingFile pending(job.file, Fault::run, whole);
     if (job.write)
         job.write(pending.path());
     else
@@ -40,9 +40,10 @@ ExportReport export_recording(const ExportOptions& options) {
     const std::vector<ExportJob> jobs = format.plan(source);
     for (const ExportJob& job : jobs) check_free(job.file, options.force);
     prepare_folder(options, jobs.front().file.parent_path());
+    const OutputLock lock(source.clip_file(format.extension));
     ExportReport report;
     for (const ExportJob& job : jobs) try {
-            write(job, options.force);
+            write(job, lock, options.force);
             report.files.push_back(job.file);
         } catch (const Error& error) {
             const auto& done = report.files;

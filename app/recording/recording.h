@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/recording/output_lock.h"
 #include "app/recording/xdmf.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
@@ -34,15 +38,26 @@ struct RecordedObstacle {
     GridSurface surface;  ///< in the obstacle's own frame
 };
 
+/// The names of a recording and of its index, locked for this program as long as this lives.
+struct RecordingOutput {
+    /// Throws Error (input) when another program writes one of them, when one exists and not `force`, or when
+    /// the folder cannot be written; nothing is left behind then.
+    RecordingOutput(const std::filesystem::path& file, bool force);
+
+    OutputLock recording, index;
+    bool force;  ///< replace what is there
+};
+
 /// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
 /// replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
 /// later append fails. The layout of the file is in app/README.md. The program must ignore SIGXFSZ, so that a
 /// file size limit is an error like a full disk.
 class RecordingWriter {
   public:
-    /// Creates the file. Throws Error (input) when it or the index exists and not `force`, or cannot be
-    /// created; nothing is left behind then.
-    RecordingWriter(std::filesystem::path file, const RecordingHeader& header, bool force,
+    /// Creates the file. Throws Error (input) when it cannot be created; nothing is left behind then.
+    RecordingWriter(RecordingOutput output, const RecordingHeader& header,
+                    std::span<const RecordedObstacle> obstacles = {});
+    RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                     std::span<const RecordedObstacle> obstacles = {});
 
     /// Adds a frame, the steps since the last append, and the events since then. poses: of each obstacle,
@@ -55,12 +70,14 @@ class RecordingWriter {
     void finish(double wall_seconds, const std::string& end);
 
   private:
-    std::filesystem::path file;
+    const std::filesystem::path& file() const { return output.recording.output(); }
+
+    RecordingOutput output;
     std::vector<XdmfFrame> frames;
 };
 
 /// Reads a recording, while it is being written too. Every member throws Error (input) when what it reads is
-/// damaged.
+/// damaged, or when the file is not the one any more that was opened at first.
 class Recording {
   public:
     /// Throws Error when the file is missing, not HDF5 or not a recording of ours.
@@ -77,7 +94,12 @@ class Recording {
     std::string end() const;      ///< "running", "complete", "interrupted" or "failed: ..."
 
   private:
+    /// Opens the file and returns read(opened), with errors that name the file.
+    template <class Read>
+    auto read_with(Read read) const;
+
     std::filesystem::path file;
+    std::pair<dev_t, ino_t> identity;  ///< a run with --force puts another file in its place
 };
 
 }  // namespace sherd

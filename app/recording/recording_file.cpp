@@ -6,28 +6,17 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 
+#include "app/descriptor.h"
+
 namespace sherd {
 
 namespace {
-
-/// An open file descriptor, closed at the end of its scope.
-struct Descriptor {
-    explicit Descriptor(int number) : number(number) {}
-    ~Descriptor() {
-        if (number >= 0) ::close(number);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number;
-};
 
 bool disk_is_full(int reason) {
     return reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
@@ -60,10 +49,13 @@ void release(const std::filesystem::path& file) {
 
 }  // namespace
 
-PendingFile::PendingFile(std::filesystem::path target_, Fault fault)
+PendingFile::PendingFile(const OutputLock& lock, Fault fault) : PendingFile(lock.output(), fault, lock) {}
+
+PendingFile::PendingFile(std::filesystem::path target_, Fault fault, const OutputLock& whole)
     : target(std::move(target_)), temporary(target.string() + ".part") {
+    if (target != whole.output()) own.emplace(target);
     const Descriptor created(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (created.number < 0) {
+    if (created < 0) {
         const int reason = errno;
         throw Error(
             fmt::format("cannot create '{}': {}; name a file in a folder that exists and can be written",
@@ -119,13 +111,13 @@ void make_folder(const std::filesystem::path& folder) {
 DiskRoom::DiskRoom(std::filesystem::path file_, std::size_t bytes) : file(std::move(file_)) {
     const Descriptor opened(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
     struct stat status {};
-    if (opened.number < 0 || ::fstat(opened.number, &status) != 0)
+    if (opened < 0 || ::fstat(opened, &status) != 0)
         throw Error(fmt::format("cannot write to '{}': {}", file.string(), std::strerror(errno)), Fault::run);
     rlimit limit{};
     ::getrlimit(RLIMIT_FSIZE, &limit);
     if (limit.rlim_cur != RLIM_INFINITY && static_cast<rlim_t>(status.st_size) + bytes > limit.rlim_cur)
         no_room(file, bytes, EFBIG);
-    if (const int reason = reserve(opened.number, status.st_size, bytes)) {
+    if (const int reason = reserve(opened, status.st_size, bytes)) {
         release(file);
         no_room(file, bytes, reason);
     }

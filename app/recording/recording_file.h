@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "app/recording/output_lock.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -12,8 +14,12 @@ namespace sherd {
 /// removed if it never is.
 class PendingFile {
   public:
-    /// Creates it empty. Throws Error of kind `fault` when it cannot be created.
-    PendingFile(std::filesystem::path target, Fault fault);
+    /// Creates it empty. The lock is that of the file and must outlive this. Throws Error of kind `fault`
+    /// when it cannot be created.
+    PendingFile(const OutputLock& lock, Fault fault);
+    /// One file of an output of several, which as a whole is locked: the file gets its own lock, too. Throws
+    /// Error (input) when another program has that.
+    PendingFile(std::filesystem::path target, Fault fault, const OutputLock& whole);
     ~PendingFile();
     PendingFile(const PendingFile&) = delete;
     PendingFile& operator=(const PendingFile&) = delete;
@@ -26,6 +32,7 @@ class PendingFile {
 
   private:
     std::filesystem::path target, temporary;
+    std::optional<OutputLock> own;
 };
 
 /// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
@@ -25,15 +26,10 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
-/// Opens a recording and calls read(file); says which file it was when something in it cannot be read.
-template <class Read>
-auto read_from(const std::filesystem::path& file, Read read) {
-    const hdf5::Handle opened = hdf5::open_to_read(file);
-    try {
-        return read(static_cast<hid_t>(opened));
-    } catch (const Error& error) {
-        throw Error(fmt::format("the recording '{}' is damaged: {}", file.string(), error.what()));
-    }
+std::pair<dev_t, ino_t> identity_of(const std::filesystem::path& file) {
+    struct stat status {};
+    stat(file.c_str(), &status);
+    return {status.st_dev, status.st_ino};
 }
 
 bool is_recording(hid_t file) {
@@ -46,7 +42,21 @@ bool is_recording(hid_t file) {
 
 }  // namespace
 
-Recording::Recording(const std::filesystem::path& file) : file(file) {
+template <class Read>
+auto Recording::read_with(Read read) const {
+    const hdf5::Handle opened = hdf5::open_to_read(file);
+    if (identity_of(file) != identity)
+        throw Error(
+            fmt::format("the recording '{}' has been replaced by another run while it was read; start again",
+                        file.string()));
+    try {
+        return read(static_cast<hid_t>(opened));
+    } catch (const Error& error) {
+        throw Error(fmt::format("the recording '{}' is damaged: {}", file.string(), error.what()));
+    }
+}
+
+Recording::Recording(const std::filesystem::path& file) : file(file), identity(identity_of(file)) {
     const hdf5::Handle opened = hdf5::open_to_read(file);
     if (!is_recording(opened))
         throw Error(
@@ -60,7 +70,7 @@ Recording::Recording(const std::filesystem::path& file) : file(file) {
 }
 
 RecordingHeader Recording::header() const {
-    return read_from(file, [](hid_t opened) {
+    return read_with([](hid_t opened) {
         RecordingHeader header;
         header.scene_file = hdf5::read_text_attribute(opened, "scene_file");
         header.scene_text = hdf5::read_text(opened, "scene");
@@ -77,11 +87,11 @@ RecordingHeader Recording::header() const {
 }
 
 std::size_t Recording::frame_count() const {
-    return read_from(file, [](hid_t opened) { return hdf5::member_count(opened, "frames"); });
+    return read_with([](hid_t opened) { return hdf5::member_count(opened, "frames"); });
 }
 
 Snapshot Recording::frame(std::size_t number) const {
-    return read_from(file, [number](hid_t opened) {
+    return read_with([number](hid_t opened) {
         Snapshot snapshot;
         const hdf5::Handle group = hdf5::open_group(opened, frame_group(number));
         snapshot.time = hdf5::read_real_attribute(group, "time");
@@ -95,7 +105,7 @@ Snapshot Recording::frame(std::size_t number) const {
 }
 
 std::vector<RecordedObstacle> Recording::obstacles() const {
-    return read_from(file, [](hid_t opened) {
+    return read_with([](hid_t opened) {
         std::vector<RecordedObstacle> obstacles;
         if (!hdf5::contains(opened, "obstacles")) return obstacles;
         for (const std::string& name : hdf5::read_texts(opened, "obstacles/names")) {
@@ -110,7 +120,7 @@ std::vector<RecordedObstacle> Recording::obstacles() const {
 }
 
 std::vector<Eigen::Isometry3d> Recording::poses(std::size_t number) const {
-    return read_from(file, [number](hid_t opened) {
+    return read_with([number](hid_t opened) {
         std::vector<Eigen::Isometry3d> poses;
         if (!hdf5::contains(opened, "obstacles")) return poses;
         const auto stored = hdf5::read<StoredPose>(opened, frame_group(number) + "/obstacle/pose");
@@ -128,22 +138,22 @@ std::vector<Eigen::Isometry3d> Recording::poses(std::size_t number) const {
 }
 
 std::vector<StepReport> Recording::steps() const {
-    return read_from(file, read_table<StepReport>);
+    return read_with(read_table<StepReport>);
 }
 
 CrackEvents Recording::events() const {
-    return read_from(file, [](hid_t opened) {
+    return read_with([](hid_t opened) {
         return CrackEvents{read_table<EdgeFailure>(opened), read_table<EdgeOpening>(opened),
                            read_table<VertexSplit>(opened), read_table<FragmentBirth>(opened)};
     });
 }
 
 double Recording::wall_seconds() const {
-    return read_from(file, [](hid_t opened) { return hdf5::read_real_attribute(opened, "wall_seconds"); });
+    return read_with([](hid_t opened) { return hdf5::read_real_attribute(opened, "wall_seconds"); });
 }
 
 std::string Recording::end() const {
-    return read_from(file, [](hid_t opened) { return hdf5::read_text_attribute(opened, "end"); });
+    return read_with([](hid_t opened) { return hdf5::read_text_attribute(opened, "end"); });
 }
 
 }  // namespace sherd

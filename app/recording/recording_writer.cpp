@@ -13,8 +13,13 @@ namespace {
 
 using namespace recording_format;
 
-std::filesystem::path index_of(std::filesystem::path file) {
-    return file.replace_extension(".xdmf");
+std::filesystem::path index_of(const std::filesystem::path& file) {
+    std::filesystem::path index = file;
+    index.replace_extension(".xdmf");
+    if (index == file)
+        throw Error(
+            fmt::format("'{}' is the name of the index for ParaView; name the recording .h5", file.string()));
+    return index;
 }
 
 void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
@@ -162,26 +167,31 @@ void change(const std::filesystem::path& file, std::size_t bytes, const std::fun
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(std::filesystem::path file_, const RecordingHeader& header, bool force,
+RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
+    : recording(file), index(index_of(file)), force(force) {
+    check_free(recording.output(), force);
+    check_free(index.output(), force);
+}
+
+RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
                                  std::span<const RecordedObstacle> obstacles)
-    : file(std::move(file_)) {
-    if (index_of(file) == file)
-        throw Error(
-            fmt::format("'{}' is the name of the index for ParaView; name the recording .h5", file.string()));
-    check_free(file, force);
-    check_free(index_of(file), force);
-    PendingFile pending(file, Fault::input);
+    : output(std::move(output_)) {
+    PendingFile pending(output.recording, Fault::input);
     {
         const DiskRoom room(pending.path(), head_bytes(header, obstacles));
         hdf5::Handle created = hdf5::create_file(pending.path());
         write_head(created, header);
         write_obstacles(created, obstacles);
-        created.close("'" + file.string() + "'");
+        created.close("'" + file().string() + "'");
     }
-    pending.publish(force);
+    pending.publish(output.force);
     std::error_code ignored;
-    std::filesystem::remove(index_of(file), ignored);
+    std::filesystem::remove(output.index.output(), ignored);
 }
+
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
+                                 std::span<const RecordedObstacle> obstacles)
+    : RecordingWriter(RecordingOutput(file, force), header, obstacles) {}
 
 void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
                              const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) try {
@@ -190,21 +200,21 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
                       snapshot.faces.size(), snapshot.edges.size()});
     // All that needs space comes before the recording is touched; what follows it is only a change of name.
-    PendingFile index(index_of(file), Fault::run);
-    index.write(xdmf_text(file.filename().string(), longer));
-    change(file, append_bytes(snapshot, steps, events, poses),
+    PendingFile index(output.index, Fault::run);
+    index.write(xdmf_text(file().filename().string(), longer));
+    change(file(), append_bytes(snapshot, steps, events, poses),
            [&](hid_t opened) { add(opened, frames.size(), snapshot, steps, events, poses); });
     index.publish(true);
     frames = std::move(longer);
 } catch (const Error& error) {
     throw Error(
         fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",
-                    frames.size(), snapshot.time, error.what(), file.string()),
+                    frames.size(), snapshot.time, error.what(), file().string()),
         Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
-    change(file, attribute_overhead, [&](hid_t opened) {
+    change(file(), attribute_overhead, [&](hid_t opened) {
         hdf5::write_attribute(opened, "wall_seconds", wall_seconds);
         hdf5::write_attribute(opened, "end", end);
     });

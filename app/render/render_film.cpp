@@ -52,7 +52,7 @@ int spawn(std::vector<std::string> arguments, int input, pid_t& child) {
 }  // namespace
 
 RenderFilm::RenderFilm(std::filesystem::path file_, double rate)
-    : file(checked(std::move(file_))), pending(file, Fault::input) {
+    : file(checked(std::move(file_))), lock(file), pending(lock, Fault::input) {
     std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is an error of write()
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)

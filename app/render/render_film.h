@@ -31,6 +31,7 @@ class RenderFilm {
     int wait();
 
     std::filesystem::path file;
+    OutputLock lock;
     PendingFile pending;
     int pipe_end = -1;
     pid_t child = -1;

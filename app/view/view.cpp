@@ -102,11 +102,12 @@ nlohmann::json fitting_data(const Recording& recording, const RenderStage& stage
 int view(ViewOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".html");
+    const OutputLock lock(options.output);
     check_free(options.output, options.force);
     std::vector<std::string> warnings;
     const std::string page = view_page(options, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    PendingFile pending(options.output, Fault::input);
+    PendingFile pending(lock, Fault::input);
     pending.write(page);
     pending.publish(options.force);
     fmt::print("{}\n", options.output.string());

@@ -65,7 +65,7 @@ TEST(RunVariants, AreWrittenWhereTheOutputSays) {
     EXPECT_EQ(run_sherd({"run", "scene.toml", "-o", "missing/folder"}, directory.path).exit_code, 2);
 
     // One that exists: nothing is run, and nothing replaced.
-    fs::remove(directory.path / "folder" / "drop-slow.h5");
+    for (const char* name : {"drop-slow.h5", "drop-slow.xdmf"}) fs::remove(directory.path / "folder" / name);
     const auto before = directory.contents();
     const ProgramResult kept = run_sherd({"run", "scene.toml", "-o", "folder/drop.h5"}, directory.path);
     EXPECT_EQ(kept.exit_code, 2);

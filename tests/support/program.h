@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -27,6 +34,8 @@ struct ProgramResult {
 struct ProgramLimits {
     /// Largest size of a file it may write: past it write() fails, as it does on a full disk.
     std::optional<std::uint64_t> file_bytes;
+    /// As on a file system that knows no locks: flock() fails.
+    bool no_locks = false;
 };
 
 namespace detail {
@@ -46,6 +55,20 @@ inline std::string text_of(std::FILE* file) {
     return text;
 }
 
+/// From now on the kernel answers flock() of this process with "not implemented".
+inline void forbid_locks() {
+    sock_filter steps[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+    };
+    const sock_fprog filter{static_cast<unsigned short>(std::size(steps)), steps};
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+        prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) != 0)
+        _exit(126);
+}
+
 /// Never returns: becomes the program, or ends with 127.
 inline void become(std::vector<char*>& arguments, const std::filesystem::path& directory, std::FILE* out,
                    std::FILE* err, const ProgramLimits& limits) {
@@ -54,6 +77,7 @@ inline void become(std::vector<char*>& arguments, const std::filesystem::path& d
         std::signal(SIGXFSZ, SIG_IGN);  // so that write() fails with an error instead
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (limits.no_locks) forbid_locks();
     dup2(fileno(out), STDOUT_FILENO);
     dup2(fileno(err), STDERR_FILENO);
     if (chdir(directory.c_str()) == 0) execv(arguments[0], arguments.data());

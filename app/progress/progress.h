@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/progress/progress_display.h"
+
+namespace sherd {
+
+/// Shows on stderr how far the one thing is that the program does. Its line is ended with it.
+class Progress {
+  public:
+    /// total: all there is to do, in s of simulated time or in pieces.
+    explicit Progress(double total) : meter(total) {}
+    ~Progress() { finish(); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// amount: of the total.
+    void show(double amount, ProgressText text);
+    void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }
+    /// Leaves the line as it is in the end.
+    void finish();
+
+    double wall_seconds() const { return meter.wall_seconds(); }
+
+  private:
+    ProgressMeter meter;
+    ProgressDisplay display;
+    bool shown = false;  ///< and not finished
+};
+
+}  // namespace sherd

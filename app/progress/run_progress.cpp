@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/progress/run_progress.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace sherd {
+
+ProgressText progress_text(const RunProgress& progress) {
+    ProgressText text{{{fmt::format("step {}", progress.step), 4},
+                       {fmt::format("{:.4g} of {:.4g} s", progress.time, progress.duration), 1}},
+                      {{fmt::format("cracks {}", progress.cracks), 3},
+                       {fmt::format("fragments {}", progress.fragments), 2}}};
+    if (progress.halvings > 0)
+        text.after.push_back(
+            {fmt::format("halved {} times, now {:.3g} s", progress.halvings, progress.step_size), 5});
+    return text;
+}
+
+std::string to_line(const RunProgress& p) {
+    return fmt::format("{} {} {} {} {} {} {}\n", p.step, p.time, p.duration, p.step_size, p.cracks,
+                       p.fragments, p.halvings);
+}
+
+std::optional<RunProgress> run_progress(const std::string& line) {
+    std::istringstream stream(line);
+    RunProgress p;
+    stream >> p.step >> p.time >> p.duration >> p.step_size >> p.cracks >> p.fragments >> p.halvings;
+    if (!stream) return std::nullopt;
+    return p;
+}
+
+}  // namespace sherd

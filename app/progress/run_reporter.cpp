@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/progress/run_reporter.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr double pause = 0.1;  // s between two reports, unless a tenth is done
+
+}  // namespace
+
+RunReporter::RunReporter(double duration, int descriptor)
+    : shown(duration), sent(duration), descriptor(descriptor) {
+    if (descriptor >= 0 && fcntl(descriptor, F_GETFD) < 0)
+        throw Error(fmt::format("--progress-to {}: this descriptor is not open", descriptor));
+}
+
+void RunReporter::update(const RunProgress& progress) {
+    if (descriptor < 0) return shown.show(progress.time, progress_text(progress));
+    last = progress;
+    sent.update(progress.time, {});
+    // The tenths come for certain: what a file says of them does not hang on how fast anything is.
+    if (!sent.has_new_tenth() && wall_seconds() - last_sent < pause) return;
+    last_sent = wall_seconds();
+    send();
+}
+
+void RunReporter::finish() {
+    shown.finish();
+    if (descriptor >= 0) send();
+}
+
+void RunReporter::send() const {
+    const std::string line = to_line(last);
+    // Shorter than a pipe's buffer and so written whole; without a reader SIGPIPE ends this process, too.
+    ssize_t count;
+    do count = write(descriptor, line.data(), line.size());
+    while (count < 0 && errno == EINTR);
+    if (count < 0)
+        throw Error(fmt::format("cannot report how far the run is: {}", std::strerror(errno)), Fault::run);
+}
+
+}  // namespace sherd

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/variant_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include "app/progress/run_progress.h"
+
+namespace sherd {
+namespace {
+
+/// Appends what there is in a pipe; false at its end.
+bool read_some(int pipe, std::string& text) {
+    pollfd waiting{pipe, POLLIN, 0};
+    if (poll(&waiting, 1, 0) <= 0) return true;
+    std::array<char, 4096> buffer;
+    const ssize_t count = read(pipe, buffer.data(), buffer.size());
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/// Takes the whole lines from the beginning of a text.
+std::vector<std::string> take_lines(std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
+        lines.push_back(text.substr(0, end));
+        text.erase(0, end + 1);
+    }
+    return lines;
+}
+
+}  // namespace
+
+VariantRun::VariantRun(const Scene& scene, std::vector<std::string> arguments)
+    : variant(scene.variant), meter(scene.duration, scene.variant), process(std::move(arguments)) {
+    meter.update(0, {{{"starting", 1}}, {}});
+}
+
+void VariantRun::add_pipes(std::vector<pollfd>& pipes) const {
+    if (out_open) pipes.push_back({process.out, POLLIN, 0});
+    if (err_open) pipes.push_back({process.err, POLLIN, 0});
+    if (reports_open) pipes.push_back({process.reports, POLLIN, 0});
+}
+
+bool VariantRun::listen() {
+    if (out_open) out_open = read_some(process.out, results);
+    if (err_open) err_open = read_some(process.err, words);
+    if (reports_open) reports_open = read_some(process.reports, reports);
+    read_reports();
+    return is_open();
+}
+
+void VariantRun::read_reports() {
+    for (const std::string& line : take_lines(reports))
+        if (const auto progress = run_progress(line)) meter.update(progress->time, progress_text(*progress));
+}
+
+std::string VariantRun::take_words() {
+    if (!is_open() && !words.empty() && !words.ends_with('\n')) words += '\n';
+    std::string text;
+    for (const std::string& line : take_lines(words)) text += fmt::format("{}: {}\n", variant, line);
+    return text;
+}
+
+int VariantRun::finish() {
+    const int exit_code = process.wait();
+    meter.end(exit_code == 0 ? "took" : "ended after");
+    return exit_code;
+}
+
+}  // namespace sherd
