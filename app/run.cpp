@@ -177,7 +177,7 @@ void add_run(CLI::App& program, Command& chosen) {
     command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    command->footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5 --set duration=0.02");
+    command->footer("Example:\n  sherd run plate_drop -o plate.h5 --set duration=0.02");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }
 
