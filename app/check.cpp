@@ -121,7 +121,7 @@ void add_check(CLI::App& program, Command& chosen) {
         program.add_subcommand("check", "Say what is wrong with a scene before hours are spent");
     auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
-    command->footer("Example:\n  sherd check scenes/plate_drop.toml");
+    command->footer("Example:\n  sherd check plate_drop");
     command->callback([&chosen, options] { chosen = [options] { return check_all(*options); }; });
 }
 

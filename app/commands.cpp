@@ -3,12 +3,16 @@
 
 #include "app/scene/scene.h"
 #include "app/scene/scene_variant.h"
+#include "app/scene/shipped_scenes.h"
 #include "meshops/error.h"
 
 namespace sherd {
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
-    command.add_option("scene", options.file, "Scene file (TOML; keys in scenes/README.md)")
+    command
+        .add_option_function<std::string>(
+            "scene", [&options](const std::string& given) { options.file = find_scene(given); },
+            "Scene file (TOML; keys in scenes/README.md), or the name of one that 'sherd scenes' lists")
         ->required()
         ->option_text("SCENE.toml");
     command

@@ -26,14 +26,19 @@ void add_probe(CLI::App& program, Command& chosen);
 void add_render(CLI::App& program, Command& chosen);
 void add_plot(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
+void add_scenes(CLI::App& program, Command& chosen);
+/// What they print is made of `program` as it is when they run, with all of its commands.
+void add_completion(CLI::App& program, Command& chosen);
+void add_manual(CLI::App& program, Command& chosen);
 
-/// A scene as the command line gives it.
+/// A scene as the command line gives it: its file has been found (find_scene).
 struct SceneOptions {
     std::filesystem::path file;
     SceneChoice choice;
 };
 
-/// Adds SCENE.toml, --variant and --set to a subcommand; `options` must outlive the parsing.
+/// Adds SCENE.toml, --variant and --set to a subcommand; `options` must outlive the parsing, which throws
+/// Error when there is no such scene.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
 /// The scene in the variant that is asked for; else in each of its variants, or as it is when it has none.

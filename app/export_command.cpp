@@ -19,6 +19,14 @@ int print_export(const ExportOptions& options) {
     return 0;
 }
 
+/// "obj|ply|..."
+std::string format_words() {
+    std::string words = export_format_names();
+    for (std::size_t at = words.find(", "); at != std::string::npos; at = words.find(", "))
+        words.replace(at, 2, "|");
+    return words;
+}
+
 void add_form_options(CLI::App& command, ExportOptions& options) {
     command.add_flag("--fragments", options.fragments,
                      "One object (obj) or file (ply, stl) for each fragment; glb always has a node for each");
@@ -29,11 +37,11 @@ void add_form_options(CLI::App& command, ExportOptions& options) {
     command
         .add_option("--quality", options.quality,
                     "Main scalar of ply: strain (default; 1/m, largest of a face's edges), speed or fragment")
-        ->option_text("NAME");
+        ->option_text("strain|speed|fragment");
     command
         .add_option("--animate", options.animate,
                     "How the fragments of glb move: rigid (default) or morph (their shapes, too)")
-        ->option_text("HOW");
+        ->option_text("rigid|morph");
     command
         .add_option("--voxel", options.voxel,
                     "Edge length of the voxels of vdb in m (default: a quarter of the thickness)")
@@ -48,9 +56,9 @@ void add_export(CLI::App& program, Command& chosen) {
     command->add_option("recording", options->recording, "Recording of a run (.h5)")
         ->required()
         ->option_text("RUN.h5");
-    command->add_option("--to", options->format, "Format: " + export_format_names())
+    command->add_option("--to", options->format, "Format of the files")
         ->required()
-        ->option_text("FORMAT");
+        ->option_text(format_words());
     command
         ->add_option("-o,--output", options->output, "File, or folder for several (default: beside RUN.h5)")
         ->option_text("PATH");

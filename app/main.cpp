@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
         "Sherd breaks plates and shells: a scene goes in, fragments and the crack history come out.",
         "sherd");
     program.set_version_flag("--version", "sherd " SHERD_VERSION);
-    program.footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5");
+    program.footer("Example:\n  sherd run plate_drop -o plate.h5");
     sherd::Command chosen;
     sherd::add_run(program, chosen);
     sherd::add_check(program, chosen);
@@ -54,11 +54,16 @@ int main(int argc, char** argv) {
     sherd::add_render(program, chosen);
     sherd::add_plot(program, chosen);
     sherd::add_view(program, chosen);
+    sherd::add_scenes(program, chosen);
+    sherd::add_completion(program, chosen);
+    sherd::add_manual(program, chosen);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? done : bad_input;
+    } catch (const sherd::Error& error) {
+        return report(error.what(), bad_input);
     }
     if (!chosen) {
         fmt::print(stderr, "{}", program.help());

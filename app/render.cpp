@@ -168,7 +168,7 @@ void add_render(CLI::App& program, Command& chosen) {
         ->required();
     option("--frames", options->frames, "last (default), all, numbers and START:STOP:STEP as in Python",
            "WHICH");
-    option("--color", options->colour, "fragment (default), strain, speed, axis or none", "WHAT");
+    option("--color", options->colour, "What the colours show (default: fragment)", "fragment|strain|speed|axis|none");
     option("--range", options->range, "Of strain (1/m) or speed (m/s); default: all of the recording",
            "LOW:HIGH");
     option("--size", options->size, "Pixels (default 960x540)", "WxH");
@@ -177,7 +177,7 @@ void add_render(CLI::App& program, Command& chosen) {
            "AZIMUTH,ELEVATION[,ZOOM] in degrees (default 20,28), or eye and target X,Y,Z,X,Y,Z[,ANGLE] in m",
            "WHERE");
     option("--ground", options->ground, "auto (default): the scene's planes, or one below everything; none",
-           "WHICH");
+           "auto|none");
     option("--film", options->film, "Make a film of the pictures, too (.mp4, needs ffmpeg)", "FILE.mp4");
     option("--rate", options->rate, "Pictures a second of the film (default 25)", "R")
         ->check(CLI::Range(0.1, 1000.0));

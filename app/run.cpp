@@ -181,7 +181,7 @@ void add_run(CLI::App& program, Command& chosen) {
         ->capture_default_str();
     command->add_option("--progress-to", options->progress_to, "Descriptor for reports to this program")
         ->group("");  // not for people, and not shown to them
-    command->footer("Example:\n  sherd run scenes/plate_drop.toml -o plate.h5 --set duration=0.02");
+    command->footer("Example:\n  sherd run plate_drop -o plate.h5 --set duration=0.02");
     command->callback([&chosen, options] { chosen = [options] { return run(*options); }; });
 }
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/recording/recording_file.h"
+#include "app/scene/shipped_scenes.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ScenesOptions {
+    std::string copy;  ///< name of a scene; empty: list them
+    fs::path folder = ".";
+    bool force = false, json = false;
+};
+
+/// Columns of the terminal on stdout; 0 when it is none.
+std::size_t terminal_columns() {
+    winsize size{};
+    return isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/// `text` in lines of at most `width` characters where words allow it, those after the first indented.
+std::string wrapped(std::string text, std::size_t width, std::size_t indent) {
+    for (std::size_t begin = 0; text.size() - begin > width;) {
+        const std::size_t space = text.rfind(' ', begin + width);
+        if (space == std::string::npos || space <= begin) return text;
+        text.replace(space, 1, "\n" + std::string(indent, ' '));
+        begin = space + 1 + indent;
+    }
+    return text;
+}
+
+void print_list(const std::vector<ShippedScene>& scenes) {
+    std::size_t widest = 0;
+    for (const ShippedScene& scene : scenes) widest = std::max(widest, scene.name.size());
+    const std::size_t indent = widest + 2, columns = terminal_columns();
+    for (const ShippedScene& scene : scenes)
+        fmt::print("{:<{}}{}\n", scene.name, indent,
+                   columns < indent + 20 ? scene.description
+                                         : wrapped(scene.description, columns - indent - 1, indent));
+}
+
+void print_json(const std::vector<ShippedScene>& scenes) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ShippedScene& scene : scenes)
+        list.push_back(
+            {{"name", scene.name}, {"file", scene.file.string()}, {"description", scene.description}});
+    fmt::print("{}\n", list.dump(2));
+}
+
+/// Copies a scene and the files that it names into a folder, and prints their names there.
+void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
+    std::vector<fs::path> files = files_of_scene(scene.file);
+    files.insert(files.begin(), scene.file.filename());
+    for (const fs::path& file : files) check_free(options.folder / file, options.force);
+    make_folder(options.folder);
+    for (const fs::path& file : files) {
+        const fs::path copy = (options.folder / file).lexically_normal();
+        PendingFile pending(copy, Fault::input);
+        fs::copy_file(scene.file.parent_path() / file, pending.path(), fs::copy_options::overwrite_existing);
+        pending.publish(options.force);
+        fmt::print("{}\n", copy.string());
+    }
+}
+
+int scenes(const ScenesOptions& options) {
+    const fs::path folder = shipped_scene_folder();
+    const std::vector<ShippedScene> shipped = shipped_scenes(folder);
+    if (!options.copy.empty())
+        copy_scene(shipped_scene(options.copy, shipped), options);
+    else if (options.json)
+        print_json(shipped);
+    else
+        print_list(shipped);
+    return 0;
+}
+
+}  // namespace
+
+void add_scenes(CLI::App& program, Command& chosen) {
+    CLI::App* command =
+        program.add_subcommand("scenes", "List the scenes that come with the program, or copy one");
+    auto options = std::make_shared<ScenesOptions>();
+    CLI::Option* copy =
+        command->add_option("--copy", options->copy, "Copy this scene, and the files it names, to edit it")
+            ->option_text("SCENE");
+    command
+        ->add_option("-o,--output", options->folder, "Folder for the copy (default: the working directory)")
+        ->option_text("FOLDER")
+        ->needs(copy);
+    command->add_flag("--force", options->force, "Replace files that exist")->needs(copy);
+    command->add_flag("--json", options->json, "For scripts: name, file and description of each")
+        ->excludes(copy);
+    command->footer(
+        "Any command takes the name of one in place of a file.\n"
+        "Examples:\n"
+        "  sherd scenes\n"
+        "  sherd run plate_drop\n"
+        "  sherd scenes --copy bowl_on_anvil -o my_scenes");
+    command->callback([&chosen, options] { chosen = [options] { return scenes(*options); }; });
+}
+
+}  // namespace sherd
