@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "app/axis_ticks.h"
 #include "app/recording/xdmf.h"
 
 namespace sherd {
@@ -15,31 +16,9 @@ namespace {
 
 constexpr double left_margin = 62, right_margin = 16, top_margin = 50, bottom_margin = 42;  // pixels
 
-struct Prefix {
-    double factor;  ///< of the unit, to get numbers between 1 and 1000
-    std::string unit;
-};
-
-/// The unit with the prefix that suits the largest number.
-Prefix prefixed(const std::string& unit, double largest) {
-    if (unit == "m\xc2\xb2") {
-        if (largest < 1e-5) return {1e6, "mm\xc2\xb2"};
-        return largest < 1 ? Prefix{1e4, "cm\xc2\xb2"} : Prefix{1, unit};
-    }
-    if (unit.empty() || unit == "1/m" || !(largest > 0) || !std::isfinite(largest)) return {1, unit};
-    struct {
-        double size;
-        const char* name;
-    } constexpr prefixes[] = {{1e9, "G"},  {1e6, "M"},         {1e3, "k"}, {1, ""},
-                              {1e-3, "m"}, {1e-6, "\xc2\xb5"}, {1e-9, "n"}};
-    for (const auto& prefix : prefixes)
-        if (largest >= prefix.size) return {1 / prefix.size, prefix.name + unit};
-    return {1e9, "n" + unit};
-}
-
 /// How an axis shows numbers: [low, high] in its shown unit, over `length` pixels.
 struct Scale {
-    Prefix prefix;
+    UnitPrefix prefix;
     double low, high;
     bool logarithmic;
     double begin, end;  ///< pixels
@@ -111,11 +90,6 @@ std::string axis_words(const ChartAxis& axis, const Scale& scale) {
     return scale.prefix.unit.empty() ? axis.name : fmt::format("{} ({})", axis.name, scale.prefix.unit);
 }
 
-std::string tick_words(double tick) {
-    // Round numbers but for the last bit.
-    return fmt::format("{:.6g}", std::abs(tick) < 1e-300 ? 0.0 : tick);
-}
-
 std::string frame_svg(const Chart& chart, const Scale& x, const Scale& y) {
     const std::string grid = "stroke=\"#e4e4e4\" stroke-width=\"1\"",
                       small = "font-size=\"11\" fill=\"#444\"";
@@ -185,34 +159,6 @@ std::string legend_svg(const Chart& chart, double left, double y) {
 }
 
 }  // namespace
-
-std::vector<double> round_ticks(double low, double high, int most, bool whole) {
-    const double rough = (high - low) / most, power = std::pow(10, std::floor(std::log10(rough)));
-    double spacing = 10 * power;
-    for (const double step : {1.0, 2.0, 5.0})
-        if (step * power >= rough * (1 - 1e-9)) {
-            spacing = step * power;
-            break;
-        }
-    if (whole) spacing = std::max(1.0, spacing);
-    std::vector<double> ticks;
-    const double first = std::ceil(low / spacing - 1e-9);
-    for (double i = first; i * spacing <= high + 1e-9 * spacing; ++i) ticks.push_back(i * spacing);
-    while (ticks.size() < 2) ticks.push_back((first + static_cast<double>(ticks.size())) * spacing);
-    return ticks;
-}
-
-std::vector<double> logarithmic_ticks(double low, double high) {
-    const bool few = high < 150 * low;
-    std::vector<double> ticks;
-    for (double e = std::floor(std::log10(low) + 1e-9); e <= std::log10(high) + 1e-9; ++e)
-        for (const double digit : {1.0, 2.0, 5.0}) {
-            const double tick = digit * std::pow(10, e);
-            if ((few || digit == 1) && tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9))
-                ticks.push_back(tick);
-        }
-    return ticks;
-}
 
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns) {
     const auto most = static_cast<std::size_t>(4 * std::max(1, columns));

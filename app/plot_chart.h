@@ -33,13 +33,6 @@ struct Chart {
     std::vector<ChartSeries> series;
 };
 
-/// Round numbers, at most about `most`, that part [low, high]; always two at least.
-std::vector<double> round_ticks(double low, double high, int most, bool whole);
-
-/// Round numbers within [low, high], low > 0, on a logarithmic axis: 1, 2, 5, 10 and so on, or powers of ten
-/// alone.
-std::vector<double> logarithmic_ticks(double low, double high);
-
 /// The points that a line `columns` pixels wide needs: of each column the first, the last and the extremes.
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);
 

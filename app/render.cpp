@@ -14,6 +14,7 @@
 #include "app/progress/progress.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_file.h"
+#include "app/render/colour_bar.h"
 #include "app/render/render_film.h"
 #include "app/render/render_picture.h"
 #include "app/render/render_stage.h"
@@ -90,6 +91,14 @@ void write_whole(const fs::path& file, const std::string& bytes, const OutputLoc
     pending.publish(force);
 }
 
+/// Writes what the colours of numbers mean, and which moment it is, into a picture.
+void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, const RenderOptions& options) {
+    const std::optional<ColourBar> bar = stage.colour_bar();
+    if (!bar || options.plain || !has_room_for_bar(image.width, image.height)) return;
+    draw_colour_bar(image, *bar);
+    draw_caption(image, stage.caption(frame));
+}
+
 /// Draws the pictures one after the other.
 void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
               const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock& lock,
@@ -97,13 +106,14 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
     const PictureOptions picture = picture_options(options);
     Progress progress(static_cast<double>(frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const std::optional<Image> image =
-            render_picture(stage.scene(recording.frame(frames[i]), recording.poses(frames[i])),
-                           stage.camera(), picture, interrupted);
+        const Snapshot frame = recording.frame(frames[i]);
+        std::optional<Image> image = render_picture(stage.scene(frame, recording.poses(frames[i])),
+                                                    stage.camera(), picture, interrupted);
         if (!image) {
             result.interrupted = true;
             break;
         }
+        annotate(*image, stage, frame, options);
         const std::string bytes = png_bytes(*image);
         write_whole(files[i], bytes, lock, options.force);
         result.files.push_back(files[i]);
@@ -136,6 +146,11 @@ Rendering render_recording(const RenderOptions& options) {
     if (!options.film.empty()) check_free(options.film, options.force);
     std::vector<std::string> warnings;
     const RenderStage stage(recording, wanted, warnings);
+    if (stage.colour_bar() && !options.plain && !has_room_for_bar(picture.width, picture.height))
+        warnings.push_back(
+            fmt::format("--size {}: the pictures are too small for a colour bar and a caption, which are "
+                        "left out",
+                        options.size));
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     make_folder(files.front().parent_path());
     const OutputLock lock(whole_output(options));
@@ -182,6 +197,8 @@ void add_render(CLI::App& program, Command& chosen) {
     option("--rate", options->rate, "Pictures a second of the film (default 25)", "R")
         ->check(CLI::Range(0.1, 1000.0));
     option("--threads", options->threads, "Default: as many as the processor runs at once", "N");
+    command->add_flag("--plain", options->plain,
+                      "Without the colour bar and the caption that come with strain and speed");
     command->add_flag("--force", options->force, "Replace files that exist");
     command->footer(
         "Examples:\n"

@@ -17,6 +17,7 @@ struct RenderOptions {
     int samples = 32;                 ///< of each pixel
     std::string camera = "20,28";     ///< as parse_camera reads it
     std::string ground = "auto";      ///< auto, none
+    bool plain = false;               ///< without colour bar and caption
     std::filesystem::path film;       ///< .mp4 of all pictures; empty: none
     double rate = 25;                 ///< the film's pictures a second
     int threads = 0;                  ///< 0: as many as the processor runs at once

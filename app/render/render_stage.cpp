@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/render/focus.h"
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
 #include "app/render/render_stripes.h"
@@ -43,8 +44,8 @@ RenderStage::RenderStage(const Recording& recording, const StageOptions& options
         stripes = axis_stripes(header, recorded_axes(*scene_spec, header, warnings), std::sqrt(area) / 30);
     }
     placed = place_camera(options.camera, boxes, up, options.aspect);
-    placed.eye -= box.center();
-    placed.target -= box.center();
+    placed.eye -= centre();
+    placed.target -= centre();
     if (options.ground) add_ground();
 }
 
@@ -77,26 +78,38 @@ void RenderStage::find_thickness(std::vector<std::string>& warnings) {
 }
 
 void RenderStage::measure(const Recording& recording) {
-    lowest = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    lowest = infinity;
+    extent = {infinity, -infinity};
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const Snapshot frame = recording.frame(i);
-        Eigen::AlignedBox3d around;
         for (Eigen::Index v = 0; v < frame.position.cols(); ++v) {
             const Vector3d p = frame.position.col(v);
             if (!p.allFinite()) continue;
-            around.extend(p);
+            box.extend(p);
             lowest = std::min(lowest, p.dot(up));
         }
-        if (!around.isEmpty()) boxes.push_back(around);
-        box.extend(around);
-        RenderScalar scalar = render_scalar(frame, options.colour);
-        range.second = std::max(range.second, quantile(std::move(scalar.values), largest_share));
-        scalar_name = scalar.name;
-        scalar_unit = scalar.unit;
+        const Eigen::AlignedBox3d shown = focus_box(frame, header.rest_area);
+        if (!shown.isEmpty()) boxes.push_back(shown);
+        focus.extend(shown);
+        end = frame.time;
+        measure_scalar(render_scalar(frame, options.colour));
     }
-    if (box.isEmpty())
+    if (focus.isEmpty())
         throw Error("the recording has no frame with a place in it, so there is nothing to draw");
     if (options.range) range = *options.range;
+    if (!(range.second > range.first)) range.second = range.first + 1;  // all are the same, in any range
+}
+
+void RenderStage::measure_scalar(RenderScalar scalar) {
+    for (const double value : scalar.values) {
+        if (!std::isfinite(value)) continue;
+        extent.first = std::min(extent.first, value);
+        extent.second = std::max(extent.second, value);
+    }
+    range.second = std::max(range.second, quantile(std::move(scalar.values), largest_share));
+    scalar_name = scalar.name;
+    scalar_unit = scalar.unit;
 }
 
 void RenderStage::measure_obstacles(const Recording& recording) {
@@ -109,8 +122,8 @@ void RenderStage::measure_obstacles(const Recording& recording) {
     }
     for (const Eigen::AlignedBox3d& obstacle : around) {
         // One that would make the sheets small is cut off by the picture instead.
-        const double widened = box.merged(obstacle).diagonal().norm();
-        if (obstacle.isEmpty() || !(widened <= largest_widening * box.diagonal().norm())) continue;
+        const double widened = focus.merged(obstacle).diagonal().norm();
+        if (obstacle.isEmpty() || !(widened <= largest_widening * focus.diagonal().norm())) continue;
         boxes.push_back(obstacle);
         for (int corner = 0; corner < 8; ++corner)
             lowest = std::min(lowest,
@@ -120,13 +133,13 @@ void RenderStage::measure_obstacles(const Recording& recording) {
 
 void RenderStage::add_ground() {
     const auto add = [&](const Vector3d& point, const Vector3d& normal) {
-        planes.push_back({(point - box.center()).cast<float>(), normal.cast<float>()});
+        planes.push_back({(point - centre()).cast<float>(), normal.cast<float>()});
     };
     if (scene_spec)
         for (const ObstacleSpec& obstacle : scene_spec->obstacles)
             if (const auto* plane = std::get_if<PlaneShape>(&obstacle.shape))
                 add(plane->point, plane->normal.normalized());
-    if (planes.empty()) add((lowest - 0.01 * box.diagonal().norm()) * up, up);
+    if (planes.empty()) add((lowest - 0.01 * focus.diagonal().norm()) * up, up);
 }
 
 SheetPaint RenderStage::paint(const Snapshot& frame) const {
@@ -137,19 +150,18 @@ SheetPaint RenderStage::paint(const Snapshot& frame) const {
             for (const Index v : frame.faces[f])
                 paint.colour[v] = linear_colour(fragment_colour(frame.face_fragment[f]));
     const std::vector<double> values = render_scalar(frame, options.colour).values;
-    const double span = range.second > range.first ? range.second - range.first : 1;
     for (std::size_t v = 0; v < values.size(); ++v)
-        paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / span));
+        paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / (range.second - range.first)));
     if (options.colour == RenderColour::axis) paint.stripe = stripes.cast<float>();
     return paint;
 }
 
 RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const {
     RenderScene scene;
-    scene.meshes.push_back(sheet_solid(header, rest_open, frame, thickness, paint(frame), box.center()));
+    scene.meshes.push_back(sheet_solid(header, rest_open, frame, thickness, paint(frame), centre()));
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (poses[i].matrix().allFinite())
-            scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], box.center()));
+            scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], centre()));
     scene.planes = planes;
     scene.centre = Eigen::Vector3f::Zero();
     scene.up = up.cast<float>();
@@ -158,7 +170,7 @@ RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Iso
 }
 
 double RenderStage::radius() const {
-    return std::max(box.diagonal().norm() / 2, 1e-6);
+    return std::max(focus.diagonal().norm() / 2, 1e-6);
 }
 
 std::string RenderStage::legend() const {
@@ -166,6 +178,15 @@ std::string RenderStage::legend() const {
     if (scalar_name.empty()) return "";
     return fmt::format("{}: {:.4g} {} (dark violet) to {:.4g} {} (yellow)", scalar_name, range.first,
                        scalar_unit, range.second, scalar_unit);
+}
+
+std::optional<ColourBar> RenderStage::colour_bar() const {
+    if (scalar_name.empty()) return std::nullopt;
+    return make_colour_bar(scalar_name, scalar_unit, range, extent);
+}
+
+std::string RenderStage::caption(const Snapshot& frame) const {
+    return moment_caption(frame.time, frame.step, end);
 }
 
 }  // namespace sherd

@@ -8,6 +8,7 @@
 
 #include "app/recording/recording.h"
 #include "app/render/camera.h"
+#include "app/render/colour_bar.h"
 #include "app/render/render_colour.h"
 #include "app/render/render_scene.h"
 #include "app/render/render_solid.h"
@@ -33,20 +34,24 @@ class RenderStage {
 
     /// poses: of the recording's obstacles in that frame.
     RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const;
-    /// Camera and ground are seen from the middle of the action.
+    Vector3d centre() const { return focus.center(); }  ///< m, of the action, from which the rest is seen
     const Camera& camera() const { return placed; }
     const std::vector<RenderPlane>& ground() const { return planes; }
     const Vector3d& upward() const { return up; }
-    const Eigen::AlignedBox3d& action() const { return box; }
-    double radius() const;                           ///< m, of the action
-    double largest() const { return range.second; }  ///< what the brightest colour stands for
+    const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, strays of the action, too
+    double radius() const;                                         ///< m, of the action
+    double largest() const { return range.second; }                ///< what the brightest colour stands for
     /// What the colours say, in words; empty when there is nothing to say.
     std::string legend() const;
+    /// What the colours mean, when they are those of numbers.
+    std::optional<ColourBar> colour_bar() const;
+    std::string caption(const Snapshot& frame) const;  ///< its time and step
 
   private:
     void read_scene(std::vector<std::string>& warnings);
     void find_thickness(std::vector<std::string>& warnings);
     void measure(const Recording& recording);
+    void measure_scalar(RenderScalar scalar);
     void measure_obstacles(const Recording& recording);
     void add_ground();
     SheetPaint paint(const Snapshot& frame) const;
@@ -57,11 +62,13 @@ class RenderStage {
     std::optional<Scene> scene_spec;  ///< none: it cannot be read any more
     std::vector<std::array<bool, 3>> rest_open;
     std::vector<double> thickness;           ///< [F] m
-    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, of the sheets in each frame, and obstacles
+    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, that the camera shows: in each frame, and obstacles
+    Eigen::AlignedBox3d focus;               ///< m, of the action: of focus_box() in all frames
     Eigen::AlignedBox3d box;                 ///< m, of the sheets in all frames
     Vector3d up = Vector3d::UnitZ();
-    double lowest = 0;  ///< m, along up
-    std::pair<double, double> range{0, 0};
+    double lowest = 0;                                    ///< m, along up
+    double end = 0;                                       ///< s, time of the last frame
+    std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
     std::string scalar_name, scalar_unit;
     Eigen::Matrix3Xd stripes;  ///< [3, F] of the material's axes
     std::vector<RenderPlane> planes;

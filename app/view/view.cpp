@@ -122,11 +122,13 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     stage_options.colour = RenderColour::strain;
     const RenderStage stage(recording, stage_options, warnings);
     const std::string title = xml_escaped(options.recording.stem().string());
-    const std::string data = script_json(fitting_data(recording, stage, options.megabytes, warnings));
+    nlohmann::json data = fitting_data(recording, stage, options.megabytes, warnings);
+    data["plain"] = options.plain;
+    const std::string json = script_json(data);
     return filled(view_assets::page, {{"%TITLE%", title},
                                       {"%THREE%", view_assets::three},
                                       {"%CONTROLS%", view_assets::controls},
-                                      {"%RECORDING%", data}});
+                                      {"%RECORDING%", json}});
 }
 
 void add_view(CLI::App& program, Command& chosen) {
@@ -140,6 +142,8 @@ void add_view(CLI::App& program, Command& chosen) {
     command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
         ->check(CLI::Range(1.0, 400.0))
         ->option_text("N");
+    command->add_flag("--plain", options->plain,
+                      "Without the colour bar and the caption that come with strain");
     command->add_flag("--force", options->force, "Replace a file that exists");
     command->footer("Example:\n  sherd view plate_drop.h5 -o plate.html");
     command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });

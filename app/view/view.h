@@ -11,6 +11,7 @@ struct ViewOptions {
     std::filesystem::path recording;
     std::filesystem::path output;  ///< .html; empty: beside the recording, named like it
     double megabytes = 64;         ///< of data in the page; beyond, frames are left out, then meshes thinned
+    bool plain = false;            ///< without colour bar and caption
     bool force = false;            ///< replace a file that exists
 };
 

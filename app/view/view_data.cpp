@@ -96,9 +96,9 @@ class Packer {
   public:
     Packer(const RecordingHeader& header, const RenderStage& stage)
         : rest_open(open_edges(header.rest_faces)),
-          low(stage.action().min()),
-          step((stage.action().sizes() / 65535).cwiseMax(1e-12)),
-          largest(stage.largest() > 0 ? stage.largest() : 1) {}
+          low(stage.everything().min()),
+          step((stage.everything().sizes() / 65535).cwiseMax(1e-12)),
+          largest(stage.largest()) {}
 
     Json frame(const Snapshot& snapshot) {
         const std::vector<Line> lines = lines_of(snapshot, rest_open);
@@ -152,6 +152,12 @@ std::string packed_poses(std::vector<Eigen::Isometry3d> poses, const Vector3d& o
     return base64_of(matrices);
 }
 
+Json bar_json(const ColourBar& bar) {
+    Json ticks = Json::array();
+    for (const BarTick& tick : bar.ticks) ticks.push_back({tick.share, tick.words});
+    return {{"title", bar.title}, {"ticks", ticks}, {"below", bar.below}, {"above", bar.above}};
+}
+
 Json stage_json(const RenderStage& stage) {
     Json planes = Json::array();
     for (const RenderPlane& plane : stage.ground())
@@ -185,13 +191,14 @@ Json view_data(const Recording& recording, const RenderStage& stage, const std::
                const std::optional<MeshThinning>& thinning) {
     const RecordingHeader header = thinning ? thinning->thinned(recording.header()) : recording.header();
     Packer packer(header, stage);
-    Json data = stage_json(stage), packed = Json::array(), times = Json::array();
+    Json data = stage_json(stage), packed = Json::array(), times = Json::array(), captions = Json::array();
     for (const std::size_t number : frames) {
         const Snapshot snapshot =
             thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
-        packed.back()["poses"] = packed_poses(recording.poses(number), stage.action().center());
+        packed.back()["poses"] = packed_poses(recording.poses(number), stage.centre());
         times.push_back(snapshot.time);
+        captions.push_back(stage.caption(snapshot));
         if (number != frames.front()) continue;
         data["faces"] = base64_of(packer.corners);
         data["fragments"] = base64_of(packer.owners);
@@ -199,9 +206,11 @@ Json view_data(const Recording& recording, const RenderStage& stage, const std::
     data["thickness"] =
         base64_of(std::vector<float>(header.rest_thickness.begin(), header.rest_thickness.end()));
     data["obstacles"] = obstacles_json(recording.obstacles());
-    data["low"] = vector_json(packer.low - stage.action().center());
+    data["low"] = vector_json(packer.low - stage.centre());
     data["step"] = vector_json(packer.step);
     data["strain"] = packer.largest;
+    if (const std::optional<ColourBar> bar = stage.colour_bar()) data["bar"] = bar_json(*bar);
+    data["captions"] = captions;
     data["time"] = times;
     data["number"] = frames;
     data["frames"] = packed;

@@ -119,6 +119,74 @@ def check_thickness(page, frames):
     assert page.picture() == thick
 
 
+# Where the vertices of fragments that are not hidden lie in the picture: the farthest from its middle, 1 at its edge.
+FARTHEST = """
+    const place = surface.geometry.getAttribute("position"), shown = new Set(surface.geometry.index.array);
+    let farthest = [0, 0];
+    for (const v of shown) {
+        const seen = new THREE.Vector3().fromBufferAttribute(place, v).project(camera);
+        farthest = [Math.max(farthest[0], Math.abs(seen.x)), Math.max(farthest[1], Math.abs(seen.y))];
+    }
+    return farthest;"""
+
+
+def check_explosion(page):
+    """All fragments stay in the picture however far the slider is, in narrow windows and after zooming in; without
+    the explosion the camera is where it was."""
+    def explode(value):
+        page.driver.execute_script("""
+            element("explode").value = arguments[0];
+            element("explode").dispatchEvent(new Event("input"));""", value)
+        return page.driver.execute_script(FARTHEST)
+    def camera():
+        return page.driver.execute_script("return camera.position.toArray();")
+    size = page.driver.get_window_size()
+    for width, height in ((1000, 700), (500, 900)):
+        page.driver.set_window_size(width, height)
+        before = camera()
+        for zoom in (1, 0.4):
+            page.driver.execute_script("""
+                camera.position.sub(controls.target).multiplyScalar(arguments[0]).add(controls.target);
+                controls.update();""", zoom)
+            for value in (5, 30, 100):
+                right, top = explode(value)
+                assert right < 1 and top < 1, (width, zoom, value, right, top)
+            assert max(right, top) > 0.5, "the camera is farther away than it need be"
+            for key in [Keys.ARROW_LEFT] * 3 + [Keys.ARROW_RIGHT] * 3:
+                page.press(key)
+                assert max(page.driver.execute_script(FARTHEST)) < 1, "a frame that is not in the picture"
+            explode(0)
+        page.driver.execute_script("""
+            camera.position.sub(controls.target).divideScalar(0.4).add(controls.target);
+            controls.update();""")
+        assert max(abs(a - b) for a, b in zip(before, camera())) < 1e-6, "the camera does not come back"
+    page.driver.set_window_size(size["width"], size["height"])
+
+
+def check_bar(page):
+    """Only where colours mean numbers: a bar with its unit and round ticks in their order, and the moment."""
+    def shown():
+        return page.driver.execute_script("""
+            const bar = document.getElementById("scale");
+            return [bar ? bar.innerText : null, document.getElementById("caption").innerText,
+                    bar ? [...bar.querySelectorAll("#map span")].map(tick => tick.getBoundingClientRect().y) : []];""")
+    Select(page.element("colour")).select_by_visible_text("strain")
+    words, caption, heights = shown()
+    assert "strain (1/m)" in words, words
+    assert len(heights) >= 3 and all(above - below < -10 for below, above in zip(heights, heights[1:])), heights
+    assert caption.startswith("t = ") and "s, step " in caption, caption
+    page.press(Keys.ESCAPE)  # the list of colours must not take the arrow keys
+    page.driver.execute_script("document.activeElement.blur();")
+    page.press(Keys.ARROW_LEFT)
+    assert shown()[1] not in ("", caption), "the caption does not go with the frames"
+    page.press(Keys.ARROW_RIGHT)
+    assert shown()[1] == caption
+    for name in ("state", "fragment"):
+        Select(page.element("colour")).select_by_visible_text(name)
+        assert shown() == [None, "", []], name
+    page.driver.execute_script("document.activeElement.blur();")
+
+
 def check_looks(page):
     seen = {page.picture()}
     for name in ("strain", "state", "fragment"):
@@ -146,6 +214,8 @@ def main(file, summary, picture):
         check_playing(page, frames)
         check_thickness(page, frames)
         check_hiding(page, frames)
+        check_bar(page)
+        check_explosion(page)
         check_looks(page)
         driver.save_screenshot(str(picture))
         errors = [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sherd {
+
+/// A unit that makes numbers short.
+struct UnitPrefix {
+    double factor;  ///< of the SI unit, to get numbers between 1 and 1000
+    std::string unit;
+};
+
+/// The SI unit with the prefix that suits the largest number; plain numbers and 1/m stay as they are.
+UnitPrefix prefixed(const std::string& unit, double largest);
+
+/// Round numbers, at most about `most`, that part [low, high]; always two at least.
+std::vector<double> round_ticks(double low, double high, int most, bool whole);
+
+/// Round numbers within [low, high], low > 0, on a logarithmic axis: 1, 2, 5, 10 and so on, or powers of ten
+/// alone.
+std::vector<double> logarithmic_ticks(double low, double high);
+
+/// What stands beside a tick.
+std::string tick_words(double tick);
+
+}  // namespace sherd

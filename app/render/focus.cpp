@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/focus.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace sherd {
+namespace {
+
+constexpr double kept_share = 0.95;  // of a sheet's area, at least
+constexpr double nearness = 1.5;     // a piece that is hardly farther out than these is no stray
+
+struct Piece {
+    Eigen::AlignedBox3d box;
+    double area = 0;
+    double reach = 0;  ///< m, of its farthest corner from the middle of the sheet
+};
+
+/// The pieces of each sheet, by number of sheet and fragment.
+std::map<Index, std::vector<Piece>> pieces_of(const Snapshot& frame, std::span<const double> rest_area) {
+    std::map<std::pair<Index, Index>, Piece> pieces;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        Piece& piece = pieces[{frame.face_sheet[f], frame.face_fragment[f]}];
+        piece.area += rest_area[f];
+        for (const Index v : frame.faces[f])
+            if (frame.position.col(v).allFinite()) piece.box.extend(Vector3d(frame.position.col(v)));
+    }
+    std::map<Index, std::vector<Piece>> sheets;
+    for (const auto& [key, piece] : pieces)
+        if (!piece.box.isEmpty()) sheets[key.first].push_back(piece);
+    return sheets;
+}
+
+double area_of(std::span<const Piece> pieces) {
+    double area = 0;
+    for (const Piece& piece : pieces) area += piece.area;
+    return area;
+}
+
+/// The value at which half of the area lies below, in each direction: far pieces do not pull at it.
+Vector3d middle_of(std::span<const Piece> pieces) {
+    const double half = area_of(pieces) / 2;
+    Vector3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<std::pair<double, double>> places;  // with areas
+        for (const Piece& piece : pieces) places.emplace_back(piece.box.center()[axis], piece.area);
+        std::ranges::sort(places);
+        double below = 0;
+        for (const auto& [place, area] : places) {
+            middle[axis] = place;
+            if ((below += area) >= half) break;
+        }
+    }
+    return middle;
+}
+
+/// The distance from the middle within which pieces are no strays.
+double focus_radius(std::vector<Piece> pieces) {
+    std::ranges::sort(pieces, {}, [](const Piece& piece) { return piece.reach; });
+    const double enough = kept_share * area_of(pieces);
+    double inside = 0;
+    for (const Piece& piece : pieces)
+        if ((inside += piece.area) >= enough) return nearness * piece.reach;
+    return nearness * pieces.back().reach;
+}
+
+double reach_of(const Eigen::AlignedBox3d& box, const Vector3d& middle) {
+    return (box.max() - middle).cwiseAbs().cwiseMax((box.min() - middle).cwiseAbs()).norm();
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d focus_box(const Snapshot& frame, std::span<const double> rest_area) {
+    Eigen::AlignedBox3d focus;
+    for (auto& [sheet, pieces] : pieces_of(frame, rest_area)) {
+        const Vector3d middle = middle_of(pieces);
+        for (Piece& piece : pieces) piece.reach = reach_of(piece.box, middle);
+        const double radius = focus_radius(pieces);
+        for (const Piece& piece : pieces)
+            if (piece.reach <= radius) focus.extend(piece.box);
+    }
+    return focus;
+}
+
+}  // namespace sherd

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the camera follows: the action, but no lone splinter.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+#include "app/render/focus.h"
+#include "app/render/render_stage.h"
+#include "meshops/random.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+using Eigen::AlignedBox3d;
+
+/// Square pieces of sheets.
+struct Pieces {
+    Snapshot frame;
+    std::vector<double> rest_area;
+
+    void add(const Vector3d& centre, double side, Index sheet = 0) {
+        const auto first = static_cast<Index>(frame.position.cols());
+        const auto fragment = static_cast<Index>(frame.faces.size() / 2);
+        frame.position.conservativeResize(3, first + 4);
+        for (int i = 0; i < 4; ++i)
+            frame.position.col(first + i) = centre + side / 2 * Vector3d(i % 3 ? 1 : -1, i / 2 ? 1 : -1, 0);
+        for (const auto& face : {std::array{first, first + 1, first + 2}, {first, first + 2, first + 3}}) {
+            frame.faces.push_back(face);
+            frame.face_fragment.push_back(fragment);
+            frame.face_sheet.push_back(sheet);
+            rest_area.push_back(side * side / 2);
+        }
+    }
+
+    /// A hundred of them side by side: a square of 1 m about the origin.
+    void add_sheet() {
+        for (int i = 0; i < 100; ++i) add(Vector3d(i / 10 * 0.1 - 0.45, i % 10 * 0.1 - 0.45, 0), 0.1);
+    }
+
+    AlignedBox3d focus() const { return focus_box(frame, rest_area); }
+};
+
+const AlignedBox3d whole(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
+
+void expect_same(const AlignedBox3d& found, const AlignedBox3d& expected) {
+    EXPECT_NEAR((found.min() - expected.min()).norm() + (found.max() - expected.max()).norm(), 0, 1e-12)
+        << found.min().transpose() << " to " << found.max().transpose();
+}
+
+TEST(Focus, LeavesOutASplinterThatFliesAway) {
+    Pieces pieces;
+    pieces.add_sheet();
+    expect_same(pieces.focus(), whole);
+    for (const double way : {3.0, 1e3, 1e9}) {
+        Pieces flown = pieces;
+        flown.add(Vector3d(0, way, way / 2), 0.05);
+        expect_same(flown.focus(), whole);
+    }
+}
+
+// Of what matters nothing may be cut: not a piece that only just lies outside, nor large ones, nor a small
+// sheet that has its own business far away.
+TEST(Focus, HasEveryThingElse) {
+    Pieces pieces;
+    pieces.add_sheet();
+    pieces.add(Vector3d(0.6, 0, 0), 0.1);
+    EXPECT_NEAR(pieces.focus().max().x(), 0.65, 1e-12) << "beside the rest";
+    pieces.add(Vector3d(0, 0, 20), 0.01, 1);
+    EXPECT_NEAR(pieces.focus().max().z(), 20, 1e-12) << "another sheet";
+    Pieces halves;
+    halves.add(Vector3d(-30, 0, 0), 1);
+    halves.add(Vector3d(40, 0, 0), 0.3);
+    expect_same(halves.focus(), {Vector3d(-30.5, -0.5, 0), Vector3d(40.15, 0.5, 0)});
+    Pieces falling;
+    falling.add(Vector3d(3, 4, -1e4), 1);
+    expect_same(falling.focus(), {Vector3d(2.5, 3.5, -1e4), Vector3d(3.5, 4.5, -1e4)});
+}
+
+// However they are spread, and in whatever order.
+TEST(Focus, HasNineteenTwentiethsOfASheet) {
+    Random random(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        Pieces pieces;
+        const int count = 1 + static_cast<int>(random.uniform() * 40);
+        for (int i = 0; i < count; ++i) {
+            const double far = std::pow(10, 4 * random.uniform());
+            pieces.add(far * Vector3d(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5),
+                       0.1 + random.uniform());
+        }
+        const AlignedBox3d focus = pieces.focus();
+        double inside = 0, all = 0;
+        for (std::size_t f = 0; f < pieces.rest_area.size(); f += 2) {
+            all += pieces.rest_area[f];
+            bool shown = true;
+            for (Index v : pieces.frame.faces[f])
+                shown &= focus.contains(Vector3d(pieces.frame.position.col(v)));
+            if (shown) inside += pieces.rest_area[f];
+        }
+        EXPECT_GE(inside, 0.95 * all - 1e-9);
+        Snapshot turned = pieces.frame;
+        std::ranges::reverse(turned.faces);
+        std::ranges::reverse(turned.face_fragment);
+        std::vector<double> areas(pieces.rest_area.rbegin(), pieces.rest_area.rend());
+        expect_same(focus_box(turned, areas), focus);
+    }
+}
+
+TEST(Focus, SkipsWhatIsNotFinite) {
+    Pieces pieces;
+    pieces.add_sheet();
+    pieces.frame.position(1, 0) = std::numeric_limits<double>::quiet_NaN();
+    pieces.add(Vector3d(0, std::numeric_limits<double>::infinity(), 0), 0.1);
+    expect_same(pieces.focus(), whole);
+    pieces.frame.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(pieces.focus().isEmpty());
+}
+
+/// The synthetic run, in which the last column may be a fragment of its own that flies away.
+class Stage : public ::testing::Test {
+  protected:
+    Stage() : run(synthetic_run()) {
+        // Its faces are the smallest part of the sheet.
+        for (double& area : run.header.rest_area) area = 1;
+        const Index last_column = (synthetic::columns - 1) * synthetic::rows * 2;
+        for (auto f = static_cast<std::size_t>(last_column); f < run.header.rest_faces.size(); ++f) {
+            run.header.rest_area[f] = 0.01;
+            Snapshot& frame = run.frames[2];
+            frame.face_fragment[f] = 7;
+            for (Index& v : frame.faces[f]) v = copy_of(v);
+        }
+    }
+
+    Index copy_of(Index vertex) {
+        Snapshot& frame = run.frames[2];
+        if (const auto found = copies.find(vertex); found != copies.end()) return found->second;
+        const auto made = static_cast<Index>(frame.original.size());
+        frame.original.push_back(frame.original[vertex]);
+        frame.position.conservativeResize(3, made + 1);
+        frame.position.col(made) = frame.position.col(vertex);
+        frame.velocity.conservativeResize(3, made + 1);
+        frame.velocity.col(made).setZero();
+        frame.mass.conservativeResize(made + 1);
+        frame.mass[made] = 1e-4;
+        return copies[vertex] = made;
+    }
+
+    Camera camera_when_it_flies(const Vector3d& way, AlignedBox3d* everything = nullptr) {
+        SyntheticRun flown = run;
+        for (const auto& [vertex, copy] : copies) flown.frames[2].position.col(copy) += way;
+        const std::filesystem::path file = folder.path / ("run" + std::to_string(++recorded) + ".h5");
+        record(flown, file);
+        std::vector<std::string> warnings;
+        const RenderStage stage(Recording(file), {}, warnings);
+        if (everything) *everything = stage.everything();
+        Camera camera = stage.camera();
+        camera.eye += stage.centre();
+        camera.target += stage.centre();
+        return camera;
+    }
+
+    TemporaryDirectory folder;
+    SyntheticRun run;
+    std::map<Index, Index> copies;  ///< of the vertices of the splinter
+    int recorded = 0;
+};
+
+TEST_F(Stage, HoldsTheCameraOnTheActionWhenASplinterFliesAway) {
+    const Camera near = camera_when_it_flies(Vector3d(0, 0, 0));
+    AlignedBox3d everything;
+    const Camera far = camera_when_it_flies(Vector3d(0, 40, 10), &everything);
+    EXPECT_LT((near.eye - far.eye).norm(), 0.05);
+    EXPECT_LT((near.target - far.target).norm(), 0.05);
+    EXPECT_GT(everything.max().y(), 40) << "the page keeps places of all that it shows";
+}
+
+}  // namespace
+}  // namespace sherd::test
