@@ -183,7 +183,8 @@ void add_render(CLI::App& program, Command& chosen) {
         ->required();
     option("--frames", options->frames, "last (default), all, numbers and START:STOP:STEP as in Python",
            "WHICH");
-    option("--color", options->colour, "What the colours show (default: fragment)", "fragment|strain|speed|axis|none");
+    option("--color", options->colour, "What the colours show (default: fragment)",
+           "fragment|strain|speed|axis|none");
     option("--range", options->range, "Of strain (1/m) or speed (m/s); default: all of the recording",
            "LOW:HIGH");
     option("--size", options->size, "Pixels (default 960x540)", "WxH");

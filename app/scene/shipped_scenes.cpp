@@ -51,7 +51,7 @@ std::string advice(const std::string& given, const std::vector<ShippedScene>& sc
         const auto at = std::find(last_parts.begin(), last_parts.end(), part);
         if (at != last_parts.end()) nearest = names[static_cast<std::size_t>(at - last_parts.begin())];
     }
-    return nearest.empty() ? "'sherd scenes' lists those that come with the program"
+    return nearest.empty() ? "'sherd scenes' lists those that do"
                            : fmt::format("did you mean '{}'? 'sherd scenes' lists them all", nearest);
 }
 
