@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/export/export_formats.h"
 #include "app/interruption.h"
+#include "app/slow_motion_options.h"
 
 namespace sherd {
 
@@ -15,6 +16,7 @@ int print_export(const ExportOptions& options) {
     watch_for_interruption();
     const ExportReport report = export_recording(options);
     for (const std::string& warning : report.warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    if (!report.pace.empty()) fmt::print(stderr, "sherd: {}\n", report.pace);
     for (const std::filesystem::path& file : report.files) fmt::print("{}\n", file.string());
     return 0;
 }
@@ -46,6 +48,7 @@ void add_form_options(CLI::App& command, ExportOptions& options) {
         .add_option("--voxel", options.voxel,
                     "Edge length of the voxels of vdb in m (default: a quarter of the thickness)")
         ->option_text("SIZE");
+    add_slow_motion_options(command, options.slow, "Samples a second of pc2 and mdd (default 24)");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/export/export.h"
 #include "app/interruption.h"
+#include "app/playback/playback.h"
 #include "app/progress/progress.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_file.h"
@@ -18,6 +19,7 @@
 #include "app/render/render_film.h"
 #include "app/render/render_picture.h"
 #include "app/render/render_stage.h"
+#include "app/slow_motion_options.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -66,17 +68,47 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
     return stage;
 }
 
-std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<std::size_t>& frames) {
+/// Of each picture; none when only a film is wanted. Those of a film are numbered by themselves, under
+/// another name than those of frames.
+std::vector<fs::path> planned_files(const RenderOptions& options, const std::vector<Moment>& moments) {
+    if (options.output.empty()) {
+        if (options.film.empty()) throw Error("nothing to draw into: give -o PATH, or --film FILE.mp4");
+        return {};
+    }
     if (options.output.extension() == ".png") {
-        if (frames.size() == 1) return {options.output};
+        if (moments.size() == 1) return {options.output};
         throw Error(fmt::format("-o {}: {} pictures are wanted; name a folder", options.output.string(),
-                                frames.size()));
+                                moments.size()));
     }
     std::vector<fs::path> files;
-    for (const std::size_t frame : frames)
+    const std::string name = options.recording.stem().string() + (options.film.empty() ? "" : "_film");
+    for (std::size_t i = 0; i < moments.size(); ++i)
         files.push_back(options.output /
-                        fmt::format("{}_{:06}.png", options.recording.stem().string(), frame));
+                        fmt::format("{}_{:06}.png", name, options.film.empty() ? moments[i].earlier : i));
     return files;
+}
+
+/// What is drawn: the chosen frames, or the moments of a film from the first of them to the last; `pace`
+/// tells how fast that is.
+std::vector<Moment> planned_moments(const RenderOptions& options, const Recording& recording,
+                                    std::string& pace) {
+    const bool film = !options.film.empty();
+    const std::string& wanted = !options.frames.empty() ? options.frames : film ? "all" : "last";
+    const std::vector<std::size_t> frames = selected_frames(wanted, recording.frame_count());
+    std::vector<double> times;
+    for (const std::size_t frame : frames) times.push_back(recording.time(frame));
+    if (!film) return recorded_moments(frames, times);
+    const Pace chosen = pace_of(options.slow, times.back() - times.front());
+    const std::vector<Moment> moments = even_moments(frames, times, chosen.step());
+    if (frames.size() > 1) pace = fmt::format("{}, {} pictures", chosen.words(), moments.size());
+    return moments;
+}
+
+void check_pace(const RenderOptions& options) {
+    check_slow_motion(options.slow);
+    if (options.film.empty() && (options.slow.factor || options.slow.rate))
+        throw Error(
+            fmt::format("{} has a meaning with --film only", options.slow.factor ? "--slow" : "--rate"));
 }
 
 /// What is locked while pictures are drawn: the one, or the name that all have without their number.
@@ -100,14 +132,16 @@ void annotate(Image& image, const RenderStage& stage, const Snapshot& frame, con
 }
 
 /// Draws the pictures one after the other.
-void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
-              const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock& lock,
+void draw_all(const Recording& recording, const RenderStage& stage, const std::vector<Moment>& moments,
+              const std::vector<fs::path>& files, const RenderOptions& options, const OutputLock* lock,
               RenderFilm* film, Rendering& result) {
     const PictureOptions picture = picture_options(options);
-    Progress progress(static_cast<double>(frames.size()));
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const Snapshot frame = recording.frame(frames[i]);
-        std::optional<Image> image = render_picture(stage.scene(frame, recording.poses(frames[i])),
+    Playback sheets([&recording](std::size_t number) { return recording.frame(number); });
+    const ObstaclePlayback obstacles(recording);
+    Progress progress(static_cast<double>(moments.size()));
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const Snapshot frame = sheets.at(moments[i]);
+        std::optional<Image> image = render_picture(stage.scene(frame, obstacles.at(moments[i])),
                                                     stage.camera(), picture, interrupted);
         if (!image) {
             result.interrupted = true;
@@ -115,13 +149,15 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
         }
         annotate(*image, stage, frame, options);
         const std::string bytes = png_bytes(*image);
-        write_whole(files[i], bytes, lock, options.force);
-        result.files.push_back(files[i]);
+        if (!files.empty()) {
+            write_whole(files[i], bytes, *lock, options.force);
+            result.files.push_back(files[i]);
+        }
         if (film) film->add(bytes);
-        if (frames.size() > 1)
-            progress.show(static_cast<double>(i + 1), fmt::format("picture {} of {}", i + 1, frames.size()));
+        if (moments.size() > 1)
+            progress.show(static_cast<double>(i + 1), fmt::format("picture {} of {}", i + 1, moments.size()));
     }
-    if (frames.size() > 1) progress.finish();
+    if (moments.size() > 1) progress.finish();
 }
 
 int print_rendering(const RenderOptions& options) {
@@ -130,7 +166,8 @@ int print_rendering(const RenderOptions& options) {
     for (const fs::path& file : rendering.files) fmt::print("{}\n", file.string());
     if (!rendering.legend.empty()) fmt::print("{}\n", rendering.legend);
     if (rendering.interrupted)
-        fmt::print(stderr, "sherd: interrupted; {} pictures are complete\n", rendering.files.size());
+        fmt::print(stderr, "sherd: interrupted; {} pictures are complete{}\n", rendering.files.size(),
+                   options.film.empty() ? "" : ", the film is not");
     return rendering.interrupted ? 1 : 0;
 }
 
@@ -139,9 +176,11 @@ int print_rendering(const RenderOptions& options) {
 Rendering render_recording(const RenderOptions& options) {
     const PictureOptions picture = picture_options(options);
     const StageOptions wanted = stage_options(options, picture);
+    check_pace(options);
     const Recording recording(options.recording);
-    const std::vector<std::size_t> frames = selected_frames(options.frames, recording.frame_count());
-    const std::vector<fs::path> files = planned_files(options, frames);
+    std::string pace;
+    const std::vector<Moment> moments = planned_moments(options, recording, pace);
+    const std::vector<fs::path> files = planned_files(options, moments);
     for (const fs::path& file : files) check_free(file, options.force);
     if (!options.film.empty()) check_free(options.film, options.force);
     std::vector<std::string> warnings;
@@ -152,18 +191,24 @@ Rendering render_recording(const RenderOptions& options) {
                         "left out",
                         options.size));
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    make_folder(files.front().parent_path());
-    const OutputLock lock(whole_output(options));
+    if (!pace.empty()) fmt::print(stderr, "sherd: {}\n", pace);
+    std::optional<OutputLock> lock;
+    if (!files.empty()) {
+        make_folder(files.front().parent_path());
+        lock.emplace(whole_output(options));
+    }
     std::optional<RenderFilm> film;
-    if (!options.film.empty()) film.emplace(options.film, options.rate);
+    if (!options.film.empty()) film.emplace(options.film, options.slow.rate.value_or(default_rate));
     Rendering result;
     result.legend = stage.legend();
     try {
-        draw_all(recording, stage, frames, files, options, lock, film ? &*film : nullptr, result);
+        draw_all(recording, stage, moments, files, options, lock ? &*lock : nullptr, film ? &*film : nullptr,
+                 result);
         if (!film || result.interrupted) return result;
         film->publish(options.force);
         result.files.push_back(options.film);
     } catch (const Error& error) {
+        if (files.empty()) throw;
         throw Error(
             fmt::format("{}; {} of {} pictures are complete{}", error.what(), result.files.size(),
                         files.size(), result.files.empty() ? "" : ", up to " + result.files.back().string()),
@@ -179,10 +224,10 @@ void add_render(CLI::App& program, Command& chosen) {
         return command->add_option(name, value, words)->option_text(what);
     };
     option("recording", options->recording, "Recording of a run (.h5)", "RUN.h5")->required();
-    option("-o,--output", options->output, "Folder for the pictures, or for one picture a .png", "PATH")
-        ->required();
-    option("--frames", options->frames, "last (default), all, numbers and START:STOP:STEP as in Python",
-           "WHICH");
+    option("-o,--output", options->output,
+           "Folder for the pictures, or for one picture a .png; of a film there need be none", "PATH");
+    option("--frames", options->frames,
+           "last (default), all (default of a film), numbers and START:STOP:STEP as in Python", "WHICH");
     option("--color", options->colour, "What the colours show (default: fragment)",
            "fragment|strain|speed|axis|none");
     option("--range", options->range, "Of strain (1/m) or speed (m/s); default: all of the recording",
@@ -194,9 +239,9 @@ void add_render(CLI::App& program, Command& chosen) {
            "WHERE");
     option("--ground", options->ground, "auto (default): the scene's planes, or one below everything; none",
            "auto|none");
-    option("--film", options->film, "Make a film of the pictures, too (.mp4, needs ffmpeg)", "FILE.mp4");
-    option("--rate", options->rate, "Pictures a second of the film (default 25)", "R")
-        ->check(CLI::Range(0.1, 1000.0));
+    option("--film", options->film,
+           "Make a film, slowed, with pictures between the frames (.mp4, needs ffmpeg)", "FILE.mp4");
+    add_slow_motion_options(*command, options->slow, "Pictures a second of the film (default 24)");
     option("--threads", options->threads, "Default: as many as the processor runs at once", "N");
     command->add_flag("--plain", options->plain,
                       "Without the colour bar and the caption that come with strain and speed");
@@ -204,7 +249,8 @@ void add_render(CLI::App& program, Command& chosen) {
     command->footer(
         "Examples:\n"
         "  sherd render plate_drop.h5 -o plate.png\n"
-        "  sherd render plate_drop.h5 -o pictures --frames all --film plate.mp4 --color strain");
+        "  sherd render plate_drop.h5 -o pictures --frames all --color strain\n"
+        "  sherd render plate_drop.h5 --film plate.mp4 --slow 500");
     command->callback([&chosen, options] { chosen = [options] { return print_rendering(*options); }; });
 }
 

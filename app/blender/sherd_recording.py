@@ -4,13 +4,16 @@
 As an add-on: Edit > Preferences > Add-ons > Install, this file; then File > Import > Sherd recording (.h5).
 From a shell: blender --python sherd_recording.py -- RUN.h5
 
-Frame n of Blender's timeline is frame n of the recording, metres are metres and z is up. The object's mesh has the
+The run plays as many times slower than reality as the object's custom property `sherd_slow` says, at first so that it
+lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
 attributes `fragment` and `strain` (1/m, the largest in absolute value of the face's edges) on its faces and
 `velocity` (m/s) and `original` (the vertex of the unbroken mesh) on its vertices. Needs h5py; on Debian Blender uses
 the system's Python, and python3-h5py suffices."""
 
+import math
 import os
 import sys
+from bisect import bisect_right
 
 import bpy
 import h5py
@@ -21,14 +24,15 @@ from bpy_extras.io_utils import ImportHelper
 bl_info = {
     "name": "Sherd recording",
     "author": "The Sherd authors",
-    "version": (1, 0, 0),
+    "version": (1, 1, 0),
     "blender": (3, 4, 0),
     "location": "File > Import > Sherd recording (.h5)",
     "description": "Plays recordings of breaking plates and shells",
     "category": "Import-Export",
 }
 
-PATH, SHOWN = "sherd_recording", "sherd_frame"  # custom properties of an object that plays a recording
+PATH, SLOW, SHOWN = "sherd_recording", "sherd_slow", "sherd_frame"  # properties of an object that plays a recording
+NEAR = 1e-6  # of the way between two frames: round-off
 
 
 def absolute(path):
@@ -39,6 +43,40 @@ def frame_names(file):
     if file.attrs.get("format") != "sherd recording":
         raise ValueError(f"{file.filename} is not a recording of sherd")
     return sorted(file["frames"])
+
+
+def default_slowdown(seconds):
+    """The smallest of 1, 2, 5, 10, 20, ... that makes a run of so many seconds last 4 s."""
+    factor, digits = 1.0, (2, 2.5, 2)
+    for step in range(300):
+        if not 0 < seconds * factor < 4 * (1 - 1e-9):
+            break
+        factor *= digits[step % 3]
+    return factor if seconds > 0 else 1.0
+
+
+def run_times(frames, names):
+    """Time (s) of the first and the last frame."""
+    return frames[names[0]].attrs["time"], frames[names[-1]].attrs["time"]
+
+
+def slowdown(target, frames, names):
+    first, last = run_times(frames, names)
+    return target.get(SLOW) or default_slowdown(last - first)
+
+
+def pictures_a_second(scene):
+    return scene.render.fps / scene.render.fps_base
+
+
+def position_at(frames, names, time):
+    """Where a time (s) lies in the recording: the number of a frame, or between two."""
+    number = max(0, bisect_right(names, time, key=lambda name: frames[name].attrs["time"]) - 1)
+    if number + 1 == len(names):
+        return float(number)
+    start, end = (frames[name].attrs["time"] for name in names[number : number + 2])
+    share = max(0.0, (time - start) / (end - start))
+    return number + (0.0 if share < NEAR else 1.0 if share > 1 - NEAR else share)
 
 
 def face_strain(frame):
@@ -60,9 +98,44 @@ def set_attribute(mesh, name, kind, domain, values):
     attribute.data.foreach_set("vector" if kind == "FLOAT_VECTOR" else "value", np.ravel(values))
 
 
-def fill(mesh, frame):
-    """Gives the mesh the frame's vertices and faces, in their order; materials and shading stay."""
-    faces, positions = frame["face/vertices"][:], frame["vertex/position"][:]
+def recorded(frame):
+    """What is shown of a frame."""
+    return {
+        "faces": frame["face/vertices"][:],
+        "fragment": frame["face/fragment"][:],
+        "strain": face_strain(frame),
+        "position": frame["vertex/position"][:],
+        "velocity": frame["vertex/velocity"][:],
+        "original": frame["vertex/original"][:],
+    }
+
+
+def between(earlier, later, share):
+    """The mesh of the later frame with its vertices on their way there: one that a crack made in between comes from
+    where its face's corner was before. Fragments are the earlier frame's until the later one is reached."""
+    before = np.minimum(np.arange(len(later["position"])), len(earlier["position"]) - 1)
+    before[later["faces"].ravel()] = earlier["faces"].ravel()
+    shown = {**later, "fragment": earlier["fragment"]}
+    for name, start in (
+        ("position", earlier["position"][before]),
+        ("velocity", earlier["velocity"][before]),
+        ("strain", earlier["strain"]),
+    ):
+        shown[name] = start + share * (later[name] - start)
+    return shown
+
+
+def state_at(frames, names, position):
+    number = int(position)
+    state = recorded(frames[names[number]])
+    if position == number:
+        return state
+    return between(state, recorded(frames[names[number + 1]]), position - number)
+
+
+def fill(mesh, state):
+    """Gives the mesh the state's vertices and faces, in their order; materials and shading stay."""
+    faces, positions = state["faces"], state["position"]
     smooth = len(mesh.polygons) > 0 and mesh.polygons[0].use_smooth
     mesh.clear_geometry()
     mesh.vertices.add(len(positions))
@@ -74,20 +147,22 @@ def fill(mesh, frame):
     mesh.polygons.foreach_set("loop_total", np.full(len(faces), 3))
     mesh.polygons.foreach_set("use_smooth", np.full(len(faces), smooth))
     mesh.update(calc_edges=True)
-    set_attribute(mesh, "fragment", "INT", "FACE", frame["face/fragment"][:])
-    set_attribute(mesh, "strain", "FLOAT", "FACE", face_strain(frame))
-    set_attribute(mesh, "velocity", "FLOAT_VECTOR", "POINT", frame["vertex/velocity"][:])
-    set_attribute(mesh, "original", "INT", "POINT", frame["vertex/original"][:])
+    set_attribute(mesh, "fragment", "INT", "FACE", state["fragment"])
+    set_attribute(mesh, "strain", "FLOAT", "FACE", state["strain"])
+    set_attribute(mesh, "velocity", "FLOAT_VECTOR", "POINT", state["velocity"])
+    set_attribute(mesh, "original", "INT", "POINT", state["original"])
 
 
-def show(target, number):
-    """Shows the recording's frame of that number, the nearest there is."""
+def show(target, scene):
+    """Shows the recording as it was at the scene's time; before and after it, its first and last frame."""
     with h5py.File(absolute(target[PATH]), "r") as file:
-        names = frame_names(file)
-        number = min(max(number, 0), len(names) - 1)
-        if target.get(SHOWN) != number or len(target.data.polygons) == 0:
-            fill(target.data, file["frames"][names[number]])
-            target[SHOWN] = number
+        frames, names = file["frames"], frame_names(file)
+        played = (scene.frame_current + scene.frame_subframe) / pictures_a_second(scene)
+        time = run_times(frames, names)[0] + played / slowdown(target, frames, names)
+        position = position_at(frames, names, time)
+        if target.get(SHOWN) != position or len(target.data.polygons) == 0:
+            fill(target.data, state_at(frames, names, position))
+            target[SHOWN] = position
 
 
 @persistent
@@ -95,23 +170,25 @@ def play(scene, _depsgraph=None):
     for target in scene.objects:
         if target.type == "MESH" and PATH in target:
             try:
-                show(target, scene.frame_current)
+                show(target, scene)
             except (OSError, KeyError, ValueError) as error:  # a run that is going on locks its file for moments
                 print(f"sherd: {target.name}: {error}", file=sys.stderr)
 
 
-def load(path, context):
-    """Adds an object that plays the recording; returns it."""
+def load(path, context, slow=0):
+    """Adds an object that plays the recording so many times slower than reality (0: as it suits); returns it."""
     with h5py.File(absolute(path), "r") as file:
-        count = len(frame_names(file))
-    if count == 0:
-        raise ValueError(f"{path}: the recording has no frame yet")
+        names = frame_names(file)
+        if not names:
+            raise ValueError(f"{path}: the recording has no frame yet")
+        first, last = run_times(file["frames"], names)
     name = os.path.splitext(os.path.basename(path))[0]
     target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    target[PATH] = path
+    target[PATH], target[SLOW] = path, slow or default_slowdown(last - first)
     context.scene.collection.objects.link(target)
-    context.scene.frame_start, context.scene.frame_end = 0, count - 1
-    show(target, context.scene.frame_current)
+    pictures = (last - first) * target[SLOW] * pictures_a_second(context.scene)
+    context.scene.frame_start, context.scene.frame_end = 0, math.ceil(pictures - NEAR)
+    show(target, context.scene)
     return target
 
 
@@ -122,10 +199,13 @@ class ImportSherdRecording(bpy.types.Operator, ImportHelper):
     bl_label = "Import Sherd recording"
     filename_ext = ".h5"
     filter_glob: bpy.props.StringProperty(default="*.h5", options={"HIDDEN"})
+    slow: bpy.props.FloatProperty(
+        name="Slower", default=0, min=0, description="How many times slower than reality; 0: so that it lasts 4 to 10 s"
+    )
 
     def execute(self, context):
         try:
-            load(self.filepath, context)
+            load(self.filepath, context, self.slow)
         except (OSError, KeyError, ValueError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -52,6 +52,7 @@ ExportReport export_recording(const ExportOptions& options) {
                         error.fault);
         }
     report.warnings = source.warnings;
+    report.pace = source.pace_words;
     return report;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/playback/slow_motion.h"
+
 namespace sherd {
 
 struct ExportOptions {
@@ -19,6 +21,7 @@ struct ExportOptions {
     std::string quality = "strain";   ///< main scalar of ply: strain, speed, fragment
     std::string animate = "rigid";    ///< how glb moves: rigid, morph
     std::optional<double> voxel;      ///< m, of vdb; a quarter of the smallest thickness
+    SlowMotion slow;                  ///< of glb, pc2 and mdd; the rate of pc2 and mdd
     bool force = false;               ///< replace files that exist
 };
 
@@ -30,6 +33,7 @@ std::vector<std::size_t> selected_frames(const std::string& text, std::size_t co
 struct ExportReport {
     std::vector<std::filesystem::path> files;
     std::vector<std::string> warnings;
+    std::string pace;  ///< how fast the run is shown; may be empty
 };
 
 /// Writes meshes of the frames of a recording. One frame and an output NAME.obj make that file, several make

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Point caches, for a mesh whose topology is that of the last frame: pc2 and mdd.
+// Point caches, for a mesh whose topology is that of the last frame, at an even rate: pc2 and mdd.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -21,7 +23,7 @@ void append(std::string& bytes, T value, std::endian order) {
 }
 
 void append_points(std::string& bytes, Clip& clip, std::endian order) {
-    for (std::size_t i = 0; i < clip.frame_count(); ++i)
+    for (std::size_t i = 0; i < clip.size(); ++i)
         for (const Vector3d& point : clip.points(i))
             for (const double coordinate : point) append(bytes, static_cast<float>(coordinate), order);
 }
@@ -31,24 +33,24 @@ std::int32_t point_count(const Clip& clip) {
 }
 
 /// A head of name, version, points, start, frames a sample and samples; little endian.
-std::string pc2_bytes(Clip& clip) {
+std::string pc2_bytes(Clip& clip, double) {
     std::string bytes("POINTCACHE2\0", 12);
     append(bytes, std::int32_t{1}, std::endian::little);
     append(bytes, point_count(clip), std::endian::little);
     append(bytes, 0.0F, std::endian::little);
     append(bytes, 1.0F, std::endian::little);
-    append(bytes, static_cast<std::int32_t>(clip.frame_count()), std::endian::little);
+    append(bytes, static_cast<std::int32_t>(clip.size()), std::endian::little);
     append_points(bytes, clip, std::endian::little);
     return bytes;
 }
 
-/// A head of samples, points and the samples' times in s; big endian.
-std::string mdd_bytes(Clip& clip) {
+/// A head of samples, points and the samples' times in s, as they are shown; big endian.
+std::string mdd_bytes(Clip& clip, double slowdown) {
     std::string bytes;
-    append(bytes, static_cast<std::int32_t>(clip.frame_count()), std::endian::big);
+    append(bytes, static_cast<std::int32_t>(clip.size()), std::endian::big);
     append(bytes, point_count(clip), std::endian::big);
-    for (std::size_t i = 0; i < clip.frame_count(); ++i)
-        append(bytes, static_cast<float>(clip.time(i)), std::endian::big);
+    for (std::size_t i = 0; i < clip.size(); ++i)
+        append(bytes, static_cast<float>(slowdown * (clip.time(i) - clip.time(0))), std::endian::big);
     append_points(bytes, clip, std::endian::big);
     return bytes;
 }
@@ -62,11 +64,16 @@ std::string mesh_of_clip(Clip& clip, const std::filesystem::path& file) {
 }
 
 std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,
-                                  std::string (*content)(Clip& clip)) {
-    const auto clip = std::make_shared<Clip>(source);
+                                  std::string (*content)(Clip& clip, double slowdown)) {
+    const Pace pace = source.pace();
+    const auto clip =
+        std::make_shared<Clip>(source, even_moments(source.frames(), source.times(), pace.step()));
+    if (source.frames().size() > 1)
+        source.pace_words =
+            fmt::format("{}, {} samples at {:g} a second", pace.words(), clip->size(), pace.rate);
     const std::filesystem::path mesh = source.clip_file(".obj");
     return {{mesh, [clip, mesh] { return mesh_of_clip(*clip, mesh); }},
-            {source.clip_file(extension), [clip, content] { return content(*clip); }}};
+            {source.clip_file(extension), [=] { return content(*clip, pace.slowdown); }}};
 }
 
 }  // namespace

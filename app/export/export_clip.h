@@ -2,26 +2,30 @@
 #pragma once
 
 #include "app/export/export_source.h"
+#include "app/playback/playback.h"
 
 namespace sherd {
 
-/// The chosen frames on the topology of the last of them: where a crack is still to come, the vertices that
-/// it will part are in the same place, that of the vertex they come from.
+/// Moments of the run on the topology of the last of the chosen frames: where a crack is still to come, the
+/// vertices that it will part are in the same place, that of the vertex they come from.
 class Clip {
   public:
-    explicit Clip(ExportSource& source);
+    /// moments: of or between the chosen frames, the last one that of the last frame.
+    Clip(ExportSource& source, std::vector<Moment> moments);
 
-    std::size_t frame_count() const { return source.frames().size(); }
+    std::size_t size() const { return moments.size(); }
     /// The last frame, a solid when that is asked for; the groups are the fragments.
     const TriangleSheet& topology() const { return last; }
-    double time(std::size_t i);  ///< s, of the i-th frame
-    /// Of the vertices of the last frame in the i-th: [V] m.
+    double time(std::size_t i) const { return moments[i].time; }  ///< s, of the i-th moment
+    /// Of the vertices of the last frame at the i-th moment: [V] m.
     std::vector<Vector3d> sheet_points(std::size_t i);
-    /// Of the points of topology() in the i-th frame: [P] m.
+    /// Of the points of topology() at the i-th moment: [P] m.
     std::vector<Vector3d> points(std::size_t i);
 
   private:
     ExportSource& source;
+    std::vector<Moment> moments;
+    Playback playback;
     TriangleSheet last, last_sheet;
     std::vector<Index> origin;
 };

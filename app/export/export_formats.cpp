@@ -54,6 +54,7 @@ void check_values(const ExportOptions& options) {
     check_choice("--animate", options.animate, {"rigid", "morph"});
     check_length("--voxel", options.voxel);
     check_length("--thickness", options.thickness);
+    check_slow_motion(options.slow);
 }
 
 /// An option that changes nothing is a mistake.
@@ -65,6 +66,9 @@ void check_use(const ExportOptions& options, const ExportOptions& standard) {
     require(options.quality == standard.quality || format == "ply", "--quality", "with --to ply");
     require(options.animate == standard.animate || format == "glb", "--animate", "with --to glb");
     require(!options.voxel || format == "vdb", "--voxel", "with --to vdb");
+    const bool cache = format == "pc2" || format == "mdd";
+    require(!options.slow.factor || cache || format == "glb", "--slow", "with --to glb, pc2 and mdd");
+    require(!options.slow.rate || cache, "--rate", "with --to pc2 and mdd");
     require(!options.thickness || options.solid || format == "vdb", "--thickness",
             "with --solid or --to vdb");
 }

@@ -60,7 +60,8 @@ Eigen::Isometry3d best_fit(const std::vector<Vector3d>& from, const std::vector<
 /// Makes the nodes of a clip.
 class Animation {
   public:
-    Animation(ExportSource& source, Clip& clip) : source(source), clip(clip) {}
+    Animation(ExportSource& source, Clip& clip)
+        : source(source), clip(clip), slowdown(source.pace().slowdown) {}
     GlbScene scene();
 
   private:
@@ -73,6 +74,7 @@ class Animation {
 
     ExportSource& source;
     Clip& clip;
+    double slowdown;
     std::vector<std::vector<std::size_t>> vertices;  ///< of each fragment
     std::vector<std::vector<Vector3d>> local;        ///< their places about the fragment's centroid, m
 };
@@ -93,7 +95,8 @@ GlbScene Animation::scene() {
 }
 
 void Animation::add_times(GlbScene& scene) {
-    for (std::size_t i = 0; i < clip.frame_count(); ++i) scene.times.push_back(clip.time(i) - clip.time(0));
+    for (std::size_t i = 0; i < clip.size(); ++i)
+        scene.times.push_back(slowdown * (clip.time(i) - clip.time(0)));
 }
 
 void Animation::add_nodes(GlbScene& scene) {
@@ -108,7 +111,7 @@ void Animation::add_nodes(GlbScene& scene) {
 
 /// Each node has the last frame's shape about its centroid.
 void Animation::add_bodies(GlbScene& scene) {
-    const std::size_t last = clip.frame_count() - 1;
+    const std::size_t last = clip.size() - 1;
     const std::vector<Vector3d> sheet_points = clip.sheet_points(last), points = clip.points(last);
     const TriangleSheet sheet = frame_sheet(source.frame(source.frames().back()));
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -125,7 +128,7 @@ void Animation::add_bodies(GlbScene& scene) {
 
 void Animation::add_motions(GlbScene& scene) {
     double deviation = 0;
-    for (std::size_t k = 0; k < clip.frame_count(); ++k) {
+    for (std::size_t k = 0; k < clip.size(); ++k) {
         const std::vector<Vector3d> points = clip.sheet_points(k);
         for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
             const std::vector<Vector3d> target = gathered(points, vertices[i]);
@@ -140,7 +143,7 @@ void Animation::add_motions(GlbScene& scene) {
 
 /// deviation: m, of the recording from the rigid motions.
 void Animation::warn_of_deviation(double deviation) {
-    const Positions all = columns(clip.sheet_points(clip.frame_count() - 1));
+    const Positions all = columns(clip.sheet_points(clip.size() - 1));
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
     if (deviation > 0.01 * size)
         source.warnings.push_back(
@@ -151,7 +154,7 @@ void Animation::warn_of_deviation(double deviation) {
 
 void Animation::add_shapes(GlbScene& scene) {
     for (GlbNode& node : scene.nodes) node.motions.push_back(Eigen::Isometry3d::Identity());
-    for (std::size_t k = 0; k < clip.frame_count(); ++k) {
+    for (std::size_t k = 0; k < clip.size(); ++k) {
         const std::vector<Vector3d> points = clip.points(k);
         for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
             GlbNode& node = scene.nodes[i];
@@ -165,7 +168,8 @@ void Animation::add_shapes(GlbScene& scene) {
 }  // namespace
 
 std::vector<ExportJob> plan_glb(ExportSource& source) {
-    const auto clip = std::make_shared<Clip>(source);
+    if (source.frames().size() > 1) source.pace_words = source.pace().words();
+    const auto clip = std::make_shared<Clip>(source, recorded_moments(source.frames(), source.times()));
     return {
         {source.clip_file(".glb"), [&source, clip] { return glb_bytes(Animation(source, *clip).scene()); }}};
 }

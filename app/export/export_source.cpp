@@ -55,6 +55,16 @@ const Snapshot& ExportSource::frame(std::size_t number) {
     return current;
 }
 
+std::vector<double> ExportSource::times() const {
+    std::vector<double> times;
+    for (const std::size_t number : chosen) times.push_back(recording.time(number));
+    return times;
+}
+
+Pace ExportSource::pace() const {
+    return pace_of(options.slow, recording.time(chosen.back()) - recording.time(chosen.front()));
+}
+
 const std::vector<double>& ExportSource::thickness() const {
     if (face_thickness.empty())
         throw Error(

@@ -25,6 +25,8 @@ class ExportSource {
     ExportSource(const ExportOptions& options, const std::string& extension, bool all_frames);
 
     const std::vector<std::size_t>& frames() const { return chosen; }  ///< ascending, at least one
+    std::vector<double> times() const;                                 ///< s, of frames()
+    Pace pace() const;                                                 ///< how fast they are to be shown
     /// Keeps the frame until another one is asked for. Throws Error (run) when interrupted().
     const Snapshot& frame(std::size_t number);
     /// m, of each face. Throws Error (input) when the recording does not say and the options do not either.
@@ -43,6 +45,7 @@ class ExportSource {
     const ExportOptions options;
     const RecordingHeader header;
     std::vector<std::string> warnings;  ///< what the user should know at the end
+    std::string pace_words;             ///< how fast the run is shown; may be empty
 
   private:
     void check_bodies(std::size_t number);

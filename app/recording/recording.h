@@ -86,6 +86,7 @@ class Recording {
     RecordingHeader header() const;
     std::size_t frame_count() const;
     Snapshot frame(std::size_t number) const;         ///< number < frame_count()
+    double time(std::size_t number) const;            ///< s, of a frame
     std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
     std::vector<StepReport> steps() const;

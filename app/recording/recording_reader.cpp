@@ -104,6 +104,12 @@ Snapshot Recording::frame(std::size_t number) const {
     });
 }
 
+double Recording::time(std::size_t number) const {
+    return read_from(file, [number](hid_t opened) {
+        return hdf5::read_real_attribute(hdf5::open_group(opened, frame_group(number)), "time");
+    });
+}
+
 std::vector<RecordedObstacle> Recording::obstacles() const {
     return read_with([](hid_t opened) {
         std::vector<RecordedObstacle> obstacles;

@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/playback/slow_motion.h"
 #include "app/recording/recording_file.h"
 #include "app/recording/xdmf.h"
+#include "app/slow_motion_options.h"
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
 #include "meshops/error.h"
@@ -99,6 +101,11 @@ nlohmann::json fitting_data(const Recording& recording, const RenderStage& stage
     return view_data(recording, stage, frames, thinning);
 }
 
+/// How fast the page plays at first.
+Pace pace_of_page(const ViewOptions& options, const Recording& recording) {
+    return pace_of({options.slow, {}}, recording.time(recording.frame_count() - 1) - recording.time(0));
+}
+
 int view(ViewOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".html");
@@ -110,6 +117,7 @@ int view(ViewOptions options) {
     PendingFile pending(lock, Fault::input);
     pending.write(page);
     pending.publish(options.force);
+    fmt::print(stderr, "sherd: {}\n", pace_of_page(options, Recording(options.recording)).words());
     fmt::print("{}\n", options.output.string());
     return 0;
 }
@@ -117,6 +125,7 @@ int view(ViewOptions options) {
 }  // namespace
 
 std::string view_page(const ViewOptions& options, std::vector<std::string>& warnings) {
+    check_slow_motion({options.slow, {}});
     const Recording recording(options.recording);
     StageOptions stage_options;
     stage_options.colour = RenderColour::strain;
@@ -124,11 +133,12 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     const std::string title = xml_escaped(options.recording.stem().string());
     nlohmann::json data = fitting_data(recording, stage, options.megabytes, warnings);
     data["plain"] = options.plain;
-    const std::string json = script_json(data);
+    data["slow"] = pace_of_page(options, recording).slowdown;
     return filled(view_assets::page, {{"%TITLE%", title},
                                       {"%THREE%", view_assets::three},
                                       {"%CONTROLS%", view_assets::controls},
-                                      {"%RECORDING%", json}});
+                                      {"%PLAYBACK%", view_assets::playback},
+                                      {"%RECORDING%", script_json(data)}});
 }
 
 void add_view(CLI::App& program, Command& chosen) {
@@ -139,6 +149,7 @@ void add_view(CLI::App& program, Command& chosen) {
         ->option_text("RUN.h5");
     command->add_option("-o,--output", options->output, "HTML file (default: beside RUN.h5)")
         ->option_text("FILE.html");
+    add_slow_motion_option(*command, options->slow);
     command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
         ->check(CLI::Range(1.0, 400.0))
         ->option_text("N");

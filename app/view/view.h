@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace sherd {
 struct ViewOptions {
     std::filesystem::path recording;
     std::filesystem::path output;  ///< .html; empty: beside the recording, named like it
+    std::optional<double> slow;    ///< how many times slower than reality; none: default_slowdown()
     double megabytes = 64;         ///< of data in the page; beyond, frames are left out, then meshes thinned
     bool plain = false;            ///< without colour bar and caption
     bool force = false;            ///< replace a file that exists

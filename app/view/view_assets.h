@@ -9,5 +9,6 @@ namespace sherd::view_assets {
 extern const std::string_view page;      ///< view_page.html, with %NAMES% for what is filled in
 extern const std::string_view three;     ///< three.js, minified (MIT licence)
 extern const std::string_view controls;  ///< three.js' OrbitControls
+extern const std::string_view playback;  ///< view_playback.js
 
 }  // namespace sherd::view_assets

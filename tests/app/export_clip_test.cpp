@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that hold all frames, read back byte by byte: pc2, mdd, glb; and vdb.
-#include <openvdb/io/File.h>
-#include <openvdb/openvdb.h>
-
+// Files that hold all frames, read back byte by byte: pc2, mdd, glb.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -38,8 +35,14 @@ std::vector<Cloud> expected_clouds(const SyntheticRun& run) {
     return clouds;
 }
 
+/// Options by which the synthetic run's frames, 0.1 s apart, are the samples of a cache.
+ExportOptions of_frames(ExportOptions options) {
+    options.slow = {1, 10};
+    return options;
+}
+
 TEST_F(Export, Pc2HasTheLastTopologyFromTheFirstFrameOn) {
-    const auto files = export_recording(options("pc2", "out.pc2")).files;
+    const auto files = export_recording(of_frames(options("pc2", "out.pc2"))).files;
     EXPECT_EQ(files, (std::vector<std::filesystem::path>{folder.path / "out.obj", folder.path / "out.pc2"}));
     const std::vector<Cloud> clouds = expected_clouds(run);
     Bytes pc2(bytes("out.pc2"));
@@ -61,7 +64,7 @@ TEST_F(Export, Pc2HasTheLastTopologyFromTheFirstFrameOn) {
 }
 
 TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
-    export_recording(options("mdd", "out.mdd"));
+    export_recording(of_frames(options("mdd", "out.mdd")));
     const std::vector<Cloud> clouds = expected_clouds(run);
     Bytes mdd(bytes("out.mdd"));
     EXPECT_EQ(mdd.next_big_endian<std::int32_t>(), 3);
@@ -74,8 +77,37 @@ TEST_F(Export, MddIsBigEndianAndKnowsTheTimes) {
     EXPECT_TRUE(mdd.at_end());
 }
 
-TEST_F(Export, SolidCachesFitTheirSolidMesh) {
+// A cache is played at its rate: between frames there is the straight line from one to the next.
+TEST_F(Export, CachesAreSlowMotion) {
     ExportOptions wanted = options("pc2", "out.pc2");
+    EXPECT_EQ(export_recording(wanted).pace,
+              "20 times slower than reality: 0.2 s last 4 s, 97 samples at 24 a second");
+    const std::vector<Cloud> clouds = expected_clouds(run);
+    Bytes pc2(bytes("out.pc2"), 28);
+    ASSERT_EQ(pc2.next<std::int32_t>(), 97);
+    for (std::size_t i = 0; i < 97; ++i) {  // 48 from frame to frame
+        const std::size_t before = std::min<std::size_t>(i / 48, 1);
+        const float share = static_cast<float>(i - 48 * before) / 48;
+        for (std::size_t v = 0; v < clouds[0].size(); ++v)
+            for (int k = 0; k < 3; ++k) {
+                const float from = clouds[before][v][k], to = clouds[before + 1][v][k];
+                ASSERT_NEAR(pc2.next<float>(), from + share * (to - from), 1e-7F) << i << " " << v;
+            }
+    }
+    EXPECT_TRUE(pc2.at_end());
+    wanted = options("mdd", "out.mdd");
+    wanted.slow = {50, 30};
+    wanted.frames = "1:";
+    wanted.force = true;
+    export_recording(wanted);
+    Bytes mdd(bytes("out.mdd"));
+    ASSERT_EQ(mdd.next_big_endian<std::int32_t>(), 151) << "5 s";
+    mdd.next_big_endian<std::int32_t>();
+    for (int i = 0; i < 151; ++i) ASSERT_NEAR(mdd.next_big_endian<float>(), i / 30.0, 1e-6);
+}
+
+TEST_F(Export, SolidCachesFitTheirSolidMesh) {
+    ExportOptions wanted = of_frames(options("pc2", "out.pc2"));
     wanted.solid = true;
     export_recording(wanted);
     const Mesh mesh = read("out.obj");
@@ -242,6 +274,7 @@ TEST_F(Export, GlbIsWellFormed) {
             wanted.animate = animate;
             wanted.solid = solid;
             wanted.force = true;
+            wanted.slow.factor = 1;
             export_recording(wanted);
             const Glb glb(bytes(animate + ".glb"));
             EXPECT_EQ(glb.json["asset"]["version"], "2.0");
@@ -268,53 +301,45 @@ TEST_F(Export, GlbIsWellFormed) {
         }
 }
 
+TEST_F(Export, GlbIsSlowMotion) {
+    const auto times = [&](const ExportOptions& wanted) {
+        export_recording(wanted);
+        const Glb glb(bytes("out.glb"));
+        return glb.values<float>(glb.json["animations"][0]["samplers"][0]["input"], 1);
+    };
+    ExportOptions wanted = options("glb", "out.glb");
+    EXPECT_EQ(times(wanted), (std::vector<float>{0, 2, 4})) << "20 times slower";
+    wanted.force = true;
+    wanted.slow.factor = 150;
+    wanted.frames = "1:";
+    EXPECT_EQ(times(wanted), (std::vector<float>{0, 15}));
+}
+
+TEST_F(Export, RefusesASlowMotionThatMakesNoSense) {
+    const auto before = folder.contents();
+    const auto refused = [&](const std::string& format, const SlowMotion& slow, const std::string& word) {
+        ExportOptions wanted = options(format, "out." + format);
+        wanted.slow = slow;
+        EXPECT_NE(error_of(wanted).find(word), std::string::npos) << format;
+    };
+    refused("glb", {0, {}}, "--slow 0: give how many times slower");
+    refused("pc2", {-5, {}}, "--slow -5");
+    refused("mdd", {1, 0}, "--rate 0");
+    refused("pc2", {1e9, {}}, "more than 100000");
+    refused("obj", {2, {}}, "--to glb, pc2 and mdd");
+    refused("glb", {{}, 25}, "--to pc2 and mdd");
+    EXPECT_EQ(folder.contents(), before);
+    const ProgramResult result = run_sherd({"export", "run.h5", "--to", "glb", "--slow", "0"}, folder.path);
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+}
+
 TEST_F(Export, GlbOfOneFrameStandsStill) {
     ExportOptions wanted = options("glb", "out.glb");
     wanted.frames = "0";
-    export_recording(wanted);
+    EXPECT_EQ(export_recording(wanted).pace, "");
     const Glb glb(bytes("out.glb"));
     EXPECT_FALSE(glb.json.contains("animations"));
     EXPECT_EQ(glb.json["meshes"].size(), 1u);
-}
-
-// Two sheets of 1 and 2 mm: within them and nowhere else the level set is negative.
-TEST_F(Export, VdbIsTheSheetWithItsThickness) {
-    for (auto& frame : run.frames) frame.position.row(2).setZero();
-    record(run, folder.path / "flat.h5");
-    ExportOptions wanted = options("vdb", "out.vdb");
-    wanted.recording = folder.path / "flat.h5";
-    export_recording(wanted);
-    openvdb::initialize();
-    openvdb::io::File file((folder.path / "out.vdb").string());
-    file.open();
-    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid("surface"));
-    ASSERT_TRUE(grid);
-    EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
-    EXPECT_NEAR(grid->voxelSize()[0], 0.25e-3, 1e-12);
-    const auto at = [&](double x, double y, double z) {
-        return grid->tree().getValue(grid->transform().worldToIndexCellCentered({x, y, z}));
-    };
-    EXPECT_NEAR(at(0.03, 0.02, 0), -0.5e-3, 1e-6) << "1 mm: the first half of the faces";
-    EXPECT_NEAR(at(0.03, 0.02, 0.5e-3), 0, 1e-6);
-    EXPECT_NEAR(at(0.03, 0.02, -0.75e-3), 0.25e-3, 1e-6);
-    EXPECT_NEAR(at(0.09, 0.02, 0), -1e-3, 1e-6) << "2 mm: the second";
-    EXPECT_NEAR(at(0.09, 0.02, 1.25e-3), 0.25e-3, 1e-6);
-    EXPECT_NEAR(at(0.09, 0.02, 0.02), 0.75e-3, 1e-6) << "three voxels, far outside";
-    export_recording([&] {
-        wanted.output = folder.path / "again.vdb";
-        return wanted;
-    }());
-    EXPECT_EQ(bytes("out.vdb"), bytes("again.vdb"));
-}
-
-// OpenVDB itself writes half a file and says nothing.
-TEST_F(Export, VdbThatFindsNoRoomIsAnError) {
-    const ProgramResult result =
-        run_sherd({"export", "run.h5", "--to", "vdb"}, folder.path, {.file_bytes = 5000});
-    EXPECT_EQ(result.exit_code, 1) << result.err;
-    EXPECT_NE(result.err.find("no room"), std::string::npos) << result.err;
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb"));
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "run.vdb.part"));
 }
 
 TEST_F(Export, EveryFormatRefusesARunWithoutFrames) {
@@ -329,14 +354,9 @@ TEST_F(Export, EveryFormatRefusesARunWithoutFrames) {
     EXPECT_EQ(folder.contents(), before);
 }
 
-TEST_F(Export, RefusesVoxelsThatMakeNoSense) {
+TEST_F(Export, RefusesAnAnimationThatIsNone) {
     const auto before = folder.contents();
-    ExportOptions wanted = options("vdb", "out.vdb");
-    for (const double bad : {0.0, -1.0, std::nan(""), 0.6e-3, 1e-7}) {
-        wanted.voxel = bad;
-        EXPECT_NE(error_of(wanted).find("voxel"), std::string::npos) << bad;
-    }
-    wanted = options("glb", "out.glb");
+    ExportOptions wanted = options("glb", "out.glb");
     wanted.animate = "jump";
     EXPECT_NE(error_of(wanted).find("rigid or morph"), std::string::npos);
     EXPECT_EQ(folder.contents(), before);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <set>
 
 #include "app/image.h"
 #include "app/render/render_stage.h"
@@ -126,6 +127,7 @@ TEST_F(Render, KeepsFilesThatExistUnlessForced) {
     EXPECT_EQ(folder.contents(), before);
     folder.write("film.mp4", "the only copy");
     RenderOptions film = options("other.png");
+    film.frames = "last";
     film.film = folder.path / "film.mp4";
     EXPECT_NE(error_of(film).find("film.mp4"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder.path / "other.png"));
@@ -153,28 +155,74 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     refused(&RenderOptions::threads, -1, "--threads -1");
     refused(&RenderOptions::frames, std::string("all"), "name a folder");
     refused(&RenderOptions::output, folder.path / "no" / "such" / "folder", "such/folder");
-    refused(&RenderOptions::film, folder.path / "film.avi", ".mp4");
+    refused(&RenderOptions::film, folder.path / "film.mp4", "97 pictures are wanted");
+    refused(&RenderOptions::slow, SlowMotion{2, {}}, "--slow has a meaning with --film only");
+    refused(&RenderOptions::slow, SlowMotion{{}, 30}, "--rate has a meaning with --film only");
+    refused(&RenderOptions::slow, SlowMotion{-2, {}}, "--slow -2");
     refused(&RenderOptions::recording, folder.path / "missing.h5", "missing.h5");
+    RenderOptions film = options("");
+    film.output.clear();
+    EXPECT_NE(error_of(film).find("-o PATH, or --film"), std::string::npos);
+    film.film = folder.path / "film.avi";
+    EXPECT_NE(error_of(film).find("must end with .mp4"), std::string::npos);
     EXPECT_EQ(folder.contents(), before);
 }
 
+/// What ffprobe says of a film: pictures a second, and how many there are.
+std::string probed(const fs::path& film) {
+    const std::string command =
+        "ffprobe -v error -select_streams v -show_entries "
+        "stream=r_frame_rate,nb_frames -of csv=p=0 '" +
+        film.string() + "'";
+    std::string text;
+    FILE* pipe = popen(command.c_str(), "r");
+    for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe)) text += static_cast<char>(c);
+    EXPECT_EQ(pclose(pipe), 0);
+    return text;
+}
+
 // A film of some pictures only, or one that a player cannot open, would be worse than none.
-TEST_F(Render, MakesAFilm) {
+TEST_F(Render, MakesAFilmInSlowMotion) {
     RenderOptions wanted = options("pictures");
-    wanted.frames = "all";
     wanted.film = folder.path / "film.mp4";
+    wanted.slow = {10, 4};
     const Rendering rendering = render_recording(wanted);
-    ASSERT_EQ(rendering.files.size(), 4u);
+    ASSERT_EQ(rendering.files.size(), 10u) << "2 s at 4 pictures a second, the last one, and the film";
     EXPECT_EQ(rendering.files.back(), wanted.film);
-    EXPECT_EQ(bytes_of(wanted.film).substr(4, 4), "ftyp");
     EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+    EXPECT_EQ(probed(wanted.film), "4/1,9");
+    // Four pictures from frame to frame: those at frames are the frames, the others are all different.
+    RenderOptions stills = options("stills");
+    stills.frames = "all";
+    const std::vector<fs::path> frames = render_recording(stills).files;
+    ASSERT_EQ(frames.size(), 3u);
+    std::set<std::string> different;
+    for (std::size_t i = 0; i < 9; ++i) {
+        different.insert(bytes_of(rendering.files[i]));
+        if (i % 4 == 0) {
+            EXPECT_EQ(bytes_of(rendering.files[i]), bytes_of(frames[i / 4])) << i;
+        }
+    }
+    EXPECT_EQ(different.size(), 9u);
+    EXPECT_EQ(rendering.files[3], folder.path / "pictures" / "run_film_000003.png");
+}
+
+TEST_F(Render, MakesAFilmAlone) {
+    const ProgramResult result = run_sherd(
+        {"render", "run.h5", "--film", "film.mp4", "--size", "32x18", "--samples", "1"}, folder.path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "film.mp4\n");
+    EXPECT_NE(result.err.find("20 times slower than reality: 0.2 s last 4 s, 97 pictures"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(probed(folder.path / "film.mp4"), "24/1,97");
+    EXPECT_EQ(run_sherd({"render", "run.h5"}, folder.path).exit_code, 2) << "nowhere to draw";
 }
 
 TEST_F(Render, SaysThatFfmpegIsMissing) {
     const std::string path = getenv("PATH");
     setenv("PATH", folder.path.c_str(), 1);
     const ProgramResult result = run_sherd(
-        {"render", "run.h5", "-o", "picture.png", "--size", "16x9", "--film", "film.mp4"}, folder.path);
+        {"render", "run.h5", "-o", "pictures", "--size", "16x9", "--film", "film.mp4"}, folder.path);
     setenv("PATH", path.c_str(), 1);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("ffmpeg is not installed"), std::string::npos) << result.err;
@@ -195,7 +243,7 @@ TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
         if (chdir(folder.path.c_str()) == 0) execv(arguments[0], arguments.data());
         _exit(127);
     }
-    const fs::path first = folder.path / "pictures" / "run_000000.png";
+    const fs::path first = folder.path / "pictures" / "run_film_000000.png";
     for (int i = 0; i < 6000 && !fs::exists(first); ++i) usleep(10'000);
     kill(child, SIGINT);
     int status = 0;

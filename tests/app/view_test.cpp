@@ -141,14 +141,29 @@ TEST_F(View, PageIsWholeAndAsksForNothingElse) {
     const std::string page = view_page(options, warnings);
     EXPECT_NE(page.find(view_assets::three), std::string::npos);
     EXPECT_NE(page.find(view_assets::controls), std::string::npos);
+    EXPECT_NE(page.find(view_assets::playback), std::string::npos);
     EXPECT_GT(view_assets::three.size(), 500'000u);
     EXPECT_TRUE(view_assets::page.ends_with("</html>\n"));
     EXPECT_TRUE(page.ends_with("</html>\n"));
-    for (const char* word : {"%TITLE%", "%THREE%", "%CONTROLS%", "%RECORDING%", " src=", "<link"})
+    for (const char* word :
+         {"%TITLE%", "%THREE%", "%CONTROLS%", "%PLAYBACK%", "%RECORDING%", " src=", "<link"})
         EXPECT_EQ(page.find(word), std::string::npos) << word;
     const std::size_t begin = page.find("{\"angle\""), end = page.find("</script>", begin);
     EXPECT_EQ(Json::parse(page.substr(begin, end - begin))["frames"].size(), 3u);
     EXPECT_LT(page.size() - (end - begin), 1'500'000u);
+}
+
+TEST_F(View, PlaysInSlowMotion) {
+    ViewOptions options;
+    options.recording = folder.path / "run.h5";
+    EXPECT_NE(view_page(options, warnings).find("\"slow\":20.0,"), std::string::npos) << "0.2 s last 4 s";
+    options.slow = 3;
+    EXPECT_NE(view_page(options, warnings).find("\"slow\":3.0,"), std::string::npos);
+    options.slow = -1;
+    EXPECT_THROW(view_page(options, warnings), Error);
+    const ProgramResult result = run_sherd({"view", "run.h5"}, folder.path);
+    EXPECT_NE(result.err.find("20 times slower than reality: 0.2 s last 4 s"), std::string::npos)
+        << result.err;
 }
 
 TEST_F(View, LeavesFramesOutWithAWarning) {

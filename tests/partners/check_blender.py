@@ -14,6 +14,8 @@ import numpy as np
 
 RECORDING, FOLDER, PLAYER = sys.argv[sys.argv.index("--") + 1 :]
 NEAR = 1e-6  # m: single precision of some decimetres
+SLOW = 250  # times, as in export_all.py
+STEP = 6  # Blender's frames from one of plate_drop's frames, a millisecond apart, to the next: 24 a second
 
 
 def frames(file):
@@ -39,6 +41,10 @@ def world_points(target):
     mesh.polygons.foreach_get("vertices", corners)
     shown.to_mesh_clear()
     return points, corners.reshape(-1, 3)
+
+
+def corners(frame):
+    return frame["vertex/position"][:][frame["face/vertices"][:]]
 
 
 def check_near(found, expected, what, tolerance=NEAR):
@@ -79,15 +85,18 @@ def check_cache(extension, all_frames):
     cache.forward_axis, cache.up_axis = "POS_Y", "POS_Z"
     cache.frame_start = 0
     for number, frame in enumerate(all_frames):
-        bpy.context.scene.frame_set(number)
+        bpy.context.scene.frame_set(STEP * number)
         points, faces = world_points(target)
-        expected = frame["vertex/position"][:][frame["face/vertices"][:]]
-        check_near(points[faces], expected, f"{extension} frame {number}")
+        check_near(points[faces], corners(frame), f"{extension} frame {number}")
+        if number > 0:  # in the middle, too
+            bpy.context.scene.frame_set(STEP * number - STEP // 2)
+            points, faces = world_points(target)
+            check_near(points[faces], (corners(all_frames[number - 1]) + corners(frame)) / 2, extension)
 
 
-def rigid_deviation(corners, expected):
+def rigid_deviation(found, expected):
     """How far the rigid motion that fits best is off the recording."""
-    a, b = corners - corners.mean(axis=0), expected - expected.mean(axis=0)
+    a, b = found - found.mean(axis=0), expected - expected.mean(axis=0)
     u, _, v = np.linalg.svd(a.T @ b)
     turn = u @ np.diag([1, 1, np.sign(np.linalg.det(u @ v))]) @ v
     return np.abs(a @ turn - b).max()
@@ -95,23 +104,20 @@ def rigid_deviation(corners, expected):
 
 def check_glb(name, all_frames):
     clear()
-    bpy.context.scene.render.fps = 1000
     # Blender 3.4 of Debian fails with its default shading: its importer is older than its NumPy.
     bpy.ops.import_scene.gltf(filepath=exported(name + ".glb"), import_shading="SMOOTH")
-    last, times = all_frames[-1], [frame.attrs["time"] for frame in all_frames]
+    last = all_frames[-1]
     fragments = last["face/fragment"][:]
     nodes = [target for target in bpy.data.objects if target.type == "MESH"]
     assert sorted(node.name for node in nodes) == [f"fragment_{i:03}" for i in range(fragments.max() + 1)]
     for number, frame in enumerate(all_frames):
-        moment = 1000 * (times[number] - times[0])
-        bpy.context.scene.frame_set(int(moment), subframe=moment - int(moment))
+        bpy.context.scene.frame_set(STEP * number)
         for node in nodes:
             mine = fragments == int(node.name[-3:])
             points, faces = world_points(node)
-            expected = frame["vertex/position"][:][frame["face/vertices"][:][mine]].reshape(-1, 3)
-            corners = points[faces].reshape(-1, 3)
-            allowed = 1e-5 if name == "morph" else 1e-5 + 1.5 * rigid_deviation(corners, expected)
-            check_near(corners, expected, f"{name} {node.name} frame {number}", allowed)
+            expected, found = corners(frame)[mine].reshape(-1, 3), points[faces].reshape(-1, 3)
+            allowed = 1e-5 if name == "morph" else 1e-5 + 1.5 * rigid_deviation(found, expected)
+            check_near(found, expected, f"{name} {node.name} frame {number}", allowed)
 
 
 def check_vdb(all_frames):
@@ -129,12 +135,18 @@ def check_player(all_frames):
     player = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(player)
     player.register()
-    assert bpy.ops.import_scene.sherd_recording(filepath=RECORDING) == {"FINISHED"}
+    assert bpy.ops.import_scene.sherd_recording(filepath=RECORDING, slow=SLOW) == {"FINISHED"}
     target = next(item for item in bpy.data.objects if item.type == "MESH")
-    assert bpy.context.scene.frame_end == len(all_frames) - 1
+    assert bpy.context.scene.frame_end == STEP * (len(all_frames) - 1)
     for number in [*range(len(all_frames)), 0]:
-        bpy.context.scene.frame_set(number)
+        bpy.context.scene.frame_set(STEP * number)
         check_played(target, all_frames[number], number)
+    for number in range(len(all_frames) - 1):
+        bpy.context.scene.frame_set(STEP * number + STEP // 2)
+        points, faces = world_points(target)
+        check_near(points[faces], (corners(all_frames[number]) + corners(all_frames[number + 1])) / 2, "played between")
+        fragments = [item.value for item in target.data.attributes["fragment"].data]
+        assert fragments == all_frames[number]["face/fragment"][:].tolist(), "played between: fragments"
     player.unregister()
 
 

@@ -79,6 +79,46 @@ def check_playing(page, frames):
     page.press(Keys.ARROW_RIGHT)
 
 
+# At a quarter of the way between all frames: how far the faces' corners are from the straight line between the
+# frames (m), and whether the fragments are those of the frame before.
+BETWEEN = """
+    const corners = ({ faces, place }) => Array.from(faces, v => [0, 1, 2].map(x => place[3 * v + x])).flat();
+    let off = 0, moved = 0, kept = true;
+    for (let k = 0; k < playback.last; ++k) {
+        const fragments = Array.from(playback.at(k).fragments);
+        const [start, end, seen] = [k, k + 1, k + 0.25].map(position => corners(playback.at(position)));
+        seen.forEach((x, i) => { off = Math.max(off, Math.abs(x - 0.75 * start[i] - 0.25 * end[i])); });
+        seen.forEach((x, i) => { moved = Math.max(moved, Math.abs(x - start[i])); });
+        const shown = playback.at(k + 0.25).fragments;
+        kept = kept && fragments.every((fragment, f) => shown[f] == fragment);
+    }
+    return [off, moved, kept];"""
+
+
+def check_slow_motion(page, frames):
+    """The run of 30 ms lasts 6 s, moves on straight lines between frames, and as slowly as one chooses."""
+    off, moved, kept = page.driver.execute_script(BETWEEN)
+    assert off < 1e-7 < 1e-5 < moved and kept, (off, moved, kept)
+
+    def time_after(seconds):
+        return page.driver.execute_script("return playback.timeAt(positionAfter(0, arguments[0]))", seconds)
+
+    assert page.element("slow").get_attribute("value") == "200"
+    for seconds, time in ((0, 0), (1.5, 0.0075), (5.99, 0.02995), (6.3, 0.03), (7.7, 0.005)):
+        assert abs(time_after(seconds) - time) < 1e-9, (seconds, time_after(seconds))
+    Select(page.element("slow")).select_by_visible_text("1000 times")
+    assert abs(time_after(1.5) - 0.0015) < 1e-9
+    page.driver.execute_script("showMoment(12.5)")
+    assert page.shown("frame") == 12 and page.element("now").text.endswith("frame 12 to 13")
+    half = page.picture()
+    for key, frame in ((Keys.ARROW_RIGHT, 13), (Keys.ARROW_LEFT, 12)):
+        page.press(key)
+        assert page.shown("frame") == frame and page.element("now").text.endswith(f"frame {frame}")
+        assert page.picture() != half
+    while page.shown("frame") < len(frames) - 1:
+        page.press(Keys.ARROW_RIGHT)
+
+
 def check_hiding(page, frames):
     x, y = page.driver.execute_script("""
         // A place on the picture where a fragment is.
@@ -218,6 +258,7 @@ def main(file, summary, picture):
     try:
         page = Page(driver, file)
         check_playing(page, frames)
+        check_slow_motion(page, frames)
         check_thickness(page, frames)
         check_hiding(page, frames)
         check_bar(page)

@@ -40,6 +40,12 @@ def main(file, picture, first, last):
         page = Page(driver, pathlib.Path(file))
         assert page.shown("obstacles") == 1
         assert obstacle_is_at(page, first) and not obstacle_is_at(page, last)
+        # Half way from the middle frame to the last.
+        between = ",".join(str(0.25 * float(a) + 0.75 * float(b)) for a, b in zip(first.split(","), last.split(",")))
+        page.driver.execute_script("showMoment(0.75 * playback.last)")
+        assert obstacle_is_at(page, between) and not obstacle_is_at(page, last)
+        page.driver.execute_script("showMoment(0.5 * playback.last)")
+        assert not obstacle_is_at(page, between)
         while page.shown("frame") < int(page.element("time").get_attribute("max")):
             page.press(Keys.ARROW_RIGHT)
         assert obstacle_is_at(page, last) and not obstacle_is_at(page, first)

@@ -13,10 +13,10 @@ EXPORTS = [
     ("ply", "run.ply"),
     ("stl", "run.stl"),
     ("pvd", "run.pvd"),
-    ("pc2", "cache.pc2"),
-    ("mdd", "cache.mdd", "--force"),  # with the same cache.obj
-    ("glb", "rigid.glb"),
-    ("glb", "morph.glb", "--animate", "morph"),
+    ("pc2", "cache.pc2", "--slow", "250"),
+    ("mdd", "cache.mdd", "--slow", "250", "--force"),  # with the same cache.obj
+    ("glb", "rigid.glb", "--slow", "250"),
+    ("glb", "morph.glb", "--slow", "250", "--animate", "morph"),
     ("glb", "solid.glb", "--solid"),
     ("vdb", "volume.vdb", "--frames", "all"),
 ]

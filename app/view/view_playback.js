@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+"use strict";
+// The run at any moment. A position is the number of a frame of the page, or lies between two: 3.25 is a quarter of
+// the way from frame 3 to frame 4. What holds there is what app/playback/interpolation.h says.
+
+function decoded(base64, Type) {
+    const text = atob(base64), bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+    return new Type(bytes.buffer);
+}
+
+// Faces and fragments of one frame after the other: they are stored as what changes from the frame before.
+class Topology {
+    constructor(recording) {
+        this.recording = recording;
+        this.restart();
+    }
+
+    restart() {
+        this.frame = 0;
+        this.faces = decoded(this.recording.faces, Uint32Array);
+        this.fragments = decoded(this.recording.fragments, Uint32Array);
+    }
+
+    goTo(frame) {
+        if (frame < this.frame) this.restart();
+        while (this.frame < frame) {
+            const change = this.recording.frames[++this.frame];
+            const corners = decoded(change.corners, Uint32Array), owners = decoded(change.owners, Uint32Array);
+            for (let i = 0; i < corners.length; i += 2) this.faces[corners[i]] = corners[i + 1];
+            for (let i = 0; i < owners.length; i += 2) this.fragments[owners[i]] = owners[i + 1];
+        }
+        return this;
+    }
+}
+
+class Playback {
+    constructor(recording) {
+        this.recording = recording;
+        this.earlier = new Topology(recording);
+        this.later = new Topology(recording);
+        this.unpacked = new Map();
+        // In metres, in its own frame; obstacles turn about it.
+        this.middles = recording.obstacles.map(obstacle => {
+            const points = decoded(obstacle.points, Float32Array), middle = new THREE.Vector3();
+            for (let i = 0; i < points.length; i += 3) middle.add(new THREE.Vector3().fromArray(points, i));
+            return middle.divideScalar(Math.max(1, points.length / 3));
+        });
+    }
+
+    get last() { return this.recording.frames.length - 1; }
+
+    timeAt(position) {
+        const time = this.recording.time, k = Math.floor(position);
+        return k < this.last ? time[k] + (position - k) * (time[k + 1] - time[k]) : time[this.last];
+    }
+
+    positionAt(time) {
+        const times = this.recording.time;
+        let k = 0;
+        while (k < this.last && times[k + 1] <= time) ++k;
+        return k == this.last ? k : k + Math.max(0, (time - times[k]) / (times[k + 1] - times[k]));
+    }
+
+    // The arrays of a frame; those around the moment are kept.
+    frame(number) {
+        if (!this.unpacked.has(number)) {
+            const packed = this.recording.frames[number], whole = decoded(packed.position, Uint16Array);
+            const place = Float32Array.from(whole, (x, i) => this.recording.low[i % 3] + x * this.recording.step[i % 3]);
+            this.unpacked.set(number, { place, lines: decoded(packed.lines, Uint32Array), poses: decoded(packed.poses, Float32Array),
+                                        strain: decoded(packed.strain, Uint8Array), state: decoded(packed.state, Uint8Array) });
+        }
+        return this.unpacked.get(number);
+    }
+
+    // frame: the one before; faces, fragments, and of vertices place (m), strain and state; lines; poses of obstacles.
+    at(position) {
+        const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
+        for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
+        const { faces, fragments } = this.earlier.goTo(number), from = this.frame(number);
+        if (!(share > 0) || number == this.last)
+            return { ...from, frame: number, share: 0, faces, fragments, place: from.place.slice() };
+        const to = this.frame(number + 1), later = this.later.goTo(number + 1).faces;
+        const before = Playback.before(faces, later, from.place.length / 3, to.place.length / 3);
+        const place = to.place.map((x, i) => { const y = from.place[3 * before[Math.floor(i / 3)] + i % 3]; return y + share * (x - y); });
+        const strain = to.strain.map((x, v) => Math.round(from.strain[before[v]] + share * (x - from.strain[before[v]])));
+        const state = to.state.map((_, v) => from.state[before[v]]);
+        const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
+        return { frame: number, share, faces: later, fragments, place, strain, state, lines: to.lines, poses };
+    }
+
+    // The earlier frame's vertex that each of the later one was: faces keep their corners.
+    static before(earlierFaces, laterFaces, earlierCount, laterCount) {
+        const before = Uint32Array.from({ length: laterCount }, (_, v) => Math.min(v, earlierCount - 1));
+        for (let i = 0; i < laterFaces.length; ++i) before[laterFaces[i]] = earlierFaces[i];
+        return before;
+    }
+
+    static poseBetween(from, to, number, share, middle) {
+        const ends = [from, to].map(poses => poses.subarray(16 * number, 16 * number + 16));
+        if (!ends.every(end => end.every(Number.isFinite))) return [...ends[0]];
+        const [a, b] = ends.map(end => new THREE.Matrix4().fromArray(end));
+        const turn = new THREE.Quaternion().setFromRotationMatrix(a);
+        turn.slerp(new THREE.Quaternion().setFromRotationMatrix(b), share);
+        const place = middle.clone().applyMatrix4(a).lerp(middle.clone().applyMatrix4(b), share);
+        place.sub(middle.clone().applyQuaternion(turn));
+        return new THREE.Matrix4().makeRotationFromQuaternion(turn).setPosition(place.x, place.y, place.z).toArray();
+    }
+}
