@@ -96,6 +96,7 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
               RenderFilm* film, Rendering& result) {
     const PictureOptions picture = picture_options(options);
     Progress progress(static_cast<double>(frames.size()));
+    if (frames.size() > 1) progress.show(0, fmt::format("picture 0 of {}", frames.size()));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const std::optional<Image> image =
             render_picture(stage.scene(recording.frame(frames[i]), recording.poses(frames[i])),
