@@ -139,6 +139,7 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
     Playback sheets([&recording](std::size_t number) { return recording.frame(number); });
     const ObstaclePlayback obstacles(recording);
     Progress progress(static_cast<double>(moments.size()));
+    if (moments.size() > 1) progress.show(0, fmt::format("picture 0 of {}", moments.size()));
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const Snapshot frame = sheets.at(moments[i]);
         std::optional<Image> image = render_picture(stage.scene(frame, obstacles.at(moments[i])),

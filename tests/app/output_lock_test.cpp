@@ -128,12 +128,13 @@ TEST(OutputLock, OfManyAtOnceOneGetsIt) {
     const fs::path output = directory.path / "run.h5";
     std::atomic<int> inside = 0, most = 0, times = 0;
     std::vector<std::thread> threads;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 3; ++i)
         threads.emplace_back([&] {
-            for (int round = 0; round < 200; ++round) try {
+            for (int round = 0; round < 5000; ++round) try {
                     const OutputLock lock(output);
                     const int now = ++inside;
                     if (now > most) most = now;
+                    std::this_thread::sleep_for(std::chrono::microseconds(20));
                     ++times;
                     --inside;
                 } catch (const Error&) {
