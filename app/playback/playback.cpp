@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/playback/playback.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/playback/interpolation.h"
