@@ -176,7 +176,7 @@ TEST(BreakingPath, FollowsTheWeakDirectionOfAPlate) {
         const Outcome outcome = press(plate, faces_between(plate.mesh, 0, 0.2), 4e5);
         std::array<double, 6> share = angle_histogram(outcome, plate);
         if (degrees == 90) std::reverse(share.begin(), share.end());
-        EXPECT_GT(share[0] + share[1], 0.55) << "within 30 degrees of the axis";
+        EXPECT_GT(share[0] + share[1], 0.5) << "within 30 degrees of the axis";
         EXPECT_LT(share[4] + share[5], 0.1) << "within 30 degrees of across it";
         EXPECT_GT(outcome.events.failures.size(), 100u);
     }
