@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <memory>
-#include <numbers>
 
 #include "app/commands.h"
+#include "app/run_cost.h"
+#include "app/scene/scene_plausibility.h"
 #include "app/scene/scene_simulation.h"
 #include "app/scene/scene_variant.h"
 #include "app/scene/sheet_parting.h"
@@ -17,27 +18,11 @@
 namespace sherd {
 namespace {
 
-/// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
-/// = 5.36 at a Poisson ratio of 0.3 (Leissa, Vibration of Plates, 1969). A curved shell vibrates faster.
-double slowest_period(const Material& m, double area) {
-    const double frequency =
-        5.36 * std::numbers::pi / area * std::sqrt(bending_rigidity(m) / (m.density * m.thickness));
-    return 2 * std::numbers::pi / frequency;
-}
-
-void add_hints(const SheetSpec& sheet, const Scene& scene, const MeshMeasures& measures,
-               std::vector<std::string>& warnings) {
-    if (measures.smallest_edge < measures.mean_edge / 50)
-        warnings.push_back(fmt::format("the shortest edge, {:.3g} m, is far below the mean, {:.3g} m: remesh",
-                                       measures.smallest_edge, measures.mean_edge));
-    // 20 steps a period lose a tenth of the peak strain with implicit Euler.
-    const double step = slowest_period(sheet.material, measures.area) / 20;
-    if (sheet.fracture && scene.solver.step > step)
-        warnings.push_back(
-            fmt::format("solver.step of {:.2g} s is long for this sheet: peaks of strain come out "
-                        "low; use {:.1g} s or less",
-                        scene.solver.step, step));
-}
+/// The command line of `sherd check`.
+struct CheckOptions {
+    SceneOptions scene;
+    bool no_try = false;
+};
 
 void print_strength(const SheetSpec& sheet, const Strength& strength) {
     if (!sheet.fracture) {
@@ -60,12 +45,10 @@ void print_strength(const SheetSpec& sheet, const Strength& strength) {
     fmt::print("  times {:.3g} to {:.3g}, edge by edge\n", *least, *most);
 }
 
-SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
-    std::vector<std::string> warnings;
+SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
     const SheetInput input = make_sheet(sheet, scene, warnings);
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
-    add_hints(sheet, scene, m, warnings);
     fmt::print("sheet {}\n", sheet.name);
     fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}\n",
                mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
@@ -77,12 +60,24 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene) {
     fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m\n", m.mean_edge, m.smallest_edge,
                m.largest_edge);
     print_strength(sheet, input.strength);
-    for (const std::string& warning : warnings) fmt::print("  warning: {}\n", warning);
     return input;
 }
 
-/// Throws Error with all mistakes that only the meshes show.
-void check(const Scene& scene) {
+void print_cost(const Scene& scene, const std::vector<SheetInput>& inputs, const SimulationOptions& simulated,
+                const CheckOptions& options, std::vector<std::string>& warnings) {
+    RunCost cost = run_cost(scene, inputs);
+    if (!options.no_try && cost.memory < cost.machine_memory) {
+        const TriedSteps tried = try_steps(inputs, simulated);
+        add(cost, tried);
+        if (!tried.failure.empty())
+            warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
+    }
+    fmt::print("{}", cost_lines(cost));
+    warn_of_cost(scene, cost, warnings);
+}
+
+/// Prints what there is to know. Throws Error with all mistakes that only the meshes show.
+void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
     if (!scene.variant.empty()) fmt::print("variant {}\n", scene.variant);
     fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
                scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
@@ -90,26 +85,35 @@ void check(const Scene& scene) {
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {
         try {
-            inputs.push_back(print_sheet(sheet, scene));
+            inputs.push_back(print_sheet(sheet, scene, warnings));
         } catch (const Error& error) {
             mistakes.emplace_back(error.what());
         }
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
-    std::vector<std::string> warnings;
     part_sheets(scene, inputs, warnings);
-    simulation_options(scene, inputs, warnings);  // throws where a load or a support reaches nothing
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    // Throws where a load or a support reaches nothing.
+    const SimulationOptions simulated = simulation_options(scene, inputs, warnings);
+    warn_of_implausible(scene, inputs, simulated, warnings);
+    print_cost(scene, inputs, simulated, options, warnings);
 }
 
-int check_all(const SceneOptions& options) {
-    VariantMistakes mistakes;
-    for (const Scene& scene : read_scenes(options)) try {
-            check(scene);
-            mistakes.add(scene.variant, "");
+/// All warnings come after all that is printed of the variants, and all mistakes after these.
+int check_all(const CheckOptions& options) {
+    VariantRemarks warnings, mistakes;
+    for (const Scene& scene : read_scenes(options.scene)) {
+        std::vector<std::string> found;
+        std::string mistake;
+        try {
+            check(scene, options, found);
         } catch (const Error& error) {
-            mistakes.add(scene.variant, error.what());
+            mistake = error.what();
         }
+        warnings.add(scene.variant, fmt::format("{}", fmt::join(found, "\n")));
+        mistakes.add(scene.variant, mistake);
+    }
+    for (const std::string& line : warnings.lines()) fmt::print("warning: {}\n", line);
+    std::fflush(stdout);  // before what goes to stderr
     mistakes.throw_if_any();
     return 0;
 }
@@ -117,10 +121,12 @@ int check_all(const SceneOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("check", "Say what is wrong with a scene before hours are spent");
-    auto options = std::make_shared<SceneOptions>();
-    add_scene_options(*command, *options);
+    CLI::App* command = program.add_subcommand(
+        "check", "Say what is wrong with a scene, and what it will cost, before hours are spent");
+    auto options = std::make_shared<CheckOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_flag("--no-try", options->no_try,
+                      "Do not do the first steps, by which the time that a run takes is estimated");
     command->footer("Example:\n  sherd check plate_drop");
     command->callback([&chosen, options] { chosen = [options] { return check_all(*options); }; });
 }

@@ -30,7 +30,7 @@ std::vector<Scene> read_scenes(const SceneOptions& options) {
     std::vector<std::string> names = variant_names(options.file);
     if (names.empty() || !options.choice.variant.empty()) return {read_scene(options.file, options.choice)};
     std::vector<Scene> scenes;
-    VariantMistakes mistakes;
+    VariantRemarks mistakes;
     for (const std::string& name : names) try {
             scenes.push_back(read_scene(options.file, {options.choice.overrides, name}));
             mistakes.add(name, "");

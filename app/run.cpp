@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/interruption.h"
 #include "app/progress/run_reporter.h"
 #include "app/recording/obstacle_track.h"
+#include "app/run_summary.h"
 #include "app/run_variants.h"
 #include "app/scene/scene_simulation.h"
 #include "app/scene/sheet_parting.h"
@@ -17,15 +16,6 @@
 
 namespace sherd {
 namespace {
-
-/// What the run adds up over its steps.
-struct Totals {
-    std::size_t cracks = 0, capped = 0;
-    std::int64_t newton_iterations = 0, halvings = 0;
-    double smallest_step = std::numeric_limits<double>::infinity();
-    StepReport peaks;
-    StepReport last;
-};
 
 /// Steps the simulation to its end and records it.
 class Runner {
@@ -54,7 +44,7 @@ class Runner {
     RecordingWriter& writer;
     RunReporter progress;
     double recording = 0;  ///< s, of wall time
-    Totals totals;
+    RunTotals totals;
     std::vector<StepReport> unrecorded;
     CrackEvents unrecorded_events;
 };
@@ -62,13 +52,7 @@ class Runner {
 void Runner::step() {
     const StepReport report = simulation.step();
     CrackEvents events = simulation.take_events();
-    totals.cracks += events.failures.size();
-    totals.halvings += report.halvings;
-    totals.smallest_step = std::min(totals.smallest_step, report.step_size);
-    totals.capped += report.stage_cap_reached;
-    totals.newton_iterations += report.newton_iterations;
-    raise_peaks(totals.peaks, report);
-    totals.last = report;
+    totals.add(report, events);
     unrecorded.push_back(report);
     append(unrecorded_events, events);
     progress.update({report.step, report.time, scene.duration, report.step_size,
@@ -85,42 +69,17 @@ void Runner::record() {
 
 std::string Runner::run() {
     const std::int64_t steps = step_count(scene);
-    const auto frame_of = [this](std::int64_t step) {
-        return std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6);
-    };
     record();
     for (std::int64_t i = 1; i <= steps && !interrupted(); ++i) {
         while (simulation.time() < static_cast<double>(i) * scene.solver.step && !interrupted()) step();
-        if (frame_of(i) > frame_of(i - 1) || i == steps || interrupted()) record();
+        if (has_frame(scene, i) || interrupted()) record();
     }
     progress.finish();
     return simulation.time() == static_cast<double>(steps) * scene.solver.step ? "complete" : "interrupted";
 }
 
 void Runner::print_summary(const std::string& end, const std::filesystem::path& output) const {
-    const auto row = [](const char* name, const std::string& value) {
-        fmt::print("{:<22}{}\n", name, value);
-    };
-    row("run", end);
-    row("recording", output.string());
-    row("steps", fmt::format("{} of {:g} s", totals.last.step, scene.solver.step));
-    row("simulated time", fmt::format("{:g} s", totals.last.time));
-    row("wall time", fmt::format("{:.1f} s", wall_seconds()));
-    row("Newton iterations",
-        fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
-                    static_cast<double>(totals.newton_iterations) /
-                        static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
-    row("cracked edges", fmt::format("{}", totals.cracks));
-    row("fragments", fmt::format("{}", totals.last.fragments));
-    row("peak strain", fmt::format("{:.4g} 1/m (of bending alone: {:.4g} 1/m)", totals.peaks.peak_strain,
-                                   totals.peaks.peak_bending_strain));
-    row("peak stress", fmt::format("{:.4g} Pa", totals.peaks.peak_stress));
-    if (totals.peaks.peak_overload > 0)
-        row("peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
-    if (totals.cracks == 0) row("", "no hinge broke; to break it, try half of a peak as its strength");
-    if (totals.halvings > 0)
-        row("steps halved", fmt::format("{} times, down to {:g} s", totals.halvings, totals.smallest_step));
-    if (totals.capped > 0) row("steps out of stages", fmt::format("{}", totals.capped));
+    fmt::print("{}", run_summary(totals, {end, output, wall_seconds()}, scene, simulation));
 }
 
 void Runner::print_time_spent() const {

@@ -50,5 +50,6 @@ Matrix3d membrane_elasticity(const Material& material, double angle = 0);
 /// the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on (paper,
 /// section 8).
 double stretch_over_bend(const Material& material, double length);
+inline constexpr double least_stretch_over_bend = 100;
 
 }  // namespace sherd

@@ -183,9 +183,16 @@ PotentialEnergies TimeStep::energies() const {
 
 Touch TimeStep::touch() const {
     Touch touch;
-    for (const ObstacleContact& contact : obstacle_contact) contact.add_touch(position, touch);
+    std::set<const SolidSurface*> surfaces;
+    if (sheet_contact) sheet_contact->add_touched(position, touch.vertices, surfaces);
+    for (std::size_t o = 0; o < obstacle_contact.size(); ++o) {
+        Touch own;
+        obstacle_contact[o].add_touch(position, own);
+        if (!own.vertices.empty() || surfaces.contains(options.obstacles[o].surface.get()))
+            touch.obstacles.insert(o);
+        touch.include(own);
+    }
     if (body_contact) body_contact->add_touch(position, touch);
-    if (sheet_contact) sheet_contact->add_touched_vertices(position, touch.vertices);
     return touch;
 }
 

@@ -51,6 +51,7 @@ class BreakableSheet {
     double strength(Edge edge) const { return edge_strength[edge]; }
     /// By what the hinge of `edge` is judged.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
+    Index sheet_of(Edge edge) const;  ///< number of the input
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
     std::span<const double> face_areas() const { return face_area; }  ///< [F] at rest, m^2
 
@@ -61,7 +62,6 @@ class BreakableSheet {
     bool release_lips();
 
   private:
-    Index sheet_of(Edge edge) const;
     void add_vertices(const SheetInput& input, Index body, Index first_vertex);
     /// Tells the lips which vertices of one sheet lie at the same place from the beginning.
     void add_coincident_vertices();

@@ -60,6 +60,8 @@ Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOp
       breakable(inputs),
       time_step(breakable.mechanics(), time_step_options(options, breakable.mechanics())),
       fragments(breakable.mesh(), breakable.face_areas()),
+      obstacles_touched(options.obstacles.size(), 0),
+      bodies_touched(options.bodies.size(), 0),
       step_size(options.step) {
     set_guides(breakable.mechanics(), options.sliding);
 }
@@ -94,6 +96,7 @@ bool Simulation::attempt(StepReport& report) {
     const Stopwatch watch(time_step.time_spent(), Task::breaking);
     const HingeMeasures measures = hinge_measures(breakable, time_step.position);
     report_peaks(report, measures);
+    hinge_peaks.judge(breakable, measures);
     if (options.rule == BreakingRule::staged)
         newton = break_in_stages(report, newton, measures);
     else if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
@@ -187,6 +190,7 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
 void Simulation::finish(StepReport& report) {
     report.step_size = step_size.size();
     time_step.finish();
+    hinge_peaks.finish_step();
     step_size.advance();
     report.time = time();
     if (report.stages > 0) update_fragments();
@@ -204,13 +208,19 @@ void Simulation::finish(StepReport& report) {
         report.linear_momentum += body.mass * body.velocity;
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
-    const Touch touch = time_step.touch();
-    report.contacts = static_cast<Index>(touch.vertices.size());
-    report.obstacle_overlap = touch.deepest;
+    add_touch(report);
     report.lip_overlap = time_step.lip_overlap();
     report.fragments = fragments.count();
     // At the end: what is reported is the step as it was solved.
     if (options.sheet_contact) release_lips();
+}
+
+void Simulation::add_touch(StepReport& report) {
+    const Touch touch = time_step.touch();
+    report.contacts = static_cast<Index>(touch.vertices.size());
+    report.obstacle_overlap = touch.deepest;
+    for (const std::size_t obstacle : touch.obstacles) obstacles_touched[obstacle] = 1;
+    for (const std::size_t body : touch.bodies) bodies_touched[body] = 1;
 }
 
 Snapshot Simulation::snapshot() const {

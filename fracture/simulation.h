@@ -5,6 +5,7 @@
 #include "fracture/breaking.h"
 #include "fracture/events.h"
 #include "fracture/fragments.h"
+#include "fracture/hinge_peaks.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
 #include "fracture/step_size.h"
@@ -52,6 +53,10 @@ class Simulation {
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
     const std::vector<RigidBody>& bodies() const { return time_step.bodies(); }
+    const HingePeaks& peaks() const { return hinge_peaks; }
+    /// [O] and [B]: whether anything has touched the obstacle, or the body, at the end of a step so far.
+    const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
+    const std::vector<char>& touched_bodies() const { return bodies_touched; }
     /// The crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s
@@ -72,11 +77,14 @@ class Simulation {
     void release_lips();
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
+    void add_touch(StepReport& report);
 
     SimulationOptions options;
     BreakableSheet breakable;
     TimeStep time_step;
     Fragments fragments;
+    HingePeaks hinge_peaks;
+    std::vector<char> obstacles_touched, bodies_touched;
     CrackEvents events;
     StepSize step_size;
     std::int64_t steps = 0;

@@ -134,10 +134,26 @@ void choose_variant(toml::table& document, const Scene& scene, Problems& problem
     apply_variant(document, scene.variant);
 }
 
+/// Of output.every, that are over at the end of a step.
+std::int64_t intervals(const Scene& scene, std::int64_t step) {
+    return static_cast<std::int64_t>(
+        std::floor(static_cast<double>(step) * scene.solver.step / scene.frame_interval + 1e-6));
+}
+
 }  // namespace
 
 std::int64_t step_count(const Scene& scene) {
     return static_cast<std::int64_t>(std::ceil(scene.duration / scene.solver.step - 1e-6));
+}
+
+bool has_frame(const Scene& scene, std::int64_t step) {
+    return intervals(scene, step) > intervals(scene, step - 1) || step == step_count(scene);
+}
+
+std::int64_t frame_count(const Scene& scene) {
+    const std::int64_t steps = step_count(scene);
+    // An interval is at least a step long, so that none ends without a frame.
+    return intervals(scene, steps - 1) + 2;
 }
 
 std::vector<std::string> variant_names(const std::filesystem::path& file) {

@@ -130,6 +130,12 @@ struct Scene {
 /// Steps that cover the duration; a remainder is a whole step, one due to round-off is not.
 std::int64_t step_count(const Scene& scene);
 
+/// Whether a run records a frame at the end of this step, from 1 on.
+bool has_frame(const Scene& scene, std::int64_t step);
+
+/// Frames of a whole run, the one at the start and the one at the end included.
+std::int64_t frame_count(const Scene& scene);
+
 /// The names of the scene's variants, in the order of the file; none when it has no variants. Throws Error
 /// like read_scene when they have no proper names.
 std::vector<std::string> variant_names(const std::filesystem::path& file);

@@ -32,13 +32,13 @@ void require_stability(const SheetInput& input, const SheetSpec& sheet, BendingM
 /// The paper's limit of validity, section 8.
 void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
     const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(input.material, edge);
-    constexpr double least = 100;
-    if (ratio >= least) return;
+    if (ratio >= least_stretch_over_bend) return;
     warnings.push_back(fmt::format(
         "{}: stretching stiffness Y t is {:.3g} times the hinges' bending stiffness lambda / L^2 (edges of "
         "L = {:.3g} m, thickness t = {:.3g} m); thin-shell bending wants {:.0f}: make the edges {:.2g} m or "
         "longer",
-        sheet.where, ratio, edge, input.material.thickness, least, edge * std::sqrt(least / ratio)));
+        sheet.where, ratio, edge, input.material.thickness, least_stretch_over_bend,
+        edge * std::sqrt(least_stretch_over_bend / ratio)));
 }
 
 }  // namespace

@@ -46,24 +46,27 @@ void apply_variant(toml::table& scene, const std::string& name) {
     merge_keys(scene, std::move(changes));
 }
 
-void VariantMistakes::add(const std::string& variant, const std::string& lines) {
+void VariantRemarks::add(const std::string& variant, const std::string& lines) {
     ++variants;
     std::istringstream stream(lines);
     for (std::string line; std::getline(stream, line);) {
-        auto known = std::find_if(mistakes.begin(), mistakes.end(),
-                                  [&](const auto& mistake) { return mistake.first == line; });
-        if (known == mistakes.end()) known = mistakes.insert(known, {line, {}});
+        auto known = std::find_if(remarks.begin(), remarks.end(),
+                                  [&](const auto& remark) { return remark.first == line; });
+        if (known == remarks.end()) known = remarks.insert(known, {line, {}});
         known->second.push_back(variant);
     }
 }
 
-void VariantMistakes::throw_if_any() const {
-    if (mistakes.empty()) return;
+std::vector<std::string> VariantRemarks::lines() const {
     std::vector<std::string> lines;
-    for (const auto& [line, who] : mistakes)
+    for (const auto& [line, who] : remarks)
         lines.push_back(who.size() == variants ? line
                                                : fmt::format("{} (variant {})", line, fmt::join(who, ", ")));
-    throw Error(fmt::format("{}", fmt::join(lines, "\n")));
+    return lines;
+}
+
+void VariantRemarks::throw_if_any() const {
+    if (!remarks.empty()) throw Error(fmt::format("{}", fmt::join(lines(), "\n")));
 }
 
 }  // namespace sherd

@@ -18,17 +18,19 @@ std::vector<std::string> read_variant_names(TomlTable& root);
 /// when no variant has that name.
 void apply_variant(toml::table& scene, const std::string& name);
 
-/// The mistakes of several variants: what all of them share is told once.
-class VariantMistakes {
+/// The mistakes of several variants, or warnings: what all of them share is told once.
+class VariantRemarks {
   public:
-    /// lines: the message of an Error; empty: the variant has no mistake.
+    /// lines: such as the message of an Error; empty: there is nothing to say of the variant.
     void add(const std::string& variant, const std::string& lines);
-    /// Throws Error with a line for each mistake, with the names of its variants unless all have it.
+    /// Each line, with the names of its variants unless all have it.
+    std::vector<std::string> lines() const;
+    /// Throws Error with all lines.
     void throw_if_any() const;
 
   private:
     std::size_t variants = 0;
-    std::vector<std::pair<std::string, std::vector<std::string>>> mistakes;  ///< a line, who has it
+    std::vector<std::pair<std::string, std::vector<std::string>>> remarks;  ///< a line, who has it
 };
 
 }  // namespace sherd

@@ -76,6 +76,13 @@ void BodyContact::add_between(const VectorXd& q, std::size_t one, std::size_t ot
     sum.hessian.block<6, 6>(6 * other, 6 * one) += mixed.transpose();
 }
 
+Overlap BodyContact::overlap_of(const Meeting& meeting, const VectorXd& q, double margin) const {
+    const auto& [one, other, foot, stiffness] = meeting;
+    const Eigen::Isometry3d here = bodies[one].pose(part(q, one)).place,
+                            there = bodies[other].pose(part(q, other)).place;
+    return overlap(*bodies[other].start().shape, there, here * foot, bodies[one].start().skin + margin);
+}
+
 void BodyContact::add_meetings(const VectorXd& q, Potential& sum) const {
     const auto place = [&](std::size_t body) { return bodies[body].pose(part(q, body)).place; };
     for (const auto& [one, other, local, k] : meetings) {
@@ -121,12 +128,10 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         const auto [kept, gone] = std::minmax(group[one], group[other]);
         std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
     };
-    for (const auto& [one, other, local, k] : meetings) {
-        const Vector3d foot = bodies[one].pose(part(q, one)).place * local;
-        const Eigen::Isometry3d there = bodies[other].pose(part(q, other)).place;
-        const Shape& shape = *bodies[other].start().shape;
-        const double margin = ahead ? ahead_of_contact * shape.bounds().diagonal().norm() : 0;
-        if (overlap(shape, there, foot, bodies[one].start().skin + margin).depth > 0) join(one, other);
+    for (const Meeting& meeting : meetings) {
+        const double size = bodies[meeting.other].start().shape->bounds().diagonal().norm();
+        if (overlap_of(meeting, q, ahead ? ahead_of_contact * size : 0).depth > 0)
+            join(meeting.one, meeting.other);
     }
     for (const SlidingMeeting& meeting : sliding) join(meeting.one, meeting.other);
     return group;
@@ -250,7 +255,13 @@ double BodyContact::stored_energy(const Positions& x) const {
 
 void BodyContact::add_touch(const Positions& x, Touch& touch) const {
     solve(x);
-    for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].add_touch(x, part(best, b), touch);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Touch own = bodies[b].touch(x, part(best, b));
+        if (!own.vertices.empty() || !own.obstacles.empty()) touch.bodies.insert(b);
+        touch.include(own);
+    }
+    for (const Meeting& meeting : meetings)
+        if (overlap_of(meeting, best).depth > 0) touch.bodies.insert({meeting.one, meeting.other});
 }
 
 }  // namespace sherd

@@ -62,6 +62,8 @@ class BodyContact : public Energy {
     void find_sliding(double step);
     Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
     Potential potential(const Positions& x, const VectorXd& q) const;
+    /// margin: m, around the foot's skin.
+    Overlap overlap_of(const Meeting& meeting, const VectorXd& q, double margin = 0) const;
     void add_meetings(const VectorXd& q, Potential& sum) const;
     /// Adds a force between two bodies, by the position of the first one's point at `arm` from its centre
     /// against that of the second one's at `other_arm`.

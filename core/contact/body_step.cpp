@@ -2,6 +2,7 @@
 #include "core/contact/body_step.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace sherd {
 namespace {
@@ -237,11 +238,21 @@ RigidBody BodyStep::moved(const Vector6d& q) const {
     return result;
 }
 
-void BodyStep::add_touch(const Positions& x, const Vector6d& q, Touch& touch) const {
+Touch BodyStep::touch(const Positions& x, const Vector6d& q) const {
+    Touch touch;
     const BodyPose here = pose(q);
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
         touch.include(v, overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]).depth);
-    if (near) near->add_touched_vertices(seen_from(here, x), touch.vertices);
+    std::set<const SolidSurface*> itself;
+    if (near) near->add_touched(seen_from(here, x), touch.vertices, itself);
+    const auto rests_on = [&](const Obstacle& obstacle) {
+        return std::any_of(body.feet.begin(), body.feet.end(), [&](const Vector3d& foot) {
+            return overlap(*obstacle.shape, obstacle.motion.at(end), here.place * foot, body.skin).depth > 0;
+        });
+    };
+    for (std::size_t o = 0; o < obstacles.size(); ++o)
+        if (rests_on(obstacles[o])) touch.obstacles.insert(o);
+    return touch;
 }
 
 }  // namespace sherd

@@ -39,7 +39,8 @@ class BodyStep {
     double free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const;
     /// Adds the vertices that may touch the body at q soon.
     void add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& vertices) const;
-    void add_touch(const Positions& x, const Vector6d& q, Touch& touch) const;
+    /// What touches it of the sheet, and which obstacles it touches.
+    Touch touch(const Positions& x, const Vector6d& q) const;
 
   private:
     /// A vertex that touched at the beginning of the step.

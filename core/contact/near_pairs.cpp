@@ -90,12 +90,16 @@ void NearPairs::add_contacts(const Positions& x, bool ahead,
             add_pairs(blocks, pair.vertices, of.solid_vertices());
 }
 
-void NearPairs::add_touched_vertices(const Positions& x, std::set<Index>& vertices) const {
+void NearPairs::add_touched(const Positions& x, std::set<Index>& vertices,
+                            std::set<const SolidSurface*>& touched) const {
     if (of.solid_vertices() == 0) return;
-    for (const ContactPair& pair : touching(x))
-        if (of.solid_of(pair.kind, pair.vertices))
-            for (const Index vertex : pair.vertices)
-                if (!of.of_solid(vertex)) vertices.insert(vertex - of.solid_vertices());
+    for (const ContactPair& pair : touching(x)) {
+        const ContactSolid* solid = of.solid_of(pair.kind, pair.vertices);
+        if (!solid) continue;
+        touched.insert(solid->surface);
+        for (const Index vertex : pair.vertices)
+            if (!of.of_solid(vertex)) vertices.insert(vertex - of.solid_vertices());
+    }
 }
 
 }  // namespace sherd

@@ -27,8 +27,9 @@ class NearPairs {
     /// `ahead`: those of pairs that may touch soon.
     void add_contacts(const Positions& x, bool ahead, std::vector<std::pair<Index, Index>>& pairs) const;
 
-    /// Adds the sheets' vertices of pairs with solids that push at x, numbered as in a sheet.
-    void add_touched_vertices(const Positions& x, std::set<Index>& vertices) const;
+    /// Adds the sheets' vertices of pairs with solids that push at x, numbered as in a sheet, and the solids.
+    void add_touched(const Positions& x, std::set<Index>& vertices,
+                     std::set<const SolidSurface*>& touched) const;
 
   private:
     ContactSurface of;

@@ -47,9 +47,10 @@ class SheetContact : public Energy {
     const std::vector<ContactPair>& touching_at_start(const Positions& x) const {
         return near.touching(with(start, x));
     }
-    /// Adds the vertices that touch solids at x.
-    void add_touched_vertices(const Positions& x, std::set<Index>& vertices) const {
-        near.add_touched_vertices(at_end(x), vertices);
+    /// Adds the vertices that touch solids at x, and these.
+    void add_touched(const Positions& x, std::set<Index>& vertices,
+                     std::set<const SolidSurface*>& touched) const {
+        near.add_touched(at_end(x), vertices, touched);
     }
     /// Throws std::runtime_error, with the vertices of the first pair, if any is nearer than its minimum at
     /// the beginning of the step, where the sheet is at x.

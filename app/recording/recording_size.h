@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace sherd {
+
+/// Elements of a mesh.
+struct MeshSize {
+    double vertices = 0, faces = 0, edges = 0;
+};
+
+/// About how many bytes a recording takes, without cracks.
+double recording_size(const MeshSize& mesh, double frames, double steps);
+
+}  // namespace sherd

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_cost.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "app/recording/recording_size.h"
+
+namespace sherd {
+namespace {
+
+constexpr int most_steps = 3;
+constexpr double patience = 3;  // s after which no other step is tried
+constexpr double day = 86400;   // s
+
+/// Bytes, of what a simulation of unbroken sheets takes, most of it the factors of Newton's matrix: measured
+/// on plates of 2,739 and 10,359 faces, without contact.
+double guessed_memory(double faces) {
+    return 40e6 + 900 * faces * std::log2(std::max(2.0, faces));
+}
+
+double machine_memory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+double peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+std::string bytes_words(double bytes) {
+    if (bytes < 1e9) return fmt::format("{:.0f} MB", std::max(1.0, bytes / 1e6));
+    return fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+std::string time_words(double seconds) {
+    if (seconds < 90) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 90 * 60) return fmt::format("{:.2g} min", seconds / 60);
+    if (seconds < 2 * day) return fmt::format("{:.2g} h", seconds / 3600);
+    return fmt::format("{:.3g} days", seconds / day);
+}
+
+}  // namespace
+
+RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs) {
+    RunCost cost;
+    cost.steps = step_count(scene);
+    cost.frames = frame_count(scene);
+    double vertices = 0, faces = 0, edges = 0;
+    for (const SheetInput& input : inputs) {
+        vertices += static_cast<double>(input.mesh.number_of_vertices());
+        faces += static_cast<double>(input.mesh.number_of_faces());
+        edges += static_cast<double>(input.mesh.number_of_edges());
+    }
+    cost.recording = recording_size({vertices, faces, edges}, static_cast<double>(cost.frames),
+                                    static_cast<double>(cost.steps));
+    cost.memory = guessed_memory(faces);
+    cost.machine_memory = machine_memory();
+    return cost;
+}
+
+TriedSteps try_steps(const std::vector<SheetInput>& inputs, const SimulationOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    TriedSteps tried;
+    try {
+        const auto start = Clock::now();
+        const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+        Simulation simulation(inputs, options);
+        tried.later = std::numeric_limits<double>::infinity();
+        while (tried.count < most_steps && (tried.count == 0 || seconds() < patience)) {
+            const double begin = seconds();
+            const StepReport report = simulation.step();
+            // One that was halved is only a part of a step of the scene.
+            const double whole = (seconds() - begin) * options.step / report.step_size;
+            if (tried.count++ == 0) tried.first = whole;
+            // The cheapest: the first one sets up the solver, and few steps of a run break anything.
+            tried.later = std::min(tried.later, whole);
+        }
+    } catch (const std::exception& error) {
+        tried.failure = error.what();
+    }
+    return tried;
+}
+
+void add(RunCost& cost, const TriedSteps& tried) {
+    if (!tried.failure.empty()) return;
+    cost.seconds = tried.first + tried.later * static_cast<double>(cost.steps - 1);
+    cost.peak_memory = peak_memory();
+}
+
+std::string cost_lines(const RunCost& cost) {
+    std::string text =
+        fmt::format("will take {} steps, {} frames, a recording of about {}, memory of about {}\n",
+                    cost.steps, cost.frames, bytes_words(cost.recording),
+                    bytes_words(cost.peak_memory > 0 ? cost.peak_memory : cost.memory));
+    if (cost.seconds > 0)
+        text += fmt::format(
+            "will take about {} here, going by the first steps; contact and cracks make later ones "
+            "longer, often several times\n",
+            time_words(cost.seconds));
+    return text;
+}
+
+void warn_of_cost(const Scene& scene, const RunCost& cost, std::vector<std::string>& warnings) {
+    const std::string file = scene.file.string();
+    if (cost.seconds > day)
+        warnings.push_back(
+            fmt::format("{}: will take more than a day, about {}: try a coarser mesh, a longer "
+                        "solver.step or a shorter duration first",
+                        file, time_words(cost.seconds)));
+    if (const double memory = std::max(cost.memory, cost.peak_memory); memory > cost.machine_memory)
+        warnings.push_back(
+            fmt::format("{}: will take about {} of memory, more than the {} of this machine: make "
+                        "the mesh coarser",
+                        file, bytes_words(memory), bytes_words(cost.machine_memory)));
+}
+
+}  // namespace sherd

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/peak_table.h"
+
+namespace sherd {
+namespace {
+
+void add_row(std::string& text, const char* name, const std::string& value) {
+    text += fmt::format("{:<22}{}\n", name, value);
+}
+
+void add_peaks(std::string& text, const RunTotals& totals) {
+    add_row(text, "peak strain",
+            fmt::format("{:.4g} 1/m (of bending alone: {:.4g} 1/m)", totals.peaks.peak_strain,
+                        totals.peaks.peak_bending_strain));
+    add_row(text, "peak stress", fmt::format("{:.4g} Pa", totals.peaks.peak_stress));
+    if (totals.peaks.peak_overload > 0)
+        add_row(text, "peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
+}
+
+std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulation& simulation) {
+    std::vector<std::string> names;
+    for (std::size_t o = 0; o < scene.obstacles.size(); ++o)
+        if (!simulation.touched_obstacles()[o]) names.push_back(scene.obstacles[o].name);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        if (!simulation.touched_bodies()[b]) names.push_back(scene.bodies[b].name);
+    return names;
+}
+
+}  // namespace
+
+void RunTotals::add(const StepReport& report, const CrackEvents& events) {
+    cracks += events.failures.size();
+    halvings += report.halvings;
+    smallest_step = std::min(smallest_step, report.step_size);
+    capped += report.stage_cap_reached;
+    newton_iterations += report.newton_iterations;
+    raise_peaks(peaks, report);
+    last = report;
+}
+
+std::string run_summary(const RunTotals& totals, const RunEnd& end, const Scene& scene,
+                        const Simulation& simulation) {
+    std::string text;
+    add_row(text, "run", end.how);
+    add_row(text, "recording", end.recording.string());
+    add_row(text, "steps", fmt::format("{} of {:g} s", totals.last.step, scene.solver.step));
+    add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
+    add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
+    add_row(text, "Newton iterations",
+            fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
+                        static_cast<double>(totals.newton_iterations) /
+                            static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
+    add_row(text, "cracked edges", fmt::format("{}", totals.cracks));
+    add_row(text, "fragments", fmt::format("{}", totals.last.fragments));
+    add_peaks(text, totals);
+    if (totals.halvings > 0)
+        add_row(text, "steps halved",
+                fmt::format("{} times, down to {:g} s", totals.halvings, totals.smallest_step));
+    if (totals.capped > 0) add_row(text, "steps out of stages", fmt::format("{}", totals.capped));
+    if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));
+    if (const auto names = untouched_obstacles(scene, simulation); !names.empty())
+        add_row(text, "nothing touched", fmt::format("obstacle.{}", fmt::join(names, ", obstacle.")));
+    return text;
+}
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// Warns of what can be computed but is hardly meant: sheets that are far too large or small for their
+/// thickness, as of a mesh that was never scaled; thresholds that no material has; edges that are shorter
+/// than the sheet is thick; what goes farther in a step than it should; obstacles that nothing can reach.
+/// inputs, options: of the scene, in its order.
+void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
+                         const SimulationOptions& options, std::vector<std::string>& warnings);
+
+}  // namespace sherd
