@@ -82,10 +82,7 @@ std::vector<fs::path> recordings(std::span<const Scene> variants, const RunOptio
     std::vector<fs::path> files;
     for (const Scene& scene : variants) {
         fs::path file = options.output / recording_name(scene);
-        if (options.output.extension() == ".h5")
-            file =
-                fs::path(options.output)
-                    .replace_filename(fmt::format("{}-{}.h5", options.output.stem().string(), scene.variant));
+        if (options.output.extension() == ".h5") file = part_file(options.output, scene.variant);
         files.push_back(file);
     }
     return files;
