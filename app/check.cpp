@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/commands.h"
+#include "app/fault_picture.h"
 #include "app/scene/scene_simulation.h"
 #include "app/scene/scene_variant.h"
 #include "app/scene/sheet_parting.h"
@@ -102,14 +103,28 @@ void check(const Scene& scene) {
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
 }
 
-int check_all(const SceneOptions& options) {
+struct CheckOptions {
+    SceneOptions scene;
+    std::filesystem::path faults;  ///< PLY file of the faces concerned; empty: none
+    bool force = false;
+};
+
+int check_all(const CheckOptions& options) {
     VariantMistakes mistakes;
-    for (const Scene& scene : read_scenes(options)) try {
+    const std::vector<Scene> scenes = read_scenes(options.scene);
+    if (!options.faults.empty())
+        for (const Scene& scene : scenes)
+            require_fault_file(scene, part_file(options.faults, scene.variant), options.force);
+    for (const Scene& scene : scenes) {
+        try {
             check(scene);
             mistakes.add(scene.variant, "");
         } catch (const Error& error) {
             mistakes.add(scene.variant, error.what());
         }
+        if (!options.faults.empty())
+            write_fault_picture(scene, part_file(options.faults, scene.variant), options.force);
+    }
     mistakes.throw_if_any();
     return 0;
 }
@@ -119,9 +134,15 @@ int check_all(const SceneOptions& options) {
 void add_check(CLI::App& program, Command& chosen) {
     CLI::App* command =
         program.add_subcommand("check", "Say what is wrong with a scene before hours are spent");
-    auto options = std::make_shared<SceneOptions>();
-    add_scene_options(*command, *options);
-    command->footer("Example:\n  sherd check scenes/plate_drop.toml");
+    auto options = std::make_shared<CheckOptions>();
+    add_scene_options(*command, options->scene);
+    command
+        ->add_option("-o,--output", options->faults,
+                     "PLY file of the sheets with the faces that keep the scene from starting coloured; of "
+                     "variants NAME.ply becomes NAME-VARIANT.ply")
+        ->option_text("FAULTS.ply");
+    command->add_flag("--force", options->force, "Replace FAULTS.ply if it exists");
+    command->footer("Example:\n  sherd check scenes/plate_drop.toml -o faults.ply");
     command->callback([&chosen, options] { chosen = [options] { return check_all(*options); }; });
 }
 
