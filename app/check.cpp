@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/fault_picture.h"
 #include "app/run_cost.h"
 #include "app/scene/scene_plausibility.h"
 #include "app/scene/scene_simulation.h"
@@ -22,6 +23,8 @@ namespace {
 struct CheckOptions {
     SceneOptions scene;
     bool no_try = false;
+    std::filesystem::path faults = {};  ///< PLY file of the faces concerned; empty: none
+    bool force = false;
 };
 
 void print_strength(const SheetSpec& sheet, const Strength& strength) {
@@ -101,7 +104,11 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
 /// All warnings come after all that is printed of the variants, and all mistakes after these.
 int check_all(const CheckOptions& options) {
     VariantRemarks warnings, mistakes;
-    for (const Scene& scene : read_scenes(options.scene)) {
+    const std::vector<Scene> scenes = read_scenes(options.scene);
+    if (!options.faults.empty())
+        for (const Scene& scene : scenes)
+            require_fault_file(scene, part_file(options.faults, scene.variant), options.force);
+    for (const Scene& scene : scenes) {
         std::vector<std::string> found;
         std::string mistake;
         try {
@@ -111,6 +118,8 @@ int check_all(const CheckOptions& options) {
         }
         warnings.add(scene.variant, fmt::format("{}", fmt::join(found, "\n")));
         mistakes.add(scene.variant, mistake);
+        if (!options.faults.empty())
+            write_fault_picture(scene, part_file(options.faults, scene.variant), options.force);
     }
     for (const std::string& line : warnings.lines()) fmt::print("warning: {}\n", line);
     std::fflush(stdout);  // before what goes to stderr
@@ -127,7 +136,13 @@ void add_check(CLI::App& program, Command& chosen) {
     add_scene_options(*command, options->scene);
     command->add_flag("--no-try", options->no_try,
                       "Do not do the first steps, by which the time that a run takes is estimated");
-    command->footer("Example:\n  sherd check plate_drop");
+    command
+        ->add_option("-o,--output", options->faults,
+                     "PLY file of the sheets with the faces that keep the scene from starting coloured; of "
+                     "variants NAME.ply becomes NAME-VARIANT.ply")
+        ->option_text("FAULTS.ply");
+    command->add_flag("--force", options->force, "Replace FAULTS.ply if it exists");
+    command->footer("Example:\n  sherd check plate_drop -o faults.ply");
     command->callback([&chosen, options] { chosen = [options] { return check_all(*options); }; });
 }
 

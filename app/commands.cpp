@@ -26,6 +26,25 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->allow_extra_args(false);
 }
 
+std::filesystem::path part_file(const std::filesystem::path& file, const std::string& part) {
+    std::filesystem::path named = file;
+    if (!part.empty()) named.replace_filename(file.stem().string() + "-" + part + file.extension().string());
+    return named;
+}
+
+void require_no_input(const std::filesystem::path& output, const Scene& scene) {
+    std::vector<std::filesystem::path> inputs{scene.file};
+    for (const SheetSpec& sheet : scene.sheets)
+        if (const auto* mesh = std::get_if<MeshFile>(&sheet.mesh)) inputs.push_back(mesh->path);
+    for (const ObstacleSpec& obstacle : scene.obstacles)
+        if (const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape)) inputs.push_back(mesh->file.path);
+    std::error_code none;  // what is not there is nobody's input
+    for (const std::filesystem::path& input : inputs)
+        if (std::filesystem::equivalent(output, input, none))
+            throw Error("'" + output.string() +
+                        "' is read by this scene and would be lost; name another file");
+}
+
 std::vector<Scene> read_scenes(const SceneOptions& options) {
     std::vector<std::string> names = variant_names(options.file);
     if (names.empty() || !options.choice.variant.empty()) return {read_scene(options.file, options.choice)};

@@ -18,7 +18,7 @@ namespace {
 
 struct CutOptions {
     std::filesystem::path mesh, edges, output;
-    ReadMeshOptions read;
+    ReadMeshOptions read{.repair_advice = "--repair"};
     bool force = false, json = false;
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/usage_message.h"
 #include "meshops/error.h"
 
 namespace {
@@ -54,10 +55,12 @@ int main(int argc, char** argv) {
     sherd::add_render(program, chosen);
     sherd::add_plot(program, chosen);
     sherd::add_view(program, chosen);
+    sherd::add_mesh(program, chosen);
     sherd::add_scenes(program, chosen);
     sherd::add_completion(program, chosen);
     sherd::add_manual(program, chosen);
     program.require_subcommand(0, 1);
+    program.failure_message(sherd::usage_message);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -31,9 +31,7 @@ fs::path common_output(const Scene& first, const RunOptions& options) {
 
 std::vector<fs::path> recordings(std::span<const Scene> variants, const fs::path& common) {
     std::vector<fs::path> files;
-    for (const Scene& scene : variants)
-        files.push_back(fs::path(common).replace_filename(
-            fmt::format("{}-{}.h5", common.stem().string(), scene.variant)));
+    for (const Scene& scene : variants) files.push_back(part_file(common, scene.variant));
     return files;
 }
 

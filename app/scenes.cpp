@@ -66,7 +66,8 @@ void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
     make_folder(options.folder);
     for (const fs::path& file : files) {
         const fs::path copy = (options.folder / file).lexically_normal();
-        PendingFile pending(copy, Fault::input);
+        const OutputLock lock(copy);
+        PendingFile pending(lock, Fault::input);
         fs::copy_file(scene.file.parent_path() / file, pending.path(), fs::copy_options::overwrite_existing);
         pending.publish(options.force);
         fmt::print("{}\n", copy.string());

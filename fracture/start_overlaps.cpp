@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/contact/sheet_contact.h"
+#include "meshops/face_with.h"
 #include "meshops/self_intersections.h"
 
 namespace sherd {
@@ -26,20 +27,6 @@ bool at_seam(const Sheet& sheet, const FacePair& faces) {
                                    std::array{std::min(p, q), std::max(p, q)}))
                 return true;
     return false;
-}
-
-/// A face that has all of these vertices, which are one, two or three.
-Face face_with(const Mesh& mesh, std::span<const Index> vertices) {
-    const Vertex first(vertices.front());
-    for (const Face face : mesh.faces_around_target(mesh.halfedge(first))) {
-        if (face == Mesh::null_face()) continue;
-        const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
-        if (std::all_of(vertices.begin(), vertices.end(), [&](Index vertex) {
-                return std::find(corners.begin(), corners.end(), Vertex(vertex)) != corners.end();
-            }))
-            return face;
-    }
-    return Mesh::null_face();
 }
 
 FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {

@@ -22,6 +22,12 @@ int count_boundary_loops(const Mesh& mesh) {
 
 }  // namespace
 
+Eigen::Vector3d centroid(const Mesh& mesh, Face face) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face))) sum += position(mesh, v);
+    return sum / 3;
+}
+
 double face_area(const Mesh& mesh, Face face) {
     const Halfedge h = mesh.halfedge(face);
     const Eigen::Vector3d a = position(mesh, mesh.source(h)), b = position(mesh, mesh.target(h));

@@ -12,7 +12,8 @@ inline Eigen::Vector3d position(const Mesh& mesh, Vertex v) {
     return {p.x(), p.y(), p.z()};
 }
 
-double face_area(const Mesh& mesh, Face face);  ///< m^2
+Eigen::Vector3d centroid(const Mesh& mesh, Face face);  ///< m
+double face_area(const Mesh& mesh, Face face);          ///< m^2
 
 /// Sizes of a mesh with at least one face, in m and m^2.
 struct MeshMeasures {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
+#include "meshops/raw_bytes.h"
 #include "meshops/text_line.h"
 
 // Read here and not by CGAL, whose reader takes a NaN for a point it has seen before, and a short text it
@@ -12,16 +12,11 @@
 namespace sherd {
 namespace {
 
-std::uint32_t little_endian_word(const char* bytes) {
-    std::uint32_t word = 0;
-    for (int i = 3; i >= 0; --i) word = word << 8 | static_cast<unsigned char>(bytes[i]);
-    return word;
-}
-
 /// Header of 80 bytes, number of triangles, then for each 12 floats (normal, corners) and 2 bytes.
 PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view text) {
     constexpr std::size_t header = 84, record = 50;
-    const std::size_t count = text.size() < header ? 0 : little_endian_word(text.data() + 80);
+    const std::size_t count =
+        text.size() < header ? 0 : number_at<std::uint32_t>(text.data() + 80, std::endian::little);
     if (text.size() < header + record * count) {
         throw Error(file.string() + ": the binary STL file ends too early (truncated?): it has " +
                     std::to_string(text.size()) + " bytes, its " + std::to_string(count) +
@@ -34,9 +29,15 @@ PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const char* bytes = text.data() + header + record * i + 12 * (corner + 1);
             const auto coordinate = [&](int k) {
-                return std::bit_cast<float>(little_endian_word(bytes + 4 * k));
+                const float value = number_at<float>(bytes + 4 * k, std::endian::little);
+                // The format numbers no vertices: say whose corner it is.
+                if (!std::isfinite(value))
+                    throw Error(file.string() + ": face " + std::to_string(i) + ": coordinate " + "xyz"[k] +
+                                " of its corner " + std::to_string(corner) + " is NaN or infinite");
+                return value;
             };
-            soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
+            const double x = coordinate(0), y = coordinate(1), z = coordinate(2);
+            soup.points.emplace_back(x, y, z);
         }
     }
     return soup;
@@ -66,21 +67,20 @@ PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view t
     PolygonSoup soup;
     soup.file = file;
     bool is_complete = false;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        TextLine line(file, number, text.substr(0, text.find('\n')));
-        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-        const std::string_view keyword = line.next_word();
+    TextLines lines(file, text);
+    while (auto line = lines.next_with_words()) {
+        const std::string_view keyword = line->next_word();
         if (keyword == "vertex") {
-            const double x = line.next_number(), y = line.next_number(), z = line.next_number();
+            const double x = line->next_number(), y = line->next_number(), z = line->next_number();
             soup.points.emplace_back(x, y, z);
-            soup.point_line.push_back(number);
+            soup.point_line.push_back(lines.number());
         } else if (keyword == "endfacet") {
             const std::size_t first = 3 * soup.polygons.size();
-            if (soup.points.size() != first + 3) line.fail("a facet of STL needs three vertices", {});
+            if (soup.points.size() != first + 3) line->fail("a facet of STL needs three vertices", {});
             soup.polygons.push_back({first, first + 1, first + 2});
-            soup.polygon_line.push_back(number);
+            soup.polygon_line.push_back(lines.number());
         }
-        if (!keyword.empty()) is_complete = keyword == "endsolid";
+        is_complete = keyword == "endsolid";
     }
     if (is_complete) return soup;
     throw Error(file.string() + ": the STL file ends too early (truncated?): `endsolid` is missing");

@@ -34,6 +34,10 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 /// Likewise the content of an STL file, text or binary.
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);
+/// Likewise of a PLY file: elements `vertex` and `face`, of which the material axes, too.
+PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view content);
+/// Likewise of an OFF file: points and polygons; normals, colours and texture coordinates are passed over.
+PolygonSoup parse_off(const std::filesystem::path& file, std::string_view content);
 /// Whether the content of a file is not text.
 inline bool is_binary(std::string_view content) {
     return content.find('\0') != content.npos;

@@ -2,6 +2,9 @@
 #include "meshops/read_mesh.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <span>
+#include <sstream>
 
 #include "meshops/error.h"
 #include "meshops/triangle_soup.h"
@@ -31,7 +34,14 @@ struct Reading {
     std::string vertex(std::uint32_t point) const { return std::to_string(soup.file_vertex[point]); }
     std::string corners(std::size_t triangle) const {
         const auto& [a, b, c] = soup.triangles[triangle];
-        return vertex(a) + ", " + vertex(b) + " and " + vertex(c);
+        return vertex(a) + ", " + vertex(b) + " and " + vertex(c) + " at " + middle(soup.triangles[triangle]);
+    }
+    /// "(0.1, 0.02, 0.03)", the mean of points, in the file's unit.
+    std::string middle(std::span<const std::uint32_t> points) const;
+    /// "; REPAIR drops such triangles", if there is a way to ask for it.
+    std::string advice(const std::string& what) const {
+        return options.repair_advice.empty() ? "; mend it in the program that made it"
+                                             : "; " + std::string(options.repair_advice) + " " + what;
     }
 
     void remove_zero_area();
@@ -41,13 +51,24 @@ struct Reading {
     Mesh build(std::size_t joined) const;
 };
 
+std::string Reading::middle(std::span<const std::uint32_t> points) const {
+    std::array<double, 3> sum{};
+    for (const std::uint32_t point : points)
+        for (int i = 0; i < 3; ++i) sum[i] += soup.points[point][i];
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(4);
+    for (int i = 0; i < 3; ++i) text << (i == 0 ? "(" : ", ") << sum[i] / static_cast<double>(points.size());
+    return text.str() + ")";
+}
+
 void Reading::remove_zero_area() {
     const auto found = zero_area_triangles(soup);
     if (found.empty()) return;
     if (!options.repair) {
         throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) + " has zero area" +
                     (found.size() > 1 ? " (and " + std::to_string(found.size() - 1) + " more)" : "") +
-                    "; `repair = true` on the mesh drops such triangles");
+                    advice("drops such triangles"));
     }
     warn(counted(found.size(), "triangle") + " dropped for zero area (the first: " + place(found[0]) + ")");
     erase_triangles(soup, found);
@@ -60,10 +81,9 @@ void Reading::remove_repeated() {
     const auto found = repeated_triangles(soup);
     if (found.empty()) return;
     if (!options.repair) {
-        throw Error(
-            place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
-            " is there already, which makes its edges non-manifold; `repair = true` on the mesh drops "
-            "repeated triangles");
+        throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
+                    " is there already, which makes its edges non-manifold" +
+                    advice("drops repeated triangles"));
     }
     warn(counted(found.size(), "triangle") + " dropped as repeated (the first: " + place(found[0]) + ")");
     erase_triangles(soup, found);
@@ -79,8 +99,8 @@ void Reading::make_manifold() {
         throw Error(place(edges[0].triangles[2]) +
                     ": non-manifold edge: " + std::to_string(edges[0].triangles.size()) + " faces (" + faces +
                     ") meet at the edge of vertices " + vertex(edges[0].points[0]) + " and " +
-                    vertex(edges[0].points[1]) +
-                    ", a sheet has at most two; `repair = true` on the mesh separates them");
+                    vertex(edges[0].points[1]) + " at " + middle(edges[0].points) +
+                    ", a sheet has at most two" + advice("separates them"));
     }
     if (!edges.empty()) {
         warn(counted(edges.size(), "non-manifold edge") + " separated (the first: vertices " +
@@ -97,7 +117,7 @@ void Reading::make_consistent() {
     const auto orientation = orient(soup);
     if (orientation.one_sided) {
         throw Error(
-            place(*orientation.one_sided) +
+            place(*orientation.one_sided) + " at " + middle(soup.triangles[*orientation.one_sided]) +
             ": the surface has only one side (like a Moebius band), so its faces cannot all point the "
             "same way; cut it open along a line before it is read");
     }

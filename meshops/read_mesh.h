@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meshops/mesh.h"
@@ -17,6 +18,8 @@ inline constexpr const char* axis =
 struct ReadMeshOptions {
     bool join_duplicate_points = false;  ///< make one vertex of points at exactly the same place
     bool repair = false;  ///< drop zero-area and repeated triangles, separate faces at non-manifold edges
+    /// What users write to have it repaired, for messages; empty: they cannot.
+    std::string_view repair_advice = "`repair = true` on the mesh";
 };
 
 /// Reads a triangle mesh from an .obj, .ply, .off or .stl file (text or binary where the format has both; the

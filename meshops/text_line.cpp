@@ -39,7 +39,30 @@ bool TextLine::is_at_end() const {
 
 void TextLine::fail(const std::string& what, std::string_view word) const {
     const std::string quoted = word.empty() ? "" : "`" + std::string(word) + "` ";
-    throw Error(file.string() + ":" + std::to_string(number) + ": " + quoted + what);
+    throw Error(file->string() + ":" + std::to_string(number) + ": " + quoted + what);
+}
+
+std::string_view TextLines::next_text() {
+    const std::size_t end = rest.find('\n');
+    const std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    ++count;
+    return text;
+}
+
+std::optional<TextLine> TextLines::next() {
+    if (rest.empty()) return std::nullopt;
+    const std::string_view text = next_text();
+    return TextLine(*file, count, text);
+}
+
+std::optional<TextLine> TextLines::next_with_words(char comment) {
+    while (!rest.empty()) {
+        std::string_view text = next_text();
+        if (comment != '\0') text = text.substr(0, text.find(comment));
+        if (const TextLine line(*file, count, text); !line.is_at_end()) return line;
+    }
+    return std::nullopt;
 }
 
 }  // namespace sherd

@@ -34,9 +34,10 @@ void append_all(std::string& text, const Values&... values) {
     (append(text, values), ...);
 }
 
-/// Numbers of an OBJ file go on from one object to the next.
-struct ObjCounts {
+/// What of an OBJ file goes on from one object to the next: numbers, and the groups that faces are in.
+struct ObjState {
     std::size_t points = 0, texture = 0;
+    GroupNames names;
 };
 
 /// The lines that put the following faces into these groups and into none else. Only an object's name may be
@@ -59,10 +60,10 @@ bool has_objects(const TriangleSheet& sheet) {
 
 /// One object, complete in itself: its points, its texture points, its faces.
 void append_object(std::string& text, const TriangleSheet& sheet, const std::vector<std::size_t>& triangles,
-                   const std::vector<std::size_t>& points, ObjCounts& counts) {
+                   const std::vector<std::size_t>& points, ObjState& state) {
     std::vector<std::size_t> point_number(sheet.points.size());
     for (const std::size_t i : points) {
-        point_number[i] = ++counts.points;
+        point_number[i] = ++state.points;
         const auto& p = sheet.points[i];
         append_all(text, "v ", p.x(), " ", p.y(), " ", p.z(), "\n");
     }
@@ -71,18 +72,17 @@ void append_object(std::string& text, const TriangleSheet& sheet, const std::vec
     for (std::size_t i = 0; i < texture_number.size(); ++i) {
         for (int corner = 0; corner < 3; ++corner) {
             const auto& uv = sheet.texture[triangles[i]][corner];
-            const auto [entry, is_new] = known.try_emplace({uv.x(), uv.y()}, counts.texture + 1);
+            const auto [entry, is_new] = known.try_emplace({uv.x(), uv.y()}, state.texture + 1);
             if (is_new) append_all(text, "vt ", uv.x(), " ", uv.y(), "\n");
-            counts.texture += is_new;
+            state.texture += is_new;
             texture_number[i][corner] = entry->second;
         }
     }
     const bool objects = has_objects(sheet);
-    GroupNames names;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (!sheet.named_groups.empty() && sheet.named_groups[triangles[i]] != names) {
-            names = sheet.named_groups[triangles[i]];
-            append_named_groups(text, names, objects);
+        if (!sheet.named_groups.empty() && sheet.named_groups[triangles[i]] != state.names) {
+            state.names = sheet.named_groups[triangles[i]];
+            append_named_groups(text, state.names, objects);
         }
         text += 'f';
         for (int corner = 0; corner < 3; ++corner) {
@@ -105,7 +105,7 @@ std::vector<std::size_t> points_of(const TriangleSheet& sheet, const std::vector
 
 std::string obj_text(const TriangleSheet& sheet) {
     std::string text;
-    ObjCounts counts;
+    ObjState state;
     std::vector<std::vector<std::size_t>> triangles(std::max<std::size_t>(sheet.group_names.size(), 1));
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         triangles[sheet.group.empty() ? 0 : sheet.group[t]].push_back(t);
@@ -113,13 +113,13 @@ std::string obj_text(const TriangleSheet& sheet) {
     if (sheet.group.empty()) {
         std::vector<std::size_t> all_points(sheet.points.size());
         for (std::size_t i = 0; i < all_points.size(); ++i) all_points[i] = i;
-        append_object(text, sheet, triangles[0], all_points, counts);
+        append_object(text, sheet, triangles[0], all_points, state);
         return text;
     }
     for (std::size_t group = 0; group < triangles.size(); ++group) {
         if (triangles[group].empty()) continue;
         append_all(text, "o ", sheet.group_names[group].c_str(), "\n");
-        append_object(text, sheet, triangles[group], points_of(sheet, triangles[group]), counts);
+        append_object(text, sheet, triangles[group], points_of(sheet, triangles[group]), state);
     }
     return text;
 }
@@ -130,10 +130,14 @@ void append_bytes(std::string& bytes, Value value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
+constexpr const char* colour_properties = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
 std::string ply_header(const TriangleSheet& sheet) {
     std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex ";
     append_all(text, sheet.points.size(), "\nproperty double x\nproperty double y\nproperty double z\n");
+    if (!sheet.point_colour.empty()) text += colour_properties;
     append_all(text, "element face ", sheet.triangles.size(), "\nproperty list uchar int vertex_indices\n");
+    if (!sheet.colour.empty()) text += colour_properties;
     if (!sheet.group.empty()) text += "property int fragment\n";
     if (!sheet.quality.empty()) text += "property double quality\n";
     if (!sheet.texture.empty()) text += "property list uchar float texcoord\n";
@@ -150,12 +154,17 @@ void append_texture(std::string& bytes, const FaceTexture& texture) {
 
 std::string ply_bytes(const TriangleSheet& sheet) {
     std::string bytes = ply_header(sheet);
-    for (const auto& p : sheet.points) {
-        for (const double coordinate : p) append_bytes(bytes, coordinate);
+    const auto append_colour = [&bytes](const Colour& colour) {
+        for (const std::uint8_t part : colour) append_bytes(bytes, part);
+    };
+    for (std::size_t i = 0; i < sheet.points.size(); ++i) {
+        for (const double coordinate : sheet.points[i]) append_bytes(bytes, coordinate);
+        if (!sheet.point_colour.empty()) append_colour(sheet.point_colour[i]);
     }
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         append_bytes(bytes, std::uint8_t{3});
         for (const std::int32_t point : sheet.triangles[t]) append_bytes(bytes, point);
+        if (!sheet.colour.empty()) append_colour(sheet.colour[t]);
         if (!sheet.group.empty()) append_bytes(bytes, sheet.group[t]);
         if (!sheet.quality.empty()) append_bytes(bytes, sheet.quality[t]);
         if (!sheet.texture.empty()) append_texture(bytes, sheet.texture[t]);
@@ -181,8 +190,10 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     const std::size_t count = sheet.triangles.size();
     const auto fits = [&](const auto& values) { return values.empty() || values.size() == count; };
     require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality) && fits(sheet.named_groups) &&
-                fits(sheet.axis),
-            "group, texture, quality and axis need one value a triangle");
+                fits(sheet.axis) && fits(sheet.colour),
+            "group, texture, quality, axis and colour need one value a triangle");
+    require(sheet.point_colour.empty() || sheet.point_colour.size() == sheet.points.size(),
+            "colours of points need one value a point");
     for (const auto& triangle : sheet.triangles) {
         for (const std::int32_t point : triangle) {
             require(point >= 0 && static_cast<std::size_t>(point) < sheet.points.size(),

@@ -11,6 +11,9 @@
 
 namespace sherd {
 
+/// Red, green and blue.
+using Colour = std::array<std::uint8_t, 3>;
+
 /// Plain triangles, ready to be written: what an export needs of a recorded frame or of a Mesh.
 struct TriangleSheet {
     std::vector<Eigen::Vector3d> points;
@@ -21,6 +24,8 @@ struct TriangleSheet {
     std::vector<Eigen::Vector3d> axis;     ///< per triangle, first material axis (PLY); empty: none
     std::vector<FaceTexture> texture;      ///< per triangle; empty: none
     std::vector<double> quality;           ///< per triangle scalar (PLY); empty: none
+    std::vector<Colour> colour;            ///< per triangle (PLY); empty: none
+    std::vector<Colour> point_colour;      ///< per point (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);

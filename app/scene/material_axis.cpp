@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/scene/place_words.h"
 #include "app/scene/texture.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -78,21 +79,22 @@ std::vector<Vector3d> axes_of(const AxisDirection& axis, const Mesh& mesh, const
         axes.push_back(turned(projection.on(face, normal), normal, axis.degrees * std::numbers::pi / 180));
     }
     if (!projection.replaced.empty())
-        warnings.push_back(fmt::format(
-            "the axis is perpendicular to {} faces (the first: face {}): there the mesh's y axis, or "
-            "z, is taken; give a direction along the surface, or a texture",
-            projection.replaced.size(), projection.replaced.front().idx()));
+        warnings.push_back(
+            fmt::format("the axis is perpendicular to {} faces (the first: {}): there the mesh's y axis, or "
+                        "z, is taken; give a direction along the surface, or a texture",
+                        projection.replaced.size(), face_words(mesh, projection.replaced.front())));
     return axes;
 }
 
 /// The axis at `angle` (rad) from the direction in which u grows and v does not, towards that of v.
-Vector3d axis_over_texture(const FaceShape& shape, const FaceTexture& corners, double angle, Face face) {
+Vector3d axis_over_texture(const FaceTexture& corners, double angle, const Mesh& mesh, Face face) {
+    const FaceShape shape = shape_of(mesh, face);
     Eigen::Matrix2d texture;
     texture << corners[1] - corners[0], corners[2] - corners[0];
     const double area = texture.determinant();
     if (!(std::abs(area) > 1e-12 * texture.col(0).norm() * texture.col(1).norm()))
-        throw Error(
-            fmt::format("the texture coordinates of face {} have no area: unwrap the mesh anew", face.idx()));
+        throw Error(fmt::format("the texture coordinates of {} have no area: unwrap the mesh anew",
+                                face_words(mesh, face)));
     const Vector3d along_u = shape.edges * Vector2d(texture(1, 1), -texture(1, 0)) / area;
     return turned(along_u.normalized(), shape.normal, area > 0 ? angle : -angle);
 }
@@ -107,11 +109,10 @@ std::vector<Vector3d> axes_of(const AxisTexture& axis, const Mesh& mesh, const E
         const Vector2d doubled =
             doubled_direction(image, axis.encoding, (corners[0] + corners[1] + corners[2]) / 3);
         if (doubled.norm() < 0.02)
-            throw Error(
-                fmt::format("{} has no direction at face {}: grey, or opposite directions side by side",
-                            axis.path.string(), face.idx()));
+            throw Error(fmt::format("{} has no direction on {}: grey, or opposite directions side by side",
+                                    axis.path.string(), face_words(mesh, face)));
         const double angle = std::atan2(doubled.y(), doubled.x()) / 2;
-        axes.push_back(axis_over_texture(shape_of(mesh, face), corners, angle, face));
+        axes.push_back(axis_over_texture(corners, angle, mesh, face));
     }
     return axes;
 }
@@ -131,8 +132,8 @@ std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::I
                 ? projected(place.linear() * given.stableNormalized(), shape_of(mesh, face).normal)
                 : std::nullopt;
         if (!tangent)
-            throw Error(fmt::format("the axis of face {}, [{}, {}, {}], has no direction in the face's plane",
-                                    face.idx(), given.x(), given.y(), given.z()));
+            throw Error(fmt::format("the axis of {}, [{}, {}, {}], has no direction in the face's plane",
+                                    face_words(mesh, face), given.x(), given.y(), given.z()));
         axes.push_back(*tangent);
     }
     return axes;

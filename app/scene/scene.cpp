@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/nearest_name.h"
 #include "app/scene/scene_force.h"
 #include "app/scene/scene_obstacle.h"
 #include "app/scene/scene_override.h"

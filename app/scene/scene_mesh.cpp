@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/nearest_name.h"
 #include "app/scene/scene_shape.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
@@ -64,12 +65,17 @@ Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
     return mesh;
 }
 
-Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
     std::vector<std::string> found;
     Mesh mesh = with_context(sheet.where, [&] {
         return std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
     });
     for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
+    return mesh;
+}
+
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+    Mesh mesh = make_unplaced_mesh(sheet, scene, warnings);
     transform(mesh, Eigen::Affine3d(sheet.place));
     return mesh;
 }

@@ -17,8 +17,11 @@ MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory
 /// The mesh of a file, scaled; not remeshed. Throws Error; warnings begin with the file.
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
 
-/// The mesh of a sheet where the scene places it: generated (with the scene's seed), or read, scaled and
-/// remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
+/// The mesh of a sheet before it is placed: generated (with the scene's seed), or read, scaled and remeshed.
+/// Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+/// The same where the scene places it.
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 /// Whether a selection holds a vertex; one without box, boundary and group holds all.

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "app/scene/place_words.h"
 #include "core/contact/contact_solids.h"
 #include "core/contact/sheet_contact.h"
 #include "meshops/error.h"
+#include "meshops/face_with.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/surface_crossings.h"
 
@@ -22,8 +24,13 @@ constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
 struct InsideObstacle {
     std::size_t count = 0;
     Vertex deepest;
-    double depth = 0;  ///< m, from where they touch on
+    double depth = 0;          ///< m, from where they touch on
+    std::vector<Vertex> deep;  ///< those that are too deep
 };
+
+bool is_refused(const InsideObstacle& found) {
+    return !found.deep.empty();
+}
 
 InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
     InsideObstacle found;
@@ -34,6 +41,7 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
         const double thickness = input.material.thickness;
         const double depth = overlap(*obstacle.shape, pose, position(input.mesh, v), 0.5 * thickness).depth;
         found.count += depth > noticed * thickness;
+        if (depth > deepest_start * thickness) found.deep.push_back(v);
         if (depth <= found.depth) continue;
         found.depth = depth;
         found.deepest = v;
@@ -43,20 +51,33 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
 
 std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
                     const InsideObstacle& found) {
-    const Vector3d at = position(input.mesh, found.deepest);
     return fmt::format(
-        "{}: {} of {} vertices of sheet.{} start inside, vertex {} at [{:.4g}, {:.4g}, {:.4g}] the deepest, "
-        "{:.3g} m beyond touching: move the sheet or the obstacle by that much, or make it smaller",
-        obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(), at.x(),
-        at.y(), at.z(), found.depth);
+        "{}: {} of {} vertices of sheet.{} start inside, vertex {} at {} the deepest, {:.3g} m beyond "
+        "touching: "
+        "move the sheet or the obstacle by that much, or make it smaller",
+        obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(),
+        place_words(position(input.mesh, found.deepest)), found.depth);
 }
 
 /// How the faces of one sheet stand to the surface of one obstacle.
 struct SurfaceMeeting {
-    std::vector<Face> crossing;
+    std::vector<Face> crossing, near;
     double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
     Vector3d at = Vector3d::Zero();
 };
+
+bool is_refused(const SurfaceMeeting& found) {
+    return !found.crossing.empty() || std::isfinite(found.distance);
+}
+
+/// A face of the sheet that has its part of a pair of a sheet's elements and a solid's, whose vertices are
+/// numbered before the sheet's.
+Face face_of(const Mesh& mesh, const ContactPair& pair, Index solid_vertices) {
+    std::vector<Index> own;
+    for (const Index v : pair.vertices)
+        if (v >= solid_vertices) own.push_back(v - solid_vertices);
+    return face_with(mesh, own);
+}
 
 std::vector<Face> faces_through(const SheetInput& input, const Obstacle& obstacle,
                                 const std::vector<Index>& around) {
@@ -85,29 +106,30 @@ SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle
     contact.place_solids(placed, placed);
     for (const ContactPair& pair : contact.touching(x)) {
         const PairPositions local = pair_positions(contact.at_end(x), pair.vertices);
-        if (const double apart = distance(pair, local); apart < found.distance)
-            found = {found.crossing, apart, local.rowwise().mean()};
+        found.near.push_back(face_of(input.mesh, pair, contact.surface().solid_vertices()));
+        if (const double apart = distance(pair, local); apart < found.distance) {
+            found.distance = apart;
+            found.at = local.rowwise().mean();
+        }
     }
     return found;
 }
 
 std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
                     const SurfaceMeeting& found) {
-    if (!found.crossing.empty()) {
-        const Face first = found.crossing.front();
-        const Point& at = input.mesh.point(input.mesh.target(input.mesh.halfedge(first)));
+    if (!found.crossing.empty())
         return fmt::format(
-            "{}: {} of {} faces of sheet.{} start across its surface, face {} at [{:.4g}, {:.4g}, {:.4g}] "
-            "the first: move the sheet or the obstacle, or pin the vertices that it holds",
-            obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name, first.idx(),
-            at.x(), at.y(), at.z());
-    }
+            "{}: {} of {} faces of sheet.{} start across its surface, {} the first: move the sheet or the "
+            "obstacle, "
+            "or pin the vertices that it holds",
+            obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name,
+            face_words(input.mesh, found.crossing.front()));
     const double half = 0.5 * input.material.thickness;
     return fmt::format(
-        "{}: sheet.{} starts {:.3g} m from its surface, at [{:.4g}, {:.4g}, {:.4g}], where {:.3g} m, half "
-        "its thickness, is touching: move the sheet or the obstacle by {:.3g} m, or make it smaller",
-        obstacle.where, sheet.name, found.distance, found.at.x(), found.at.y(), found.at.z(), half,
-        half - found.distance);
+        "{}: sheet.{} starts {:.3g} m from its surface, at {}, where {:.3g} m, half its thickness, is "
+        "touching: "
+        "move the sheet or the obstacle by {:.3g} m, or make it smaller",
+        obstacle.where, sheet.name, found.distance, place_words(found.at), half, half - found.distance);
 }
 
 }  // namespace
@@ -119,16 +141,37 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
             const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
-            const bool deep = inside_it.depth > deepest_start * inputs[s].material.thickness;
+            const bool deep = is_refused(inside_it);
             if (inside_it.count > 0)
                 (deep ? mistakes : warnings)
                     .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it));
             if (deep) continue;
             const SurfaceMeeting met = surface_meeting(inputs[s], obstacles[o]);
-            if (!met.crossing.empty() || std::isfinite(met.distance))
-                mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
+            if (is_refused(met)) mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs,
+                                        const std::vector<Obstacle>& obstacles) {
+    std::vector<StartFault> faults;
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        const Mesh& mesh = inputs[s].mesh;
+        const auto add = [&](FaultKind kind, Face face) {
+            faults.push_back({kind, s, static_cast<Index>(face), centroid(mesh, face)});
+        };
+        for (const Obstacle& obstacle : obstacles) {
+            const InsideObstacle inside_it = inside(inputs[s], obstacle);
+            for (const Vertex v : inside_it.deep)
+                for (const Face face : mesh.faces_around_target(mesh.halfedge(v)))
+                    if (face != Mesh::null_face()) add(FaultKind::inside_obstacle, face);
+            if (is_refused(inside_it)) continue;
+            const SurfaceMeeting met = surface_meeting(inputs[s], obstacle);
+            for (const Face face : met.near) add(FaultKind::near_obstacle, face);
+            for (const Face face : met.crossing) add(FaultKind::across_obstacle, face);
+        }
+    }
+    return faults;
 }
 
 }  // namespace sherd

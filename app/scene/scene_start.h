@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/scene/scene.h"
+#include "app/scene/start_faults.h"
 #include "core/contact/obstacle.h"
 #include "fracture/breakable_sheet.h"
 
@@ -15,5 +16,9 @@ namespace sherd {
 void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings);
+
+/// The faces for which require_free_start() throws.
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs,
+                                        const std::vector<Obstacle>& obstacles);
 
 }  // namespace sherd

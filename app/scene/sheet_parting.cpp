@@ -9,6 +9,7 @@
 
 #include "fracture/start_overlaps.h"
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 
 namespace sherd {
 namespace {
@@ -17,16 +18,18 @@ constexpr std::size_t most_shown = 5;
 constexpr double farthest = 0.05;  // that a sheet is moved, of its thickness
 constexpr double steepest = 0.5;   // cosine between two normals of contact that one motion serves
 
-/// "face 12 of sheet.plate"; faces of all sheets are numbered in the sheets' order.
-std::string name_of(Index face, const Scene& scene, const BreakableSheet& all) {
+/// The fault of one face of an overlap; faces of all sheets are numbered in the sheets' order.
+StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableSheet& all) {
     const auto of_face = all.face_sheet();
-    const Index sheet = of_face[face];
-    const auto first = std::find(of_face.begin(), of_face.end(), sheet) - of_face.begin();
-    return fmt::format("face {} of sheet.{}", face - first, scene.sheets[sheet].name);
+    const auto first = std::find(of_face.begin(), of_face.end(), of_face[face]) - of_face.begin();
+    return {overlap.crossing ? FaultKind::crossing : FaultKind::too_near,
+            static_cast<std::size_t>(of_face[face]), face - static_cast<Index>(first),
+            centroid(all.mesh(), Face(face))};
 }
 
 std::string sentence(const StartOverlap& overlap, const Scene& scene, const BreakableSheet& all) {
-    const std::string a = name_of(overlap.faces[0], scene, all), b = name_of(overlap.faces[1], scene, all);
+    const std::string a = fault_words(fault_of(overlap.faces[0], overlap, all), scene),
+                      b = fault_words(fault_of(overlap.faces[1], overlap, all), scene);
     if (overlap.crossing) return fmt::format("{} and {} cross or touch", a, b);
     return fmt::format("{} and {} are {:.3g} m apart, less than {:.3g} m", a, b, overlap.distance,
                        overlap.needed);
@@ -133,6 +136,18 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, std::vecto
                             "by [{:.3g}, {:.3g}, {:.3g}] m, {:.2g} of its thickness",
                             scene.sheets[s].where, scene.sheets[s].name, way.x(), way.y(), way.z(),
                             way.norm() / inputs[s].material.thickness));
+}
+
+std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs) {
+    std::vector<StartFault> faults;
+    if (!scene.contact.sheets) return faults;
+    const BreakableSheet all(inputs);
+    const std::vector<StartOverlap> overlaps = start_overlaps(all);
+    std::vector<SheetInput> apart = inputs;
+    if (overlaps.empty() || part(scene, apart)) return faults;
+    for (const StartOverlap& overlap : overlaps)
+        for (const Index face : overlap.faces) faults.push_back(fault_of(face, overlap, all));
+    return faults;
 }
 
 }  // namespace sherd

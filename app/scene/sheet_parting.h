@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene/scene.h"
+#include "app/scene/start_faults.h"
 #include "fracture/breakable_sheet.h"
 
 namespace sherd {
@@ -15,5 +16,8 @@ namespace sherd {
 /// Where that does not do it throws Error naming faces (numbered from 0 in each sheet) that cross, or that
 /// are too near. inputs: of all sheets, in the scene's order.
 void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, std::vector<std::string>& warnings);
+
+/// The faces for which part_sheets() throws, two of each pair, one after the other.
+std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 }  // namespace sherd

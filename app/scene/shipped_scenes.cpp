@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/nearest_name.h"
 #include "app/scene/toml_file.h"
 #include "app/scene/toml_table.h"
 #include "meshops/error.h"

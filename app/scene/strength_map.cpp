@@ -50,7 +50,7 @@ std::vector<double> values_of(const StrengthGrid& map, const Mesh& mesh, const E
     for (std::size_t i = 0; i < middles.size(); ++i)
         if (!(samples.values[i] >= 0 && std::isfinite(samples.values[i])))
             throw Error(fmt::format(
-                "{} is {} at [{:.4g}, {:.4g}, {:.4g}], in the middle of edge {}; a strength "
+                "{} is {} at ({:.4g}, {:.4g}, {:.4g}), in the middle of edge {}; a strength "
                 "needs values of 0 or more",
                 map.path.string(), samples.values[i], middles[i].x(), middles[i].y(), middles[i].z(), i));
     if (samples.outside > 0)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/scene/place_words.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -32,9 +33,8 @@ Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
         for (const Eigen::Vector2d& corner : texture[face])
             if (!corner.allFinite())
                 throw Error(
-                    fmt::format("the texture coordinates of face {} are NaN or infinite: unwrap the mesh "
-                                "anew",
-                                face.idx()));
+                    fmt::format("the texture coordinates of {} are NaN or infinite: unwrap the mesh anew",
+                                face_words(mesh, face)));
     return texture;
 }
 

@@ -78,7 +78,4 @@ class TomlTable {
     std::vector<std::string> known;
 };
 
-/// The name of `names` with the fewest edits from `name`; empty when none is similar.
-std::string nearest_name(std::string_view name, std::span<const std::string> names);
-
 }  // namespace sherd

@@ -192,6 +192,17 @@ TEST_F(Cut, NamesAFileThatItCannotRead) {
 }
 
 // --force is for old results, never for what the command reads.
+// There is no scene here to write a key into.
+TEST_F(Cut, AdvisesItsOwnOptions) {
+    write("edges.txt", "0 1\n");
+    write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
+    const test::ProgramResult result = cut();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("at (1, 0, 0) has zero area; --repair drops such triangles"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(result.err.find("repair = true"), std::string::npos);
+}
+
 TEST_F(Cut, NeverReplacesWhatItReads) {
     write_mesh(triangle_sheet(test::grid(2, 2)), directory.path / "mesh.obj");
     write("edges.txt", "1 4\n");

@@ -266,7 +266,7 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
         const ProgramResult near =
             outcome(command, "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.9492] }");
         EXPECT_EQ(near.exit_code, 2) << near.err;
-        EXPECT_NE(near.err.find("sheet.plate starts 0.0008 m from its surface, at ["), std::string::npos)
+        EXPECT_NE(near.err.find("sheet.plate starts 0.0008 m from its surface, at ("), std::string::npos)
             << near.err;
     }
     EXPECT_EQ(

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/nearest_name.h"
 #include "app/scene/profile.h"
 #include "app/scene/scene_mesh.h"
 #include "app/scene/toml_table.h"

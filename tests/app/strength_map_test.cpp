@@ -182,7 +182,7 @@ TEST_F(StrengthMaps, NegativeAndMissingValuesAreNamedWithTheirPlace) {
         const std::string message = message_of("map = { vdb = \"a.vdb\" }");
         EXPECT_NE(message.find("scene.toml:7: sheet.square.fracture.map.vdb: "), std::string::npos)
             << message;
-        EXPECT_NE(message.find("a.vdb is " + std::string(bad < 0 ? "-1.25" : "nan") + " at ["),
+        EXPECT_NE(message.find("a.vdb is " + std::string(bad < 0 ? "-1.25" : "nan") + " at ("),
                   std::string::npos)
             << message;
     }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/nearest_name.h"
+#include "app/recording/recording_file.h"
+#include "app/scene/scene_mesh.h"
+#include "meshops/error.h"
+#include "meshops/stl.h"
+#include "meshops/write_mesh.h"
+
+namespace sherd {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MeshOptions {
+    SceneOptions scene;
+    std::string sheet;  ///< its name; empty: all
+    fs::path output;
+    bool placed = false, force = false;
+};
+
+/// A mesh and the file that it goes to.
+struct MeshJob {
+    TriangleSheet sheet;
+    fs::path file;
+};
+
+bool is_kind(const fs::path& file, std::string_view wanted) {
+    return std::ranges::equal(file.extension().string(), wanted,
+                              [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
+
+std::vector<const SheetSpec*> chosen_sheets(const Scene& scene, const std::string& name) {
+    std::vector<const SheetSpec*> chosen;
+    std::vector<std::string> names;
+    for (const SheetSpec& sheet : scene.sheets) {
+        names.push_back(sheet.name);
+        if (name.empty() || sheet.name == name) chosen.push_back(&sheet);
+    }
+    if (!chosen.empty()) return chosen;
+    const std::string nearest = nearest_name(name, names);
+    throw Error(fmt::format(
+        "--sheet {}: {} has no sheet of this name; {}it has: {}", name, scene.file.string(),
+        nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest), fmt::join(names, ", ")));
+}
+
+TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
+    std::vector<std::string> warnings;
+    TriangleSheet mesh = triangle_sheet(make_unplaced_mesh(sheet, scene, warnings));
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    if (!placed) return mesh;
+    for (Vector3d& point : mesh.points) point = sheet.place * point;
+    for (Vector3d& axis : mesh.axis) axis = sheet.place.linear() * axis;
+    return mesh;
+}
+
+/// Only a name of one word is a group in OBJ; others would be objects, and are needed for the sheets.
+GroupNames as_groups(const GroupNames& names) {
+    if (!names) return names;
+    std::vector<std::string> words = *names;
+    for (std::string& word : words) std::ranges::replace(word, ' ', '_');
+    return std::make_shared<const std::vector<std::string>>(std::move(words));
+}
+
+/// Adds a mesh to `all` as an object of its own; texture coordinates and groups come from all meshes that
+/// have some.
+void append_object(TriangleSheet& all, const TriangleSheet& sheet, const std::string& name) {
+    const auto first = static_cast<std::int32_t>(all.points.size());
+    const std::size_t before = all.triangles.size(), count = sheet.triangles.size();
+    all.points.insert(all.points.end(), sheet.points.begin(), sheet.points.end());
+    for (const auto& [a, b, c] : sheet.triangles) all.triangles.push_back({first + a, first + b, first + c});
+    all.group.resize(before + count, static_cast<std::int32_t>(all.group_names.size()));
+    all.group_names.push_back(name);
+    if (!sheet.texture.empty() || !all.texture.empty()) {
+        all.texture.resize(before + count, {Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero()});
+        std::ranges::copy(sheet.texture, all.texture.begin() + static_cast<std::ptrdiff_t>(before));
+    }
+    if (!sheet.named_groups.empty() || !all.named_groups.empty()) {
+        all.named_groups.resize(before + count);
+        for (std::size_t i = 0; i < sheet.named_groups.size(); ++i)
+            all.named_groups[before + i] = as_groups(sheet.named_groups[i]);
+    }
+}
+
+/// One file, with an object for each sheet where the format has objects; else a file for each.
+std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
+    const std::vector<const SheetSpec*> sheets = chosen_sheets(scene, options.sheet);
+    const fs::path file = part_file(options.output, scene.variant);
+    std::vector<MeshJob> jobs;
+    TriangleSheet all;
+    for (const SheetSpec* sheet : sheets) {
+        TriangleSheet mesh = made(*sheet, scene, options.placed);
+        if (sheets.size() == 1)
+            jobs.push_back({std::move(mesh), file});
+        else if (is_kind(file, ".obj"))
+            append_object(all, mesh, sheet->name);
+        else
+            jobs.push_back({std::move(mesh), part_file(file, sheet->name)});
+    }
+    if (jobs.empty()) jobs.push_back({std::move(all), file});
+    return jobs;
+}
+
+int write_meshes(const MeshOptions& options) {
+    const bool is_stl = is_kind(options.output, ".stl");
+    if (!is_stl && !can_write_mesh(options.output))
+        throw Error(fmt::format("'{}' ends in none of .obj, .ply, .off and .stl; name a file that does",
+                                options.output.string()));
+    std::vector<MeshJob> jobs;
+    for (const Scene& scene : read_scenes(options.scene))
+        for (MeshJob& job : jobs_of(scene, options)) {
+            require_no_input(job.file, scene);
+            check_free(job.file, options.force);
+            jobs.push_back(std::move(job));
+        }
+    for (const MeshJob& job : jobs) {
+        const OutputLock lock(job.file);
+        PendingFile pending(lock, Fault::input);
+        pending.write(is_stl ? stl_bytes(job.sheet) : mesh_bytes(job.sheet, job.file));
+        pending.publish(options.force);
+        fmt::print("{}\n", job.file.string());
+    }
+    return 0;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, Command& chosen) {
+    CLI::App* command =
+        program.add_subcommand("mesh", "Write the meshes of a scene's sheets, to look at or to paint on");
+    auto options = std::make_shared<MeshOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_option("--sheet", options->sheet, "This sheet alone; without it, all")->option_text("NAME");
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "File to write (.obj, .ply, .off, .stl). Of several sheets .obj has an object for each; of the "
+            "others, and of variants, NAME.ext becomes NAME-SHEET.ext, NAME-VARIANT.ext")
+        ->required()
+        ->option_text("FILE");
+    command->add_flag("--placed", options->placed,
+                      "Where the scene places them; without it, as before `place`");
+    command->add_flag("--force", options->force, "Replace files that exist");
+    command->footer("Example:\n  sherd mesh plate_drop -o plate.obj");
+    command->callback([&chosen, options] { chosen = [options] { return write_meshes(*options); }; });
+}
+
+}  // namespace sherd

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/mesh_faults.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "meshops/triangle_soup.h"
+
+namespace sherd {
+namespace {
+
+using Side = std::array<std::uint32_t, 2>;
+
+std::array<Side, 3> sides(const std::array<std::uint32_t, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    return {Side{std::min(a, b), std::max(a, b)}, Side{std::min(b, c), std::max(b, c)},
+            Side{std::min(c, a), std::max(c, a)}};
+}
+
+/// Triangles without area, and those beside them.
+std::vector<std::size_t> around_zero_area(const TriangleSoup& soup) {
+    std::vector<std::size_t> around = zero_area_triangles(soup);
+    std::set<Side> flat;
+    for (const std::size_t t : around)
+        for (const Side& side : sides(soup.triangles[t])) flat.insert(side);
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        if (std::ranges::any_of(sides(soup.triangles[t]),
+                                [&](const Side& side) { return flat.contains(side); }))
+            around.push_back(t);
+    return around;
+}
+
+}  // namespace
+
+FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join) {
+    PolygonSoup polygons = read_polygon_soup(file);
+    check_polygon_soup(polygons);
+    if (join) join_duplicate_points(polygons);
+    const TriangleSoup soup = triangulate(polygons);
+    FaultyMesh mesh;
+    for (const Point& p : soup.points) mesh.sheet.points.emplace_back(p.x(), p.y(), p.z());
+    for (const auto& [a, b, c] : soup.triangles)
+        mesh.sheet.triangles.push_back(
+            {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
+    mesh.faults.assign(soup.triangles.size(), TriangleFault::none);
+    for (const std::size_t t : around_zero_area(soup)) mesh.faults[t] = TriangleFault::zero_area;
+    for (const std::size_t t : repeated_triangles(soup)) mesh.faults[t] = TriangleFault::repeated;
+    // Triangles without area and repeated ones make their edges look non-manifold: they are dropped first.
+    TriangleSoup rest = soup;
+    std::vector<std::size_t> kept(soup.triangles.size());
+    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    const auto drop = [&](const std::vector<std::size_t>& found) {
+        erase_triangles(rest, found);
+        for (auto t = found.rbegin(); t != found.rend(); ++t)
+            kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(*t));
+    };
+    drop(zero_area_triangles(rest));
+    drop(repeated_triangles(rest));
+    for (const NonManifoldEdge& edge : non_manifold_edges(rest))
+        for (const std::size_t t : edge.triangles) mesh.faults[kept[t]] = TriangleFault::non_manifold;
+    return mesh;
+}
+
+}  // namespace sherd

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "meshops/error.h"
+#include "meshops/ply_header.h"
+#include "meshops/polygon_soup.h"
+#include "meshops/raw_bytes.h"
+#include "meshops/text_line.h"
+
+// Read here and not by CGAL, whose reader goes astray on a header that is not as it should be (a property
+// before any element, coordinates that are integers), and makes room for whatever a list's count says.
+namespace sherd {
+namespace {
+
+struct Range {
+    double low, high;
+};
+
+template <class Integer>
+constexpr Range range{std::numeric_limits<Integer>::lowest(), std::numeric_limits<Integer>::max()};
+
+Range range_of(PlyType type) {
+    constexpr std::array<Range, 6> ranges{range<std::int8_t>,   range<std::uint8_t>, range<std::int16_t>,
+                                          range<std::uint16_t>, range<std::int32_t>, range<std::uint32_t>};
+    return ranges.at(static_cast<std::size_t>(type));
+}
+
+double binary_value(PlyType type, const char* bytes, std::endian order) {
+    switch (type) {
+        case PlyType::int8:
+            return number_at<std::int8_t>(bytes, order);
+        case PlyType::uint8:
+            return number_at<std::uint8_t>(bytes, order);
+        case PlyType::int16:
+            return number_at<std::int16_t>(bytes, order);
+        case PlyType::uint16:
+            return number_at<std::uint16_t>(bytes, order);
+        case PlyType::int32:
+            return number_at<std::int32_t>(bytes, order);
+        case PlyType::uint32:
+            return number_at<std::uint32_t>(bytes, order);
+        case PlyType::float32:
+            return number_at<float>(bytes, order);
+        default:
+            return number_at<double>(bytes, order);
+    }
+}
+
+/// The rows behind a header, one after the other, each a list of values for each property (a single value is
+/// a list of one). A double holds every number of PLY exactly.
+class PlyRows {
+  public:
+    PlyRows(const std::filesystem::path& file, std::string_view content, const PlyHeader& header)
+        : file(file),
+          format(header.format),
+          text_size(content.size()),
+          lines(file, content),
+          bytes(content.substr(header.bytes)) {
+        while (lines.number() < header.lines) lines.next();
+    }
+
+    /// Valid until the next call.
+    const std::vector<std::vector<double>>& next(const PlyElement& of, std::size_t number) {
+        element = &of;
+        row = number;
+        values.resize(of.properties.size());
+        first_line = 0;
+        for (std::size_t p = 0; p < values.size(); ++p) {
+            const PlyProperty& property = of.properties[p];
+            values[p].resize(property.count ? list_size(property) : 1);
+            for (double& value : values[p]) value = next_value(property.type);
+        }
+        if (line && !line->is_at_end())
+            line->fail("is one value too many: " + place() + " is complete before it", line->next_word());
+        return values;
+    }
+    std::size_t line_number() const { return first_line; }  ///< where the row begins; 0 in a binary file
+
+  private:
+    std::string place() const { return element->name + " " + std::to_string(row); }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        const std::string at = format == PlyFormat::text ? ":" + std::to_string(lines.number()) : "";
+        throw Error(file.string() + at + ": " + place() + ": " + what);
+    }
+    [[noreturn]] void fail_at_end() const {
+        throw Error(file.string() + ": the PLY file ends too early (truncated?): in " + place() + " of " +
+                    std::to_string(element->rows));
+    }
+
+    std::size_t list_size(const PlyProperty& property) {
+        const double size = next_value(*property.count);
+        const std::size_t left = format == PlyFormat::text ? text_size : bytes.size();
+        if (size < 0)
+            fail("its list " + property.name + " has " + std::to_string(static_cast<std::int64_t>(size)) +
+                 " values");
+        if (least_bytes(format, property.type, static_cast<std::size_t>(size)) > left)
+            fail("its list " + property.name + " has " + std::to_string(static_cast<std::int64_t>(size)) +
+                 " values, more than are left in the file");
+        return static_cast<std::size_t>(size);
+    }
+
+    double next_value(PlyType type) {
+        return format == PlyFormat::text ? next_text_value(type) : next_binary_value(type);
+    }
+
+    double next_text_value(PlyType type) {
+        if (!line || line->is_at_end()) line = lines.next_with_words();
+        if (!line) fail_at_end();
+        if (first_line == 0) first_line = lines.number();
+        TextLine before = *line;
+        const double value = line->next_number();
+        if (!is_integer(type)) return value;
+        const auto [low, high] = range_of(type);
+        if (!(value >= low && value <= high && value == std::floor(value)))
+            before.fail(
+                "is no number of the type " + std::string(name_of(type)) + " that the header promises",
+                before.next_word());
+        return value;
+    }
+
+    double next_binary_value(PlyType type) {
+        const std::size_t size = bytes_of(type);
+        if (bytes.size() < size) fail_at_end();
+        const double value = binary_value(
+            type, bytes.data(), format == PlyFormat::big_endian ? std::endian::big : std::endian::little);
+        bytes.remove_prefix(size);
+        return value;
+    }
+
+    const std::filesystem::path& file;
+    PlyFormat format;
+    std::size_t text_size;
+    TextLines lines;               ///< of a text, what is to come
+    std::optional<TextLine> line;  ///< of a text, what is left of the present line
+    std::string_view bytes;        ///< of a binary file, what is to come
+    const PlyElement* element = nullptr;
+    std::size_t row = 0, first_line = 0;
+    std::vector<std::vector<double>> values;
+};
+
+void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
+    std::array<std::size_t, 3> column;
+    for (const auto& [i, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
+        const auto found = element.find({name});
+        if (!found || element.properties[*found].count)
+            throw Error(soup.file.string() + ":" + std::to_string(element.line) + ": element " +
+                        element.name + " of the PLY file needs a number `" + name +
+                        "`: write `property float " + name + "`");
+        column[i] = *found;
+    }
+    for (std::size_t row = 0; row < element.rows; ++row) {
+        const auto& values = rows.next(element, row);
+        soup.points.emplace_back(values[column[0]][0], values[column[1]][0], values[column[2]][0]);
+        if (rows.line_number() > 0) soup.point_line.push_back(rows.line_number());
+    }
+}
+
+std::vector<std::size_t> corners(const std::vector<double>& values) {
+    std::vector<std::size_t> polygon;
+    // A negative number is told as it is by who looks for corners that are not there.
+    for (const double value : values)
+        polygon.push_back(static_cast<std::size_t>(static_cast<std::int64_t>(value)));
+    return polygon;
+}
+
+void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
+    const auto list = element.find({"vertex_indices", "vertex_index"});
+    if (!list || !element.properties[*list].count || !is_integer(element.properties[*list].type))
+        throw Error(soup.file.string() + ":" + std::to_string(element.line) + ": element " + element.name +
+                    " of the PLY file needs a list of vertex numbers: write `property list uchar int "
+                    "vertex_indices`");
+    std::vector<std::size_t> axis;
+    for (const char* name : {"axis_x", "axis_y", "axis_z"})
+        if (const auto found = element.find({name}); found && !element.properties[*found].count)
+            axis.push_back(*found);
+    for (std::size_t row = 0; row < element.rows; ++row) {
+        const auto& values = rows.next(element, row);
+        soup.polygons.push_back(corners(values[*list]));
+        if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
+        if (axis.size() == 3)
+            soup.axis.emplace_back(values[axis[0]][0], values[axis[1]][0], values[axis[2]][0]);
+    }
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view content) {
+    const PlyHeader header = parse_ply_header(file, content);
+    PolygonSoup soup;
+    soup.file = file;
+    PlyRows rows(file, content, header);
+    for (const PlyElement& element : header.elements) {
+        if (element.name == "vertex" || element.name == "vertices")
+            read_vertices(rows, element, soup);
+        else if (element.name == "face" || element.name == "faces")
+            read_faces(rows, element, soup);
+        else if (!element.properties.empty())
+            for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
+    }
+    return soup;
+}
+
+}  // namespace sherd

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a PLY file may be, and what is said of one that is not: without these a user searches a header of ten
+// lines for a word that is misspelt, or the program makes room for a billion vertices that are not there.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "meshops/error.h"
+#include "meshops/ply_header.h"
+#include "meshops/polygon_soup.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+const std::string points_of_header =
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string faces_of_header = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string good = "ply\nformat ascii 1.0\ncomment by hand\n" + points_of_header + faces_of_header +
+                         "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+PolygonSoup parse(const std::string& content) {
+    return parse_ply("a.ply", content);
+}
+
+std::string failure(const std::string& content) {
+    try {
+        check_polygon_soup(parse(content));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {
+    struct Case {
+        std::string from, to, message;
+    };
+    for (const auto& [from, to, message] : std::vector<Case>{
+             {"element vertex 3", "elment vertex 3", "a.ply:4: `elment` is no keyword of a PLY header"},
+             {"element vertex 3", "comment element", "a.ply:5: `property` stands before any `element`"},
+             {"element vertex 3", "element vertex three", "a.ply:4: `three` is no number of rows"},
+             {"element vertex 3", "element vertex -3", "a.ply:4: `-3` is no number of rows"},
+             {"element vertex 3", "element vertex", "a.ply:4: is no number of rows"},
+             {"element vertex 3", "element vertex 3 4", "a.ply:4: `4` is one too many"},
+             {"element vertex 3", std::string("element vert\0x 3", 16), "a.ply:4: element"},
+             {"element face", "element vertex", "a.ply:8: `vertex` is there already"},
+             {"property float y", "property float x", "a.ply:6: `x` is there already"},
+             {"property float y", "property real y", "a.ply:6: `real` is no type of PLY"},
+             {"property float y", "property float", "a.ply:6: the property has no name"},
+             {"property float y", "property float w",
+              "a.ply:4: element vertex of the PLY file needs a number `y`"},
+             {"list uchar int", "list float int", "a.ply:9: `float` cannot count a list"},
+             {"list uchar int", "list uchar float",
+              "a.ply:8: element face of the PLY file needs a list of vertex"},
+             {"list uchar int", "int", "a.ply:8: element face of the PLY file needs a list of vertex"},
+             {"format ascii 1.0", "format ascii 2.0", "a.ply:2: `2.0` is no known version"},
+             {"format ascii 1.0", "format asci 1.0", "a.ply:2: `asci` is no format of PLY"},
+             {"format ascii 1.0\n", "", "has no line `format`"},
+             {"end_header\n", "", "a.ply:10: `0` is no keyword"},
+             {"ply\n", "plyer\n", "a.ply:1: cannot be understood as PLY"}}) {
+        const std::string found = failure(replaced(good, from, to));
+        if (to.find('\0') != to.npos)
+            EXPECT_NE(found, "");
+        else
+            EXPECT_NE(found.find(message), std::string::npos) << "no '" << message << "' in: " << found;
+    }
+    EXPECT_EQ(failure(good), "no error");
+}
+
+// A header that promises what cannot be there must not be believed, nor a count of a list.
+TEST(Ply, CountsAreHeldAgainstTheSizeOfTheFile) {
+    for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"})
+        for (const char* count : {"1000", "4000000000", "18446744073709551615"}) {
+            const std::string many =
+                replaced(replaced(good, "ascii", format), "vertex 3", std::string("vertex ") + count);
+            EXPECT_NE(
+                failure(many).find("a.ply:4: the PLY file ends too early (truncated?): its header promises "),
+                std::string::npos)
+                << failure(many);
+        }
+    EXPECT_NE(failure(replaced(good, "3 0 1 2", "200 0 1 2"))
+                  .find("a.ply:14: face 0: its list vertex_indices has 200 values, more"),
+              std::string::npos);
+    EXPECT_NE(failure(replaced(replaced(good, "uchar int", "int int"), "3 0 1 2", "-3 0 1 2"))
+                  .find("has -3 values"),
+              std::string::npos);
+    EXPECT_NE(failure(replaced(good, "3 0 1 2", "300 0 1 2"))
+                  .find("a.ply:14: `300` is no number of the type uchar"),
+              std::string::npos);
+    std::string huge = replaced(replaced(good, "ascii", "binary_little_endian"), "uchar", "uint");
+    huge = huge.substr(0, huge.find("end_header\n") + 11) + std::string(36, '\0') + std::string(4, '\xff') +
+           "12345678";
+    EXPECT_NE(failure(huge).find("a.ply: face 0: its list vertex_indices has 4294967295 values"),
+              std::string::npos)
+        << failure(huge);
+    // Rows without anything in them take no room: any number of them is nothing.
+    EXPECT_EQ(failure(replaced(good, "end_header", "element nothing 18446744073709551615\nend_header")),
+              "no error");
+}
+
+TEST(Ply, RowsOfATextAreNamedByTheirLine) {
+    const PolygonSoup soup = parse(replaced(good, "1 0 0\n", "\n1 0\n0\n"));
+    EXPECT_EQ(soup.points[1], Point(1, 0, 0));
+    EXPECT_EQ(soup.point_line, (std::vector<std::size_t>{11, 13, 15}));
+    EXPECT_NE(
+        failure(replaced(good, "1 0 0\n", "1 0 0 5\n")).find("a.ply:12: `5` is one value too many: vertex 1"),
+        std::string::npos);
+    EXPECT_NE(failure(replaced(good, "1 0 0\n", "1 O 0\n")).find("a.ply:12: `O` is not a number"),
+              std::string::npos);
+    EXPECT_NE(
+        failure(replaced(good, "3 0 1 2", "3 0 1 1.5")).find("a.ply:14: `1.5` is no number of the type int"),
+        std::string::npos);
+}
+
+template <class Number>
+void append(std::string& bytes, Number number, bool big_endian) {
+    std::array<char, sizeof(Number)> raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if (big_endian) std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.begin(), raw.end());
+}
+
+/// With a colour for each vertex, doubles, short indices and an element that nobody knows.
+std::string binary(bool big_endian, double bad = 1) {
+    std::string bytes =
+        "ply\r\nformat binary_" + std::string(big_endian ? "big" : "little") +
+        "_endian 1.0\r\nelement odd 2\r\nproperty list ushort int8 z\r\nelement vertex 3\r\n"
+        "property uchar red\r\nproperty double x\r\nproperty float64 y\r\nproperty float z\r\n"
+        "element face 1\r\nproperty list uint8 short vertex_index\r\nend_header\r\n";
+    for (const std::uint16_t size : {0, 3}) {
+        append(bytes, size, big_endian);
+        bytes.append(size, '\7');
+    }
+    for (int v = 0; v < 3; ++v) {
+        bytes += '\xaa';
+        append(bytes, v == 1 ? bad : 0.0, big_endian);
+        append(bytes, v == 2 ? 0.125 : 0.0, big_endian);
+        append(bytes, -2.5f, big_endian);
+    }
+    bytes += '\3';
+    for (const std::int16_t corner : {2, 0, 1}) append(bytes, corner, big_endian);
+    return bytes;
+}
+
+TEST(Ply, BothOrdersOfBytesAndAllTypesAreRead) {
+    for (const bool big_endian : {false, true}) {
+        const PolygonSoup soup = parse(binary(big_endian));
+        EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, -2.5}, {1, 0, -2.5}, {0, 0.125, -2.5}}));
+        EXPECT_EQ(soup.polygons, (std::vector<std::vector<std::size_t>>{{2, 0, 1}}));
+        EXPECT_TRUE(soup.point_line.empty());
+        for (std::size_t size = 0; size < binary(big_endian).size(); ++size)
+            EXPECT_NE(failure(binary(big_endian).substr(0, size)), "no error") << size;
+    }
+}
+
+TEST(Ply, NumbersThatAreNoneAreNamedByTheirVertex) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+        for (const bool big_endian : {false, true})
+            EXPECT_EQ(failure(binary(big_endian, bad)), "a.ply: vertex 1: a coordinate is NaN or infinite");
+    EXPECT_EQ(failure(replaced(good, "1 0 0", "1 nan 0")),
+              "a.ply:12: vertex 1: a coordinate is NaN or infinite");
+}
+
+}  // namespace
+}  // namespace sherd::test
