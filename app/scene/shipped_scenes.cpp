@@ -9,7 +9,6 @@
 
 #include "app/nearest_name.h"
 #include "app/scene/toml_file.h"
-#include "app/scene/toml_table.h"
 #include "meshops/error.h"
 
 namespace sherd {
