@@ -105,7 +105,7 @@ Snapshot Recording::frame(std::size_t number) const {
 }
 
 double Recording::time(std::size_t number) const {
-    return read_from(file, [number](hid_t opened) {
+    return read_with([number](hid_t opened) {
         return hdf5::read_real_attribute(hdf5::open_group(opened, frame_group(number)), "time");
     });
 }

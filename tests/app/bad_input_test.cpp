@@ -126,12 +126,13 @@ const std::vector<BadInput> bad_scenes{
     change("sheets_too_near", "[obstacle.floor]",
            "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
            "place = { translate = [0, 0, 1.003] }\nmaterial = { preset = \"stoneware\" }\n[obstacle.floor]",
-           {"of sheet.plate and face", "of sheet.other are 0.003 m apart, less than 0.004 m", "pairs more"}),
+           {" of sheet.plate at (", " of sheet.other at (", ") m are 0.003 m apart, less than 0.004 m",
+            "pairs more"}),
     change("sheets_that_cross", "[obstacle.floor]",
            "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
            "place = { translate = [0, 0, 1], rotate = { axis = [0, 1, 0], degrees = 80 } }\n"
            "material = { preset = \"stoneware\" }\n[obstacle.floor]",
-           {"of sheet.plate and face", "of sheet.other cross or touch"}),
+           {" of sheet.plate at (", " of sheet.other at (", ") m cross or touch"}),
     change("negative_sheet_friction", "[solver]", "[contact]\nfriction = -0.1\n[solver]",
            {"contact.friction: must be"}),
     change("contact_of_a_word", "[solver]", "[contact]\nsheets = \"yes\"\n[solver]",
