@@ -52,6 +52,14 @@ TEST(Plausibility, SaysNothingOfWhatIsMeant) {
     EXPECT_EQ(with({"sheet.disc.fracture.strength=2e7", "sheet.disc.material.young=2e6"}), "") << "rubber";
 }
 
+// A peak that is lost to the step is taken for a sheet that does not break.
+TEST(Plausibility, AStepThatIsLongForTheSlowestVibrationIsTold) {
+    EXPECT_EQ(with({"sheet.disc.fracture.strain=0.4", "solver.step=1.7e-4"}), "");
+    EXPECT_NE(with({"sheet.disc.fracture.strain=0.4", "solver.step=2e-4"}).find("long even for"),
+              std::string::npos);
+    EXPECT_EQ(with({"solver.step=2e-4"}), "") << "what cannot break";
+}
+
 TEST(Plausibility, MeshesThatWereNeverScaledAreTold) {
     const std::string large = with({"sheet.disc.mesh.radius=10", "sheet.disc.mesh.edge_length=2"});
     EXPECT_TRUE(contains(large, "scene.toml:3: sheet.disc.mesh: sheet.disc is 28.")) << large;

@@ -93,14 +93,15 @@ const std::vector<BadMaterial> bad_materials{
      "scene.toml:6: sheet.plate.material.axis.texture: no.png: cannot read the image: No such file"},
     {"axis = { texture = \"scene.toml\" }", "material.axis.texture: scene.toml: is not a PNG file"},
     {"axis = { texture = \"red.png\" }", "material.axis.texture: the mesh has no texture coordinates"},
-    {"axis = { texture = \"red.png\" }", "axis.texture: the texture coordinates of face 0 have no area",
-     "\"flat.obj\""},
+    {"axis = { texture = \"red.png\" }",
+     "axis.texture: the texture coordinates of face 0 at (0.6667, 0.3333, 0) m have no area", "\"flat.obj\""},
     {"axis = { field = true }", "material.axis.field: the mesh has no axes"},
-    {"axis = { field = true }", "material.axis.field: the axis of face 1, [0, 0, 3], has no direction",
+    {"axis = { field = true }",
+     "material.axis.field: the axis of face 1 at (0.3333, 0.6667, 0) m, [0, 0, 3], has no direction",
      "\"field.ply\""},
     {"axis = { field = false }", "material.axis.field: must be true"},
-    {"axis = { texture = \"grey.png\" }", "axis.texture: grey.png has no direction at face 0",
-     "\"good.obj\""},
+    {"axis = { texture = \"grey.png\" }",
+     "axis.texture: grey.png has no direction on face 0 at (0.6667, 0.3333, 0) m", "\"good.obj\""},
 };
 
 TEST(SceneMaterial, WhatCannotBeIsRefusedByKeyAndNothingIsWritten) {

@@ -10,6 +10,7 @@ namespace {
 
 void expect_usage_error(const std::vector<std::string>& arguments, const std::vector<std::string>& message) {
     const TemporaryDirectory directory;
+    for (const char* scene : {"scene.toml", "a.toml"}) directory.write(scene, "");
     const ProgramResult result = run_sherd(arguments, directory.path);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
