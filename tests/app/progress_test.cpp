@@ -107,7 +107,16 @@ Shown run_on_terminal(std::vector<std::string> arguments, const TemporaryDirecto
     return {screen, bytes, program.exit_code};
 }
 
-TEST(Progress, NeverWrapsAndLeavesOneLine) {
+class ProgressOnATerminal : public testing::Test {
+  protected:
+    void SetUp() override {
+        const int terminal = open_pseudo_terminal();
+        if (terminal < 0) GTEST_SKIP() << "this machine makes no pseudo terminals: is /dev/pts mounted?";
+        close(terminal);
+    }
+};
+
+TEST_F(ProgressOnATerminal, NeverWrapsAndLeavesOneLine) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling);
     for (const unsigned short columns : {80, 60}) {
@@ -122,7 +131,7 @@ TEST(Progress, NeverWrapsAndLeavesOneLine) {
     }
 }
 
-TEST(Progress, FitsAfterTheTerminalHasBecomeNarrower) {
+TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling);
     TerminalProgram program({"run", "scene.toml", "--set", "duration=1000"}, directory.path, 100);
@@ -152,7 +161,7 @@ TEST(Progress, FitsAfterTheTerminalHasBecomeNarrower) {
     EXPECT_EQ(Recording(directory.path / "scene.h5").end(), "interrupted");
 }
 
-TEST(Progress, OfVariantsIsALineForEachThatIsDrawnInPlace) {
+TEST_F(ProgressOnATerminal, OfVariantsIsALineForEachThatIsDrawnInPlace) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling + variants);
     for (const unsigned short columns : {80, 60}) {
@@ -190,7 +199,7 @@ TEST(Progress, OfVariantsIsALineForEachThatIsDrawnInPlace) {
     }
 }
 
-TEST(Progress, OfVariantsThatEndLeavesALineAndATableOfEach) {
+TEST_F(ProgressOnATerminal, OfVariantsThatEndLeavesALineAndATableOfEach) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling + variants);
     const Shown shown = run_on_terminal({"run", "scene.toml"}, directory, 80);
@@ -207,7 +216,7 @@ TEST(Progress, OfVariantsThatEndLeavesALineAndATableOfEach) {
     }
 }
 
-TEST(Progress, OnADumbTerminalIsALineForEachTenthWithoutEscapes) {
+TEST_F(ProgressOnATerminal, OnADumbTerminalIsALineForEachTenthWithoutEscapes) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling);
     const Shown shown = run_on_terminal({"run", "scene.toml"}, directory, 80, "dumb");

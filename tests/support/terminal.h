@@ -94,14 +94,22 @@ class Screen {
     std::string escape;
 };
 
+/// A new pseudo terminal; below zero where this machine makes none, as where /dev/pts is not mounted.
+inline int open_pseudo_terminal() {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (terminal < 0) return terminal;
+    if (grantpt(terminal) == 0 && unlockpt(terminal) == 0) return terminal;
+    close(terminal);
+    return -1;
+}
+
 /// A program whose terminal is a pseudo terminal of ours; killed at the end of the scope if it still runs.
 class TerminalProgram {
   public:
     TerminalProgram(std::vector<std::string> arguments, const std::filesystem::path& directory,
                     unsigned short columns, const std::string& kind = "xterm")
-        : terminal(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
-        if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
-            throw std::runtime_error("cannot make a pseudo terminal");
+        : terminal(open_pseudo_terminal()) {
+        if (terminal < 0) throw std::runtime_error("cannot make a pseudo terminal");
         resize(columns);
         const std::string name = ptsname(terminal);
         process = fork();
