@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "core/membrane.h"
-#include "core/principal_strain.h"
+#include "core/elements/membrane.h"
+#include "core/elements/principal_strain.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -57,10 +57,10 @@ std::optional<MembraneStrainInfo> largest_membrane_strain(const RecordingHeader&
     std::optional<MembraneStrainInfo> largest;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         // Strain does not depend on the elasticity.
-        const MembraneTriangle triangle = membrane_triangle(
-            triangle_positions(header.rest_position, header.rest_faces[f]), Matrix3d::Zero());
+        const MembraneTriangle triangle =
+            membrane_triangle(columns(header.rest_position, header.rest_faces[f]), Matrix3d::Zero());
         const double strain =
-            principal_strain(green_strain(triangle, triangle_positions(frame.position, frame.faces[f])));
+            principal_strain(green_strain(triangle, columns(frame.position, frame.faces[f])));
         if (!largest || std::isnan(strain) || std::abs(strain) > std::abs(largest->strain))
             largest = {strain, f};
         if (std::isnan(strain)) break;

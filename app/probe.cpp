@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/principal_strain.h"
+#include "core/bending/cubic_bending.h"
+#include "core/bending/nonlinear_bending.h"
+#include "core/elements/principal_strain.h"
+#include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_sheet.h"
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
@@ -33,30 +36,23 @@ void require_same_faces(const PolygonSoup& rest, const PolygonSoup& deformed) {
         corners_of(rest, face), rest.file.string(), corners_of(deformed, face), deformed.file.string()));
 }
 
-HingePositions positions_of(const HingeStencil& stencil, const Positions& x) {
-    return hinge_positions(x, stencil.vertices);
-}
-TrianglePositions positions_of(const TriangleStencil& stencil, const Positions& x) {
-    return triangle_positions(x, stencil.vertices);
-}
-
-/// Sums one of the energies that the stencils hold.
-template <class Stencil, class Element>
-ProbedEnergy sum(const std::string& name, const std::vector<Stencil>& stencils, Element Stencil::*element,
-                 const Positions& x) {
+/// Sums one of the energies over its elements.
+template <class Elements>
+ProbedEnergy sum(const std::string& name, const Elements& elements, const Positions& x) {
     ProbedEnergy total{name, 0, Positions::Zero(3, x.cols())};
-    for (const Stencil& stencil : stencils) {
-        const auto local = positions_of(stencil, x);
-        const double amount = value(stencil.*element, local);
-        const auto slope = gradient(stencil.*element, local);
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        const auto vertices = elements.vertices(e);
+        const auto local = columns(x, vertices);
+        const double amount = elements.value(e, local);
+        const auto slope = elements.gradient(e, local);
         if (!std::isfinite(amount) || !slope.allFinite())
             throw Error(
                 fmt::format("{} is not a finite number for the vertices {}: the deformed mesh is "
                             "collapsed or too large there",
-                            name, fmt::join(stencil.vertices, ", ")));
+                            name, fmt::join(vertices, ", ")));
         total.energy += amount;
-        for (std::size_t i = 0; i < stencil.vertices.size(); ++i)
-            total.force.col(stencil.vertices[i]) -= slope.col(static_cast<Eigen::Index>(i));
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            total.force.col(vertices[i]) -= slope.col(static_cast<Eigen::Index>(i));
     }
     return total;
 }
@@ -107,17 +103,17 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
     const Sheet sheet = file_sheet(shapes, material, warnings);
     const Positions& x = shapes.deformed;
     Probe result;
-    result.energies = {sum("bending_nonlinear", sheet.hinges, &HingeStencil::nonlinear, x),
-                       sum("bending_cubic", sheet.hinges, &HingeStencil::cubic, x),
-                       sum("bending_cubic_2007", sheet.hinges, &HingeStencil::cubic_2007, x),
-                       sum("membrane", sheet.triangles, &TriangleStencil::membrane, x)};
+    result.energies = {sum("bending_nonlinear", NonlinearHinges(sheet.hinges, sheet.rest), x),
+                       sum("bending_cubic", CubicHinges(sheet.hinges, sheet.rest), x),
+                       sum("bending_cubic_2007", CubicHinges2007(sheet.hinges, sheet.rest), x),
+                       sum("membrane", MembraneElements{&sheet.triangles}, x)};
     for (const HingeStencil& hinge : sheet.hinges) {
-        const HingePositions local = positions_of(hinge, x);
+        const HingePositions local = columns(x, hinge.vertices);
         result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,
                                  hinge_strain(hinge.rest, local), hinge.stiffness});
     }
     for (const TriangleStencil& triangle : sheet.triangles) {
-        const Vector3d strain = green_strain(triangle.membrane, positions_of(triangle, x));
+        const Vector3d strain = green_strain(triangle.membrane, columns(x, triangle.vertices));
         result.faces.push_back({triangle.vertices, principal_strain(strain)});
     }
     return result;

@@ -100,7 +100,8 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
     warn(warnings);
     Simulation simulation(sheets, simulated);
-    const ObstacleTrack obstacles(scene, simulated.obstacles, simulated.bodies);
+    const ObstacleTrack obstacles(scene, simulated.stepper.contact.obstacles,
+                                  simulated.stepper.contact.bodies);
     watch_for_interruption();
     RecordingWriter writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles());
 

@@ -79,7 +79,7 @@ TriedSteps try_steps(const std::vector<SheetInput>& inputs, const SimulationOpti
             const double begin = seconds();
             const StepReport report = simulation.step();
             // One that was halved is only a part of a step of the scene.
-            const double whole = (seconds() - begin) * options.step / report.step_size;
+            const double whole = (seconds() - begin) * options.stepper.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;
             // The cheapest: the first one sets up the solver, and few steps of a run break anything.
             tried.later = std::min(tried.later, whole);

@@ -51,26 +51,30 @@ class BlockMatrix {
     std::vector<Matrix3d> guides;
 };
 
-/// Adds the symmetric `local` Hessian [3 N, 3 N] of an element on `vertices` [N] (coordinate fastest). Those
-/// below `first` are not the matrix's; the others are numbered from there.
+/// Adds the symmetric `local` Hessian [3 N, 3 N] of an element on `vertices` [N] (coordinate fastest).
+/// Vertices below zero are none of the matrix's.
 template <std::size_t N>
 void add_element(BlockMatrix& matrix, const std::array<Index, N>& vertices,
-                 const Eigen::Matrix<double, 3 * N, 3 * N>& local, Index first = 0) {
+                 const Eigen::Matrix<double, 3 * N, 3 * N>& local) {
     for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b <= a; ++b)
-            if (vertices[a] >= first && vertices[b] >= first)
-                matrix.add(vertices[a] - first, vertices[b] - first,
-                           local.template block<3, 3>(3 * a, 3 * b));
+            if (vertices[a] >= 0 && vertices[b] >= 0)
+                matrix.add(vertices[a], vertices[b], local.template block<3, 3>(3 * a, 3 * b));
 }
 
-/// Appends the unordered pairs of an element's vertices, but for those below `first`, numbered from there.
+/// Appends the unordered pairs of an element's vertices, but for those below zero.
 template <std::size_t N>
-void add_pairs(std::vector<std::pair<Index, Index>>& pairs, const std::array<Index, N>& vertices,
-               Index first = 0) {
+void add_pairs(std::vector<std::pair<Index, Index>>& pairs, const std::array<Index, N>& vertices) {
     for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b < a; ++b)
-            if (vertices[a] >= first && vertices[b] >= first)
-                pairs.emplace_back(vertices[a] - first, vertices[b] - first);
+            if (vertices[a] >= 0 && vertices[b] >= 0) pairs.emplace_back(vertices[a], vertices[b]);
+}
+
+/// Vertices numbered from `first` on.
+template <std::size_t N>
+std::array<Index, N> numbered_from(std::array<Index, N> vertices, Index first) {
+    for (Index& vertex : vertices) vertex -= first;
+    return vertices;
 }
 
 }  // namespace sherd

@@ -5,20 +5,29 @@
 #include <vector>
 
 #include "core/block_matrix.h"
+#include "core/shell_change.h"
+#include "core/step_context.h"
 #include "core/time_spent.h"
-#include "core/vector.h"
 
 namespace sherd {
 
-/// Which second derivative an energy hands to Newton's method.
+/// Which second derivative an energy hands to the minimiser.
 enum class Curvature {
     exact,  ///< the Hessian; may be indefinite
     convex  ///< a positive semidefinite matrix near it, which makes every step one of descent
 };
 
-/// A potential energy of the vertex positions: the sum over the stencils of one kind of element.
+/// A potential energy of the vertex positions. Between two calls of begin(), topology_changed() and
+/// moved_to() its answers depend on the positions alone, not on what was asked before.
 struct Energy {
     virtual ~Energy() = default;
+    /// Makes ready for a step, whose beginning the shell's positions and velocities are.
+    virtual void begin(const StepContext& /*step*/) {}
+    /// To be called when the shell has other vertices, hinges or lips, to go on with the same step.
+    virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
+    /// To be called when the minimiser has moved to x, from where it will go on.
+    virtual void moved_to(const Positions& /*x*/) {}
+
     /// Value in J. x: [3, V] in m.
     virtual double value(const Positions& x) const = 0;
     /// Bound on the round-off error of value(), J, where terms cancel in it.

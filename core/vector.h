@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 namespace sherd {
@@ -14,6 +15,15 @@ using Eigen::VectorXd;
 
 /// One column a vertex: positions (m), velocities (m/s), forces (N).
 using Positions = Eigen::Matrix3Xd;
+
+/// The columns of `vertices` [N]: [3, N].
+template <std::size_t N>
+Eigen::Matrix<double, 3, static_cast<int>(N)> columns(const Positions& all,
+                                                      const std::array<Index, N>& vertices) {
+    Eigen::Matrix<double, 3, static_cast<int>(N)> local;
+    for (std::size_t i = 0; i < N; ++i) local.col(static_cast<Eigen::Index>(i)) = all.col(vertices[i]);
+    return local;
+}
 
 /// The matrix of v x.
 inline Matrix3d cross_matrix(const Vector3d& v) {

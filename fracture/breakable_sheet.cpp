@@ -112,7 +112,7 @@ void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const 
     for (const Face face : mesh().faces()) {
         const Material& material = inputs[sheet_of_face[face]].material;
         const std::array<Index, 3> vertices = face_vertices(mesh(), face);
-        const TrianglePositions rest = triangle_positions(sheet.rest, vertices);
+        const TrianglePositions rest = columns(sheet.rest, vertices);
         const MembraneTriangle membrane =
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
         sheet.triangles.push_back({vertices, membrane});
@@ -134,7 +134,7 @@ void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs, const std
         hinge_edge.push_back(edge);
         const std::array<Index, 4> vertices = hinge_vertices(edge);
         const double angle =
-            hinge_axis_angle(hinge_positions(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
+            hinge_axis_angle(columns(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
         edge_strength.back() = directional_strength(input.strength, angle);
         sheet.hinges.push_back(hinge_stencil(sheet, vertices, hinge_stiffness(input.material, angle)));
     }
@@ -188,15 +188,18 @@ std::array<Index, 4> BreakableSheet::hinge_vertices(Edge edge) const {
             number(mesh().target(mesh().next(other)))};
 }
 
-CrackMesh::Change BreakableSheet::fail(std::span<const Edge> edges) {
-    CrackMesh::Change change = crack_mesh.fail(edges);
-    for (const Edge edge : edges) remove_hinge(edge);
+BreakableSheet::Change BreakableSheet::fail(std::span<const Edge> edges) {
+    Change change{crack_mesh.fail(edges), {}};
+    const Opening& opening = change.cracks.opening;
+    for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge(edge));
     edge_hinge.resize(mesh().number_of_edges(), -1);
     edge_strength.resize(mesh().number_of_edges(), std::numeric_limits<double>::infinity());
-    carry_over(change.opening);
-    renumber(change.opening.faces);
-    share_masses(change.opening);
-    lips.open(change.opening);
+    for (const auto& [vertex, created] : opening.vertices)
+        change.shell.vertices.push_back({number(vertex), number(created)});
+    carry_over(opening);
+    renumber(opening.faces);
+    share_masses(opening);
+    lips.open(opening);
     lips.write(mesh(), sheet);
     return change;
 }
@@ -207,7 +210,7 @@ bool BreakableSheet::release_lips() {
     return true;
 }
 
-void BreakableSheet::remove_hinge(Edge edge) {
+Index BreakableSheet::remove_hinge(Edge edge) {
     const Index hinge = edge_hinge[edge];
     edge_hinge[hinge_edge.back()] = hinge;
     edge_hinge[edge] = -1;
@@ -215,6 +218,7 @@ void BreakableSheet::remove_hinge(Edge edge) {
     hinge_edge.pop_back();
     sheet.hinges[hinge] = sheet.hinges.back();
     sheet.hinges.pop_back();
+    return hinge;
 }
 
 void BreakableSheet::carry_over(const Opening& opening) {

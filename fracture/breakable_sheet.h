@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/sheet.h"
+#include "core/shell/sheet.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/strength.h"
@@ -55,8 +55,13 @@ class BreakableSheet {
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
     std::span<const double> face_areas() const { return face_area; }  ///< [F] at rest, m^2
 
+    /// What a crack changed, in the mesh and in the mechanics.
+    struct Change {
+        CrackMesh::Change cracks;
+        ShellChange shell;
+    };
     /// Lets the hinges of `edges` fail, opens the mesh and carries all data over. Vertices are appended.
-    CrackMesh::Change fail(std::span<const Edge> edges);
+    Change fail(std::span<const Edge> edges);
 
     /// Leaves the lips of cracks that have moved apart to SheetContact. Whether there were any.
     bool release_lips();
@@ -71,7 +76,8 @@ class BreakableSheet {
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
-    void remove_hinge(Edge edge);
+    /// Returns the number that the hinge had.
+    Index remove_hinge(Edge edge);
     void carry_over(const Opening& opening);
     void renumber(std::span<const Face> faces);
     void share_masses(const Opening& opening);

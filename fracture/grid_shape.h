@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/shape.h"
+#include "core/contact/geometry/shape.h"
 #include "meshops/signed_distance_grid.h"
 
 namespace sherd {

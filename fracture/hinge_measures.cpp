@@ -49,7 +49,7 @@ std::vector<FaceStrain> face_strains(const Sheet& mechanics, const std::vector<H
     std::vector<FaceStrain> strains(mechanics.triangles.size());
     for (std::size_t f = 0; f < strains.size(); ++f) {
         const TriangleStencil& triangle = mechanics.triangles[f];
-        strains[f].green = green_strain(triangle.membrane, triangle_positions(x, triangle.vertices));
+        strains[f].green = green_strain(triangle.membrane, columns(x, triangle.vertices));
     }
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const RestHinge& rest = mechanics.hinges[i].rest;
@@ -66,7 +66,7 @@ VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x) {
     const std::vector<HingeStencil>& hinges = sheet.mechanics().hinges;
     VectorXd strains(hinges.size());
     for (std::size_t i = 0; i < hinges.size(); ++i)
-        strains[i] = hinge_strain(hinges[i].rest, hinge_positions(x, hinges[i].vertices));
+        strains[i] = hinge_strain(hinges[i].rest, columns(x, hinges[i].vertices));
     return strains;
 }
 

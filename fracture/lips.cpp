@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/contact/lip.h"
+#include "core/contact/lips/lip.h"
 
 namespace sherd {
 namespace {

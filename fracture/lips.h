@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/sheet.h"
+#include "core/shell/sheet.h"
 #include "meshops/mesh.h"
 #include "meshops/split_vertex.h"
 

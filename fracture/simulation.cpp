@@ -23,20 +23,9 @@ double mean_edge_length(const Sheet& sheet) {
     return sum / (3.0 * static_cast<double>(sheet.triangles.size()));
 }
 
-TimeStepOptions time_step_options(const SimulationOptions& options, const Sheet& sheet) {
-    TimeStepOptions result;
-    result.step = options.step;
-    result.gravity = options.gravity;
-    result.obstacles = options.obstacles;
-    result.bodies = options.bodies;
-    result.bending = options.bending;
-    result.loads = options.loads;
-    result.winds = options.winds;
-    result.mirrors = options.mirrors;
-    result.damping = options.damping;
-    result.sheet_contact = options.sheet_contact;
-    result.sheet_friction = options.sheet_friction;
-    result.newton.tolerance = options.tolerance * mean_edge_length(sheet);
+StepperOptions stepper_options(const SimulationOptions& options, const Sheet& sheet) {
+    StepperOptions result = options.stepper;
+    result.tolerance = options.tolerance * mean_edge_length(sheet);
     return result;
 }
 
@@ -58,11 +47,11 @@ double largest(const VectorXd& measures) {
 Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options)
     : options(options),
       breakable(inputs),
-      time_step(breakable.mechanics(), time_step_options(options, breakable.mechanics())),
+      stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
       fragments(breakable.mesh(), breakable.face_areas()),
-      obstacles_touched(options.obstacles.size(), 0),
-      bodies_touched(options.bodies.size(), 0),
-      step_size(options.step) {
+      obstacles_touched(options.stepper.contact.obstacles.size(), 0),
+      bodies_touched(options.stepper.contact.bodies.size(), 0),
+      step_size(options.stepper.step) {
     set_guides(breakable.mechanics(), options.sliding);
 }
 
@@ -82,19 +71,20 @@ void Simulation::give_up(const StepReport& report) const {
     text << "step " << report.step << ", at " << time() << " s: even a step of " << step_size.size()
          << " s cannot be solved within " << options.max_iterations
          << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
-    const bool obstacle_moves = std::any_of(options.obstacles.begin(), options.obstacles.end(),
-                                            [](const Obstacle& obstacle) { return obstacle.moves(); });
+    const bool obstacle_moves =
+        std::any_of(options.stepper.contact.obstacles.begin(), options.stepper.contact.obstacles.end(),
+                    [](const Obstacle& obstacle) { return obstacle.moves(); });
     if (obstacle_moves || !breakable.mechanics().motions.empty())
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     throw std::runtime_error(text.str());
 }
 
 bool Simulation::attempt(StepReport& report) {
-    if (!time_step.begin(step_size.size())) return false;
-    NewtonResult newton = solve_stage(report, options.max_iterations);
+    if (!stepper.begin(step_size.size())) return false;
+    MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
-    const Stopwatch watch(time_step.time_spent(), Task::breaking);
-    const HingeMeasures measures = hinge_measures(breakable, time_step.position);
+    const Stopwatch watch(stepper.time_spent(), Task::breaking);
+    const HingeMeasures measures = hinge_measures(breakable, stepper.position);
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
     if (options.rule == BreakingRule::staged)
@@ -104,7 +94,8 @@ bool Simulation::attempt(StepReport& report) {
     return newton.converged;
 }
 
-NewtonResult Simulation::break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures) {
+MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton,
+                                            HingeMeasures measures) {
     for (;;) {
         const std::vector<Edge> failing = most_overloaded_edges(breakable, measures);
         report.stage_cap_reached = !failing.empty() && report.stages == options.max_stages;
@@ -116,24 +107,21 @@ NewtonResult Simulation::break_in_stages(StepReport& report, NewtonResult newton
         } else {
             return newton;
         }
-        measures = hinge_measures(breakable, time_step.position);
+        measures = hinge_measures(breakable, stepper.position);
     }
 }
 
-NewtonResult Simulation::solve_stage(StepReport& report, int max_iterations) {
-    const NewtonResult result = time_step.solve(max_iterations);
+MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {
+    const MinimiserResult result = stepper.solve(max_iterations);
     report.newton_iterations += result.iterations;
     return result;
 }
 
 void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
     record_failures(edges, measures, stage);
-    const CrackMesh::Change change = breakable.fail(edges);
-    record_change(change);
-    time_step.position.conservativeResize(3, breakable.mechanics().position.cols());
-    for (const auto& [vertex, created] : change.opening.vertices)
-        time_step.position.col(created) = time_step.position.col(vertex);
-    time_step.stencils_changed();
+    const BreakableSheet::Change change = breakable.fail(edges);
+    record_change(change.cracks);
+    stepper.topology_changed(change.shell);
 }
 
 void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
@@ -164,7 +152,7 @@ void Simulation::record_change(const CrackMesh::Change& change) {
 }
 
 void Simulation::update_fragments() {
-    const Stopwatch watch(time_step.time_spent(), Task::breaking);
+    const Stopwatch watch(stepper.time_spent(), Task::breaking);
     const Index before = fragments.count();
     fragments.update(breakable.mesh(), breakable.face_areas());
     for (Index fragment = before; fragment < fragments.count(); ++fragment)
@@ -172,8 +160,8 @@ void Simulation::update_fragments() {
 }
 
 void Simulation::release_lips() {
-    const Stopwatch watch(time_step.time_spent(), Task::contact);
-    if (breakable.release_lips()) time_step.stencils_changed();
+    const Stopwatch watch(stepper.time_spent(), Task::contact);
+    if (breakable.release_lips()) stepper.topology_changed({});
 }
 
 void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
@@ -189,13 +177,13 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
 
 void Simulation::finish(StepReport& report) {
     report.step_size = step_size.size();
-    time_step.finish();
+    stepper.finish();
     hinge_peaks.finish_step();
     step_size.advance();
     report.time = time();
     if (report.stages > 0) update_fragments();
     set_time(events, steps, time());
-    const PotentialEnergies potential = time_step.energies();
+    const PotentialEnergies potential = stepper.energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
     report.membrane = potential.membrane;
@@ -209,14 +197,14 @@ void Simulation::finish(StepReport& report) {
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
     add_touch(report);
-    report.lip_overlap = time_step.lip_overlap();
+    report.lip_overlap = stepper.lip_overlap();
     report.fragments = fragments.count();
     // At the end: what is reported is the step as it was solved.
-    if (options.sheet_contact) release_lips();
+    if (options.stepper.contact.sheets) release_lips();
 }
 
 void Simulation::add_touch(StepReport& report) {
-    const Touch touch = time_step.touch();
+    const Touch touch = stepper.touch();
     report.contacts = static_cast<Index>(touch.vertices.size());
     report.obstacle_overlap = touch.deepest;
     for (const std::size_t obstacle : touch.obstacles) obstacles_touched[obstacle] = 1;

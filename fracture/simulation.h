@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "fracture/breaking.h"
 #include "fracture/events.h"
 #include "fracture/fragments.h"
@@ -19,20 +19,12 @@ struct SlidingVertex {
 };
 
 struct SimulationOptions {
-    double step = 1e-4;             ///< s; one that cannot be solved is halved
-    Vector3d gravity{0, 0, -9.81};  ///< m/s^2
-    std::vector<Obstacle> obstacles;
-    std::vector<RigidBody> bodies;  ///< at the start
-    BendingOptions bending;         ///< energy and Jacobian of the hinges
-    std::vector<Load> loads;        ///< on the triangles of all sheets, numbered in the order of the inputs
-    std::vector<Wind> winds;        ///< on the same triangles
-    std::vector<MirrorHinge> mirrors;  ///< of clamps and symmetry planes, on the same triangles
+    /// Loads, winds and mirrors are on the triangles of all sheets, numbered in the order of the inputs. A
+    /// step that cannot be solved is halved. The tolerance is that below.
+    StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<SlidingVertex> sliding;
-    Damping damping;
-    bool sheet_contact = true;  ///< whether sheets and fragments meet each other, and themselves
-    double sheet_friction = 0;  ///< their Coulomb coefficient
-    int max_iterations = 50;    ///< of Newton's method, between two stages
-    double tolerance = 1e-6;    ///< largest last Newton correction, in mean edge lengths
+    int max_iterations = 50;  ///< of the minimiser, between two stages
+    double tolerance = 1e-6;  ///< largest last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< of staged breaking in one step
 };
@@ -42,7 +34,7 @@ class Simulation {
   public:
     /// inputs: at least one.
     Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options);
-    Simulation(const Simulation&) = delete;  // the time step refers to the sheet
+    Simulation(const Simulation&) = delete;  // the stepper refers to the sheet
 
     /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
     /// again until none is over its strength (or, by the paper's rule, break all overloaded ones at its end).
@@ -52,7 +44,7 @@ class Simulation {
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
-    const std::vector<RigidBody>& bodies() const { return time_step.bodies(); }
+    const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// [O] and [B]: whether anything has touched the obstacle, or the body, at the end of a step so far.
     const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
@@ -61,15 +53,15 @@ class Simulation {
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s
     /// Where the wall time of all steps went.
-    const TimeSpent& time_spent() const { return time_step.time_spent(); }
+    const TimeSpent& time_spent() const { return stepper.time_spent(); }
 
   private:
     [[noreturn]] void give_up(const StepReport& report) const;
     /// Solves a step from its beginning, with what breaks in it; whether it could be solved.
     bool attempt(StepReport& report);
     /// Breaks and solves again until nothing is overloaded; returns the last solution's result.
-    NewtonResult break_in_stages(StepReport& report, NewtonResult newton, HingeMeasures measures);
-    NewtonResult solve_stage(StepReport& report, int max_iterations);
+    MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, HingeMeasures measures);
+    MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
@@ -81,7 +73,7 @@ class Simulation {
 
     SimulationOptions options;
     BreakableSheet breakable;
-    TimeStep time_step;
+    ImplicitStepper stepper;
     Fragments fragments;
     HingePeaks hinge_peaks;
     std::vector<char> obstacles_touched, bodies_touched;

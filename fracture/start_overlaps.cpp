@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/contact/sheet_contact.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "meshops/face_with.h"
 #include "meshops/self_intersections.h"
 
@@ -53,7 +53,7 @@ std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
     const Sheet& mechanics = sheet.mechanics();
     const SheetContact contact(mechanics);
     for (const ContactPair& pair : contact.touching(mechanics.position)) {
-        const PairPositions x = pair_positions(mechanics.position, pair.vertices);
+        const PairPositions x = columns(mechanics.position, pair.vertices);
         if (distance(pair, x) >= nearest * pair.touching) continue;
         const StartOverlap overlap = overlap_of(sheet.mesh(), pair, x);
         const auto known = near.emplace(overlap.faces, overlap).first;

@@ -3,7 +3,7 @@
 
 #include "app/recording/recording.h"
 #include "app/scene/scene.h"
-#include "core/contact/obstacle.h"
+#include "core/contact/colliders/obstacle.h"
 #include "fracture/simulation.h"
 
 namespace sherd {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/scene/scene.h"
-#include "core/contact/obstacle.h"
-#include "core/contact/rigid_body.h"
+#include "core/contact/colliders/obstacle.h"
+#include "core/contact/colliders/rigid_body.h"
 
 namespace sherd {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/scene/material_axis.h"
-#include "core/material.h"
+#include "core/material/material.h"
 
 namespace sherd {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/solid_surface.h"
-#include "core/contact/solids.h"
+#include "core/contact/geometry/solid_surface.h"
+#include "core/contact/geometry/solids.h"
 #include "meshops/mesh.h"
 #include "meshops/signed_distance_grid.h"
 

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "app/scene/mesh_spec.h"
-#include "core/contact/motion.h"
-#include "core/contact/solids.h"
+#include "core/contact/geometry/solids.h"
+#include "core/motion.h"
 
 namespace sherd {
 

@@ -16,10 +16,10 @@
 #include "app/scene/scene_choice.h"
 #include "app/scene/score.h"
 #include "app/scene/strength_map.h"
-#include "core/damping.h"
-#include "core/material.h"
-#include "core/sheet_energies.h"
-#include "core/wind.h"
+#include "core/bending/bending.h"
+#include "core/forces/damping.h"
+#include "core/forces/wind.h"
+#include "core/material/material.h"
 #include "fracture/breaking.h"
 
 namespace sherd {

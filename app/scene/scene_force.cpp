@@ -101,7 +101,7 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
                                     spec.kind == "point"  ? "a vertex"
                                     : spec.kind == "line" ? "both ends of an edge of the boundary"
                                                           : "all vertices of a face"));
-        options.loads.push_back(load);
+        options.stepper.shell.loads.push_back(load);
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/scene/material_axis.h"
 #include "app/scene/toml_table.h"
-#include "core/material.h"
+#include "core/material/material.h"
 
 namespace sherd {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/scene/toml_table.h"
-#include "core/contact/motion.h"
+#include "core/motion.h"
 
 namespace sherd {
 

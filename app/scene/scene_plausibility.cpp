@@ -142,8 +142,8 @@ double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetIn
     const SheetInput& input = inputs[sheet];
     const MeshMeasures mesh = measure(input.mesh);
     const double spinning = input.spin.norm() * 0.5 * (mesh.upper - mesh.lower).norm();
-    double fastest = options.obstacles.empty() ? 0 : input.velocity.norm() + spinning;
-    for (const RigidBody& body : options.bodies)
+    double fastest = options.stepper.contact.obstacles.empty() ? 0 : input.velocity.norm() + spinning;
+    for (const RigidBody& body : options.stepper.contact.bodies)
         fastest = std::max(fastest, (input.velocity - body.velocity).norm() + spinning);
     for (std::size_t other = 0; other < inputs.size(); ++other)
         if (other != sheet && scene.contact.sheets)
@@ -164,10 +164,12 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
             scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge,
             rounded_down(edge / speed)));
     }
-    for (std::size_t b = 0; b < options.bodies.size(); ++b) {
-        const RigidBody& body = options.bodies[b];
+    for (std::size_t b = 0; b < options.stepper.contact.bodies.size(); ++b) {
+        const RigidBody& body = options.stepper.contact.bodies[b];
         const double size = body.shape->bounds().sizes().minCoeff(), speed = body.velocity.norm();
-        if (speed * step <= size || (options.obstacles.empty() && options.bodies.size() == 1)) continue;
+        if (speed * step <= size ||
+            (options.stepper.contact.obstacles.empty() && options.stepper.contact.bodies.size() == 1))
+            continue;
         warnings.push_back(
             fmt::format("{}: obstacle.{} moves {:.3g} m in one solver.step of {:g} s, more than its size "
                         "({:.3g} m): it may pass "

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/contact/solids.h"
+#include "core/contact/geometry/solids.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -134,10 +134,10 @@ double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, con
         for (const MovingPin& pin : inputs[s].moving_pins)
             fastest = std::max(fastest, top_speed(pin.motion, movers[s].box, scene.duration));
     }
-    for (const RigidBody& body : options.bodies)
+    for (const RigidBody& body : options.stepper.contact.bodies)
         fastest = std::max(
             fastest, body.velocity.norm() + body.spin().norm() * body.shape->bounds().diagonal().norm());
-    for (const Obstacle& obstacle : options.obstacles) {
+    for (const Obstacle& obstacle : options.stepper.contact.obstacles) {
         const Box bounds = obstacle.shape->bounds();
         const Box box = bounds.diagonal().allFinite() ? bounds : movers.front().box;
         fastest = std::max(fastest, top_speed(obstacle.motion, box, scene.duration));
@@ -188,9 +188,10 @@ void warn_of_unreachable(const Scene& scene, const std::vector<SheetInput>& inpu
     std::vector<Mover> movers;
     for (std::size_t s = 0; s < inputs.size(); ++s)
         movers.push_back(mover_of(inputs[s], scene.sheets[s], scene));
-    for (const RigidBody& body : options.bodies) movers.push_back(mover_of(body));
+    for (const RigidBody& body : options.stepper.contact.bodies) movers.push_back(mover_of(body));
     const Flight flight{scene.gravity, fastest_of(scene, inputs, options, movers)};
-    const std::vector<double> found = gaps(options.obstacles, inputs.size(), movers, flight, scene.duration);
+    const std::vector<double> found =
+        gaps(options.stepper.contact.obstacles, inputs.size(), movers, flight, scene.duration);
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i] <= 0) continue;
         const bool fixed = i < scene.obstacles.size();

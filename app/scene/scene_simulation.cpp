@@ -13,7 +13,7 @@
 #include "app/scene/scene_support.h"
 #include "app/scene/scene_wind.h"
 #include "app/scene/sheet_strength.h"
-#include "core/stability.h"
+#include "core/time/stability.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 
@@ -69,20 +69,20 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
 SimulationOptions simulation_options(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      std::vector<std::string>& warnings) {
     SimulationOptions options;
-    options.step = scene.solver.step;
-    options.gravity = scene.gravity;
-    options.bending = scene.solver.bending;
+    options.stepper.step = scene.solver.step;
+    options.stepper.gravity = scene.gravity;
+    options.stepper.shell.bending = scene.solver.bending;
     options.max_iterations = scene.solver.max_iterations;
     options.tolerance = scene.solver.tolerance;
     options.rule = scene.solver.rule;
     options.max_stages = scene.solver.max_stages;
-    options.damping = scene.solver.damping;
-    options.sheet_contact = scene.contact.sheets;
-    options.sheet_friction = scene.contact.friction;
-    options.obstacles = make_obstacles(scene, scene.obstacles, warnings);
-    options.bodies = make_bodies(scene);
-    require_free_bodies(scene, options.obstacles, options.bodies);
-    require_free_start(scene, inputs, scene.obstacles, options.obstacles, warnings);
+    options.stepper.shell.damping = scene.solver.damping;
+    options.stepper.contact.sheets = scene.contact.sheets;
+    options.stepper.contact.friction = scene.contact.friction;
+    options.stepper.contact.obstacles = make_obstacles(scene, scene.obstacles, warnings);
+    options.stepper.contact.bodies = make_bodies(scene);
+    require_free_bodies(scene, options.stepper.contact.obstacles, options.stepper.contact.bodies);
+    require_free_start(scene, inputs, scene.obstacles, options.stepper.contact.obstacles, warnings);
     require_free_start(scene, inputs, scene.bodies, make_obstacles(scene, scene.bodies, warnings), warnings);
     const BreakableSheet all(inputs);
     add_supports(scene, inputs, all.mechanics(), options);

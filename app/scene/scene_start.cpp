@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "app/scene/place_words.h"
-#include "core/contact/contact_solids.h"
-#include "core/contact/sheet_contact.h"
+#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "meshops/error.h"
 #include "meshops/face_with.h"
 #include "meshops/mesh_measures.h"
@@ -99,13 +99,10 @@ SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle
     if (!obstacle.surface) return found;
     const BreakableSheet sheet({input});
     const Positions& x = sheet.mechanics().position;
-    const std::vector<ContactSolid> solids = contact_solids(sheet.mechanics(), {obstacle});
-    found.crossing = faces_through(input, obstacle, solids[0].around);
-    SheetContact contact(sheet.mechanics(), solids, false);
-    const Positions placed = solid_positions({obstacle}, 0);
-    contact.place_solids(placed, placed);
+    found.crossing = faces_through(input, obstacle, contact_solids(sheet.mechanics(), {obstacle})[0].around);
+    const SheetContact contact(sheet.mechanics(), {obstacle}, false);
     for (const ContactPair& pair : contact.touching(x)) {
-        const PairPositions local = pair_positions(contact.at_end(x), pair.vertices);
+        const PairPositions local = columns(contact.at_end(x), pair.vertices);
         found.near.push_back(face_of(input.mesh, pair, contact.surface().solid_vertices()));
         if (const double apart = distance(pair, local); apart < found.distance) {
             found.distance = apart;

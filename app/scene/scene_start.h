@@ -3,7 +3,7 @@
 
 #include "app/scene/scene.h"
 #include "app/scene/start_faults.h"
-#include "core/contact/obstacle.h"
+#include "core/contact/colliders/obstacle.h"
 #include "fracture/breakable_sheet.h"
 
 namespace sherd {

@@ -9,7 +9,7 @@
 
 #include "app/scene/scene_mesh.h"
 #include "app/scene/scene_place.h"
-#include "core/orthotropy.h"
+#include "core/material/orthotropy.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
@@ -168,7 +168,7 @@ namespace {
 double side_stiffness(const SheetInput& input, const Sheet& mechanics, const TriangleSide& side,
                       Index first_face) {
     if (input.axes.empty()) return hinge_stiffness(input.material);
-    const TrianglePositions rest = triangle_positions(mechanics.rest, side_vertices(mechanics, side));
+    const TrianglePositions rest = columns(mechanics.rest, side_vertices(mechanics, side));
     return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
 }
 
@@ -191,7 +191,7 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
                                 "boundary, or a whole face",
                                 clamp.on.where));
             for (const TriangleSide& side : sides)
-                options.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
+                options.stepper.shell.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
         }
         for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
             const std::vector<char> held =
@@ -201,7 +201,8 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
                 throw Error(
                     fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
             for (const TriangleSide& side : sides)
-                options.mirrors.push_back(symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
+                options.stepper.shell.mirrors.push_back(
+                    symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
             slide(freedom, held, plane.normal);
         }
         first += static_cast<Index>(inputs[i].mesh.number_of_vertices());

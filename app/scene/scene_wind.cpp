@@ -82,7 +82,7 @@ void add_winds(const Scene& scene, const Sheet& mechanics, SimulationOptions& op
             const Index sheet = mechanics.body[mechanics.triangles[t].vertices[0]];
             if (spec.sheet.empty() || scene.sheets[sheet].name == spec.sheet) wind.triangles.push_back(t);
         }
-        options.winds.push_back(wind);
+        options.stepper.shell.winds.push_back(wind);
     }
 }
 

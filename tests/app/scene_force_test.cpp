@@ -69,7 +69,7 @@ box = [[-0.001, -0.001, -1], [0.001, 0.001, 1]]
 [solver]
 damping = { stiffness = 1e-4, mass = 2 }
 )");
-    const std::vector<Load>& loads = prepared.options.loads;
+    const std::vector<Load>& loads = prepared.options.stepper.shell.loads;
     ASSERT_EQ(loads.size(), 4u);
     EXPECT_LT((total(loads[0]) - Vector3d(0, 0, 3)).norm(), 1e-12) << "the right side is 1 m long";
     EXPECT_EQ(loads[0].ramp, 0.5);
@@ -77,8 +77,8 @@ damping = { stiffness = 1e-4, mass = 2 }
     EXPECT_EQ(loads[2].pressed.size(), prepared.inputs[0].mesh.number_of_faces());
     EXPECT_EQ(loads[2].pressure, -7);
     EXPECT_LT((total(loads[3]) - Vector3d(0, 5, 0)).norm(), 1e-12) << "one corner";
-    EXPECT_EQ(prepared.options.damping.stiffness, 1e-4);
-    EXPECT_EQ(prepared.options.damping.mass, 2);
+    EXPECT_EQ(prepared.options.stepper.shell.damping.stiffness, 1e-4);
+    EXPECT_EQ(prepared.options.stepper.shell.damping.mass, 2);
 }
 
 // A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
@@ -136,7 +136,7 @@ step = 5e-3
     expect_place(0, {0, 0.5, 0}, {0.05, 0, 0}, {std::numbers::pi / 4, 0, 0});
     expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, -std::numbers::pi / 2, 0});
     EXPECT_GT(linear_momentum(sheet).norm(), 0.1) << "the pinned vertices are a part of the momentum";
-    for (const MirrorHinge& hinge : prepared.options.mirrors) EXPECT_EQ(hinge.carrier, 2);
+    for (const MirrorHinge& hinge : prepared.options.stepper.shell.mirrors) EXPECT_EQ(hinge.carrier, 2);
 }
 
 TEST(SceneSupport, MotionsThatCannotBeAreRefused) {

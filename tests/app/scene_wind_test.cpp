@@ -65,7 +65,7 @@ sheet = "lower"
 gust = { amplitude = 2, time = 0.3, length = 0.5 }
 )",
                                             inputs)
-                                        .winds;
+                                        .stepper.shell.winds;
     ASSERT_EQ(winds.size(), 2u);
     EXPECT_EQ(winds[0].velocity, Vector3d(1, 2, 3));
     EXPECT_EQ(winds[0].ramp, 0.5);
@@ -141,7 +141,7 @@ TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
     const auto positions = [](std::int64_t seed) {
         std::vector<SheetInput> inputs;  // of the seed of the scene, so that only the air differs
         SimulationOptions options = prepare(gusty, inputs);
-        if (seed != 7) options.winds[0].gusts = gust_waves({2, 0.3, 0.5}, {5, 0, 0}, seed);
+        if (seed != 7) options.stepper.shell.winds[0].gusts = gust_waves({2, 0.3, 0.5}, {5, 0, 0}, seed);
         Simulation simulation(inputs, options);
         for (int i = 0; i < 10; ++i) simulation.step();
         return Positions(simulation.sheet().mechanics().position);

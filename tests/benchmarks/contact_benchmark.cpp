@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/recording/recording.h"
-#include "core/contact/sheet_contact.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "tests/support/recorded_sheet.h"
 
 namespace {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A ball that hits a sheet must lose what the sheet gains, and both must feel one contact.
-#include "core/contact/body_contact.h"
+#include "core/contact/bodies/body_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/solid_gap.h"
+#include "tests/support/steps.h"
 
 namespace sherd::test {
 namespace {
@@ -49,11 +50,8 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     spike.surface = box_surface(Vector3d::Zero(), Vector3d(0.025, 0.02, 0.01));
     for (const RigidBody& body : {ball(Vector3d(0.003, 0.001, 0.0208), Vector3d(0.1, 0, -1)), box, spike}) {
         const std::vector<Obstacle> none;
-        std::optional<NearPairs> near;
-        if (body.surface) near.emplace(surface_with(sheet, body));
-        const BodyContact contact(
-            {BodyStep(sheet, body, none, Vector3d::Zero(), 0, 1e-3, near ? &*near : nullptr)}, 1e-3,
-            Vector6d::Zero());
+        BodyContact contact(sheet, {body}, none, Vector3d::Zero());
+        contact.begin(test::step_of(sheet, 0, 1e-3, {body}));
         ASSERT_GT(contact.stored_energy(sheet.position), 0);
         Random random(2);
         Positions x = sheet.position;
@@ -73,13 +71,13 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
         body.velocity = Vector3d(0, 0, -300);
         body.angular_momentum = body.inertia.cwiseProduct(Vector3d(500, 300, 0));
         body.friction = 0.3;
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = 1e-4;
         options.gravity.setZero();
-        options.newton.tolerance = 1e-12;
-        options.bodies = {body};
+        options.tolerance = 1e-12;
+        options.contact.bodies = {body};
         const Vector3d before = momentum(sheet, body);
-        TimeStep time_step(sheet, options);
+        ImplicitStepper time_step(sheet, options);
         for (int i = 0; i < 20; ++i) {
             ASSERT_TRUE(time_step.begin());
             ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
@@ -95,7 +93,7 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
     }
 }
 
-void step(TimeStep& time_step, int count) {
+void step(ImplicitStepper& time_step, int count) {
     for (int i = 0; i < count; ++i) {
         time_step.begin();
         EXPECT_TRUE(time_step.solve(50).converged);
@@ -110,16 +108,16 @@ INSTANTIATE_TEST_SUITE_P(BodyContact, Collision, testing::Values(0.0, 0.3));
 TEST_P(Collision, KeepsMomentum) {
     Sheet sheet = stacked_plates(1, 10, 0, rubber());
     sheet.velocity.setZero();
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 1e-4;
     options.gravity.setZero();
-    options.newton.tolerance = 1e-12;
-    options.bodies = {ball(Vector3d(0.004, -0.003, 0.0212), Vector3d(1, 0, -5))};
-    options.bodies[0].friction = GetParam();
-    options.bodies[0].angular_momentum = Vector3d(0, 1e-3, 2e-3);
-    const Vector3d before = momentum(sheet, options.bodies[0]);
-    const Vector3d turning = spin_momentum(sheet, options.bodies[0]);
-    TimeStep time_step(sheet, options);
+    options.tolerance = 1e-12;
+    options.contact.bodies = {ball(Vector3d(0.004, -0.003, 0.0212), Vector3d(1, 0, -5))};
+    options.contact.bodies[0].friction = GetParam();
+    options.contact.bodies[0].angular_momentum = Vector3d(0, 1e-3, 2e-3);
+    const Vector3d before = momentum(sheet, options.contact.bodies[0]);
+    const Vector3d turning = spin_momentum(sheet, options.contact.bodies[0]);
+    ImplicitStepper time_step(sheet, options);
     std::size_t touched = 0;
     Vector3d lost = Vector3d::Zero();  // by implicit Euler, as in free flight: h m v' x v of everything
     for (int i = 0; i < 60; ++i) {
@@ -146,12 +144,12 @@ TEST_P(Collision, KeepsMomentum) {
 // Turning about an axis that is not principal, the axis wanders, the momentum does not.
 TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
     Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 1e-3;
     RigidBody box = rigid_box(Vector3d(0.1, 0.2, 0.3), 1000);
     box.angular_momentum = Vector3d(0.1, 0.2, 0.3);
-    options.bodies = {box};
-    TimeStep time_step(sheet, options);
+    options.contact.bodies = {box};
+    ImplicitStepper time_step(sheet, options);
     step(time_step, 1000);
     const RigidBody& moved = time_step.bodies()[0];
     EXPECT_LT((moved.angular_momentum - box.angular_momentum).norm(), 1e-12);
@@ -162,13 +160,13 @@ TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
 // A ball that is dropped on a floor and on a fixed sphere rests on it; its weight is carried.
 TEST(BodyContact, BodiesRestOnObstacles) {
     Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 1e-3;
-    options.obstacles = {floor()};
-    options.bodies = {ball(Vector3d(0, 0, 0.021), Vector3d::Zero()),
-                      rigid_box(Vector3d(0.1, 0.1, 0.04), 1000)};
-    options.bodies[1].centre = Vector3d(1, 0, 0.021);
-    TimeStep time_step(sheet, options);
+    options.contact.obstacles = {floor()};
+    options.contact.bodies = {ball(Vector3d(0, 0, 0.021), Vector3d::Zero()),
+                              rigid_box(Vector3d(0.1, 0.1, 0.04), 1000)};
+    options.contact.bodies[1].centre = Vector3d(1, 0, 0.021);
+    ImplicitStepper time_step(sheet, options);
     step(time_step, 1000);
     for (const RigidBody& body : time_step.bodies()) {
         EXPECT_NEAR(body.centre.z(), 0.02, 1e-6);
@@ -181,10 +179,10 @@ TEST(BodyContact, ASheetCarriesABody) {
     Sheet sheet = stacked_plates(1, 8, 0, rubber());
     for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
         sheet.fixed[v] = sheet.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 5e-3;  // long ones damp
-    options.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
-    TimeStep time_step(sheet, options);
+    options.contact.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
+    ImplicitStepper time_step(sheet, options);
     step(time_step, 200);
     const RigidBody& body = time_step.bodies()[0];
     EXPECT_LT(body.velocity.norm(), 0.02);
@@ -199,17 +197,19 @@ TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
     sheet.velocity.setZero();
     const Vector3d one = sheet.position.col(40), other = sheet.position.col(43);
     const double deep = 1e-5, radius = 0.5 * (other - one).norm() + deep;
-    std::vector<BodyStep> steps;
+    std::vector<RigidBody> balls;
     const std::vector<Obstacle> none;
     for (const Vector3d& vertex : {one, other}) {
         RigidBody ball = rigid_sphere(radius, 1500);
         ball.friction = 0.3;
         ball.centre = vertex + Vector3d(0, 0, radius + 0.001 - deep);
         ball.velocity = vertex == one ? Vector3d(0, 0, -0.01) : Vector3d(one - other);
-        steps.emplace_back(sheet, ball, none, Vector3d::Zero(), 0, 1e-3);
+        balls.push_back(ball);
     }
-    const BodyContact contact(steps, 1e-3, VectorXd::Zero(12));
-    EXPECT_GT(contact.moved(sheet.position)[0].velocity.head<2>().norm(), 1e-3) << "pushed";
+    BodyContact contact(sheet, balls, none, Vector3d::Zero());
+    contact.begin(test::step_of(sheet, 0, 1e-3, balls));
+    contact.finish(sheet.position);
+    EXPECT_GT(contact.bodies()[0].velocity.head<2>().norm(), 1e-3) << "pushed";
     Random random(2);
     Positions x = sheet.position;
     for (double& entry : x.reshaped()) entry += 1e-6 * random.uniform(-1, 1);
@@ -220,16 +220,16 @@ TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
 TEST(BodyContact, BodiesCollide) {
     Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
     sheet.velocity.setZero();
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 1e-5;
     options.gravity.setZero();
-    options.newton.tolerance = 1e-12;
+    options.tolerance = 1e-12;
     RigidBody box = rigid_box(Vector3d(0.05, 0.04, 0.03), 800);
     box.centre = Vector3d(0.01, 0.0445, 0.005);
     box.velocity = Vector3d(0, -3, 0);
     box.friction = 0.3;
-    options.bodies = {ball(Vector3d(-0.0205, 0, 0), Vector3d(2, 0, 0)),
-                      ball(Vector3d(0.0205, 0.004, 0), Vector3d::Zero()), box};
+    options.contact.bodies = {ball(Vector3d(-0.0205, 0, 0), Vector3d(2, 0, 0)),
+                              ball(Vector3d(0.0205, 0.004, 0), Vector3d::Zero()), box};
     const auto total = [](const std::vector<RigidBody>& bodies) {
         Vector6d sum = Vector6d::Zero();
         for (const RigidBody& body : bodies) {
@@ -238,8 +238,8 @@ TEST(BodyContact, BodiesCollide) {
         }
         return sum;
     };
-    const auto before = total(options.bodies);
-    TimeStep time_step(sheet, options);
+    const auto before = total(options.contact.bodies);
+    ImplicitStepper time_step(sheet, options);
     Vector3d lost = Vector3d::Zero();  // by implicit Euler
     for (int i = 0; i < 1000; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
@@ -264,12 +264,12 @@ TEST(BodyContact, ABallRollsDownASlope) {
     const Vector3d normal(std::sin(slope), 0, std::cos(slope)),
         downhill(std::cos(slope), 0, -std::sin(slope));
     for (const double friction : {0.0, 0.6}) {
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = 1e-3;
-        options.obstacles = {obstacle(PlaneShape(Vector3d::Zero(), normal), 3e10, friction)};
-        options.bodies = {ball(0.02 * normal, Vector3d::Zero())};
-        options.bodies[0].friction = friction;
-        TimeStep time_step(sheet, options);
+        options.contact.obstacles = {obstacle(PlaneShape(Vector3d::Zero(), normal), 3e10, friction)};
+        options.contact.bodies = {ball(0.02 * normal, Vector3d::Zero())};
+        options.contact.bodies[0].friction = friction;
+        ImplicitStepper time_step(sheet, options);
         step(time_step, static_cast<int>(seconds / options.step + 0.5));
         const double way = 0.5 * gravity * std::sin(slope) * seconds * seconds * (friction > 0 ? 5.0 / 7 : 1);
         const RigidBody& moved = time_step.bodies()[0];
@@ -282,15 +282,15 @@ TEST(BodyContact, ABallRollsDownASlope) {
 // Coulomb: a box that slides stops after v^2 / (2 mu g).
 TEST(BodyContact, FrictionStopsABox) {
     Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 1e-3;
-    options.newton.tolerance = 1e-13;
-    options.obstacles = {floor(3e10, 0.8)};
-    options.bodies = {rigid_box(Vector3d(0.1, 0.1, 0.02), 1000)};
-    options.bodies[0].friction = 0.2;
-    options.bodies[0].centre = Vector3d(0, 0, 0.01);
-    options.bodies[0].velocity = Vector3d(1, 0, 0);
-    TimeStep time_step(sheet, options);
+    options.tolerance = 1e-13;
+    options.contact.obstacles = {floor(3e10, 0.8)};
+    options.contact.bodies = {rigid_box(Vector3d(0.1, 0.1, 0.02), 1000)};
+    options.contact.bodies[0].friction = 0.2;
+    options.contact.bodies[0].centre = Vector3d(0, 0, 0.01);
+    options.contact.bodies[0].velocity = Vector3d(1, 0, 0);
+    ImplicitStepper time_step(sheet, options);
     step(time_step, 500);
     const RigidBody& moved = time_step.bodies()[0];
     EXPECT_NEAR(moved.centre.x(), 1 / (2 * 0.4 * 9.81), 0.03 / (2 * 0.4 * 9.81))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/box_tree.h"
+#include "core/contact/detection/box_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/contact_candidates.h"
+#include "core/contact/detection/contact_candidates.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poiss
 using Name = std::pair<PairKind, std::array<Index, 4>>;
 
 double distance_at(const Name& name, const Positions& x) {
-    const PairPositions local = pair_positions(x, name.second);
+    const PairPositions local = columns(x, name.second);
     return std::sqrt(squared_distance(closest_points(name.first, local), local));
 }
 

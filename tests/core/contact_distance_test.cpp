@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/contact/barrier.h"
-#include "core/contact/distance.h"
-#include "core/contact/edge_mollifier.h"
+#include "core/contact/barrier/barrier.h"
+#include "core/contact/barrier/edge_mollifier.h"
+#include "core/contact/geometry/distance.h"
 #include "tests/support/automatic_differentiation.h"
 #include "tests/support/contact_pairs.h"
 #include "tests/support/finite_differences.h"

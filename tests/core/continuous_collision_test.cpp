@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/continuous_collision.h"
+#include "core/contact/geometry/continuous_collision.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // What holds for each of the three hinge energies.
 #include <gtest/gtest.h>
 
-#include "core/cubic_hinge.h"
-#include "core/nonlinear_hinge.h"
+#include "core/bending/cubic_hinge.h"
+#include "core/bending/nonlinear_hinge.h"
 #include "tests/support/automatic_differentiation.h"
 #include "tests/support/finite_differences.h"
 #include "tests/support/hinge_formulas.h"

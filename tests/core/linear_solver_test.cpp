@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linear_solver.h"
+#include "core/solver/linear_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -47,11 +47,11 @@ TEST(LinearSolver, SolvesLikeADenseSolver) {
     std::vector<char> fixed(vertices, 0);
     fixed[3] = fixed[17] = 1;
     System system = random_system(random, fixed, 60);
-    LinearSolver solver;
-    solver.analyze(system.sparse);
-    ASSERT_TRUE(solver.factorize(system.sparse));
+    const std::unique_ptr<LinearSolver> solver = cholesky_solver();
+    solver->analyze(system.sparse);
+    ASSERT_TRUE(solver->factorize(system.sparse));
     const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertices, 1>>(1);
-    EXPECT_LT((solver.solve(right) - VectorXd(system.dense.ldlt().solve(right))).norm(),
+    EXPECT_LT((solver->solve(right) - VectorXd(system.dense.ldlt().solve(right))).norm(),
               1e-12 * right.norm());
 }
 
@@ -60,10 +60,10 @@ TEST(LinearSolver, TellsAnIndefiniteMatrixAndGoesOn) {
     System definite = random_system(random, std::vector<char>(vertices, 0), 60);
     System indefinite = definite;
     indefinite.sparse.add(5, 5, -200 * Matrix3d::Identity());
-    LinearSolver solver;
-    solver.analyze(definite.sparse);
-    EXPECT_FALSE(solver.factorize(indefinite.sparse));
-    EXPECT_TRUE(solver.factorize(definite.sparse));
+    const std::unique_ptr<LinearSolver> solver = cholesky_solver();
+    solver->analyze(definite.sparse);
+    EXPECT_FALSE(solver->factorize(indefinite.sparse));
+    EXPECT_TRUE(solver->factorize(definite.sparse));
 }
 
 }  // namespace

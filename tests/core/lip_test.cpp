@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/lip.h"
+#include "core/contact/lips/lip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/loads.h"
+#include "core/forces/loads.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/small_sheet.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -33,6 +34,11 @@ Positions crumpled(const Sheet& sheet, unsigned seed) {
     return x;
 }
 
+/// The energy of loads in a step that ends at `end` (s).
+LoadEnergy loaded(const Sheet& sheet, const std::vector<Load>& loads, double end) {
+    return test::begun(LoadEnergy(sheet, loads), sheet, end - 1, 1);
+}
+
 Positions forces(const Energy& energy, const Positions& x) {
     Positions gradient = Positions::Zero(3, x.cols());
     energy.add_gradient(x, gradient);
@@ -44,19 +50,19 @@ TEST(Loads, GradientAndHessianAreDerivatives) {
     for (const Sheet& sheet : {test::tetrahedron(material), test::two_triangles(material)}) {
         Load load = pressure_on_all(sheet, 30);
         load.dead = area_forces(sheet, load.pressed, {1, 2, 3});
-        test::expect_derivatives(LoadEnergy(sheet, {load}, 1), crumpled(sheet, 1), 1e-4, 1e-7);
+        test::expect_derivatives(loaded(sheet, {load}, 1), crumpled(sheet, 1), 1e-4, 1e-7);
     }
 }
 
 // A balloon would fly away by itself.
 TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
     const Sheet sheet = test::tetrahedron(material);
-    const LoadEnergy energy(sheet, {pressure_on_all(sheet, 30)}, 0);
+    const LoadEnergy energy = loaded(sheet, {pressure_on_all(sheet, 30)}, 0);
     const Positions x = crumpled(sheet, 2);
     const Positions force = forces(energy, x);
     Positions expected = Positions::Zero(3, 4);
     for (const TriangleStencil& triangle : sheet.triangles) {
-        const TrianglePositions t = triangle_positions(x, triangle.vertices);
+        const TrianglePositions t = columns(x, triangle.vertices);
         const Vector3d area = 0.5 * Vector3d(t.col(1) - t.col(0)).cross(Vector3d(t.col(2) - t.col(0)));
         for (const Index v : triangle.vertices) expected.col(v) += 30.0 / 3 * area;
     }
@@ -68,10 +74,10 @@ TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
 TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
     Sheet sheet = test::two_triangles(material);
     sheet.position = crumpled(sheet, 3);
-    const Positions force = forces(LoadEnergy(sheet, {pressure_on_all(sheet, 5)}, 0), sheet.position);
+    const Positions force = forces(loaded(sheet, {pressure_on_all(sheet, 5)}, 0), sheet.position);
     Vector3d area = Vector3d::Zero();
     for (const TriangleStencil& triangle : sheet.triangles) {
-        const TrianglePositions t = triangle_positions(sheet.position, triangle.vertices);
+        const TrianglePositions t = columns(sheet.position, triangle.vertices);
         area += 0.5 * Vector3d(t.col(1) - t.col(0)).cross(Vector3d(t.col(2) - t.col(0)));
     }
     EXPECT_LT((force.rowwise().sum() - 5 * area).norm(), 1e-12 * force.norm());
@@ -83,7 +89,7 @@ TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     const auto total = [&](const std::vector<CornerForce>& dead) {
         Load load;
         load.dead = dead;
-        return Vector3d(forces(LoadEnergy(sheet, {load}, 0), sheet.rest).rowwise().sum());
+        return Vector3d(forces(loaded(sheet, {load}, 0), sheet.rest).rowwise().sum());
     };
     const Vector3d f(1, -2, 3);
     const double area = sheet.triangles[0].membrane.area + sheet.triangles[1].membrane.area;
@@ -102,15 +108,15 @@ TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
 // with.
 TEST(Loads, RampGrowsLinearlyAndThenStays) {
     Sheet sheet = test::two_triangles(material);
-    TimeStepOptions options;
+    StepperOptions options;
     options.gravity.setZero();
     options.step = 0.01;
     Load load;
     load.dead = area_forces(sheet, all_triangles(sheet), {0, 0, 2});
     load.ramp = 0.04;
-    options.loads = {load};
+    options.shell.loads = {load};
     const double force = 2 * (sheet.triangles[0].membrane.area + sheet.triangles[1].membrane.area);
-    TimeStep step(sheet, options);
+    ImplicitStepper step(sheet, options);
     double impulse = 0;
     for (int i = 1; i <= 6; ++i) {
         step.begin();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/membrane.h"
+#include "core/elements/membrane.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "core/material.h"
+#include "core/material/material.h"
 #include "tests/support/finite_differences.h"
 #include "tests/support/random_shapes.h"
 

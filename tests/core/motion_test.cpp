@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/motion.h"
+#include "core/motion.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
@@ -31,7 +31,7 @@ void carry(Sheet& sheet, const std::vector<Index>& vertices, const Motion& motio
     }
 }
 
-void advance(TimeStep& time_step) {
+void advance(ImplicitStepper& time_step) {
     ASSERT_TRUE(time_step.begin());
     ASSERT_TRUE(time_step.solve(100).converged);
     time_step.finish();
@@ -44,10 +44,10 @@ TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
     motion.pivot = sheet.rest.col(0);
     carry(sheet, {0, 1, 7}, motion);
     sheet.fixed[20] = 1;
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 2e-3;
-    options.newton.tolerance = 1e-9;
-    TimeStep time_step(sheet, options);
+    options.tolerance = 1e-9;
+    ImplicitStepper time_step(sheet, options);
     for (int i = 1; i <= 30; ++i) {
         const Positions before = sheet.position;
         advance(time_step);
@@ -68,10 +68,10 @@ TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
     standing.fixed[0] = standing.fixed[6] = 1;
     carry(flying, {0, 6}, straight(velocity, 1));
     flying.velocity.colwise() = velocity;
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 2e-3;
-    options.newton.tolerance = 1e-12;
-    TimeStep still(standing, options), moving(flying, options);
+    options.tolerance = 1e-12;
+    ImplicitStepper still(standing, options), moving(flying, options);
     for (int i = 1; i <= 40; ++i) {
         advance(still);
         advance(moving);
@@ -92,14 +92,14 @@ TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
     motion.keys = {{0}, {0.1, Vector3d(0, 0, 0.1), Vector3d::UnitX(), pi / 2}};
     motion.pivot = sheet.rest.col(2);
     carry(sheet, {0, 1, 2, 3, 4}, motion);
-    TimeStepOptions options;
+    StepperOptions options;
     options.gravity.setZero();
     options.step = 2e-3;
-    options.damping.mass = 100;
+    options.shell.damping.mass = 100;
     for (const TriangleSide& side : boundary_sides(sheet, sheet.fixed))
-        options.mirrors.push_back(clamp_hinge(sheet, side, hinge_stiffness(stiff)));
-    ASSERT_EQ(options.mirrors.size(), 4u);
-    TimeStep time_step(sheet, options);
+        options.shell.mirrors.push_back(clamp_hinge(sheet, side, hinge_stiffness(stiff)));
+    ASSERT_EQ(options.shell.mirrors.size(), 4u);
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < 400; ++i) advance(time_step);
     const Positions turned = motion.at(1) * sheet.rest;
     EXPECT_LT((sheet.position - turned).cwiseAbs().maxCoeff(), 1e-6);
@@ -114,12 +114,12 @@ TEST(MovingPins, PushWhatIsInTheirWay) {
     for (Index v = 0; v < half; ++v) lower[v] = v;
     carry(sheet, lower, straight(Vector3d(0, 0, 0.1), 0.1));
     sheet.velocity.rightCols(half).row(2).setConstant(-0.3);
-    TimeStepOptions options;
+    StepperOptions options;
     options.gravity.setZero();
-    options.sheet_contact = true;
+    options.contact.sheets = true;
     options.step = 2e-4;
-    options.newton.tolerance = 1e-8;
-    TimeStep time_step(sheet, options);
+    options.tolerance = 1e-8;
+    ImplicitStepper time_step(sheet, options);
     for (int i = 1; i <= 50; ++i) {
         advance(time_step);
         EXPECT_NEAR(sheet.position(2, 0), i * options.step, 1e-15);
@@ -130,7 +130,7 @@ TEST(MovingPins, PushWhatIsInTheirWay) {
     Sheet near = test::stacked_plates(2, 3, 1.2e-3, rubber);
     carry(near, lower, straight(Vector3d(0, 0, 0.1), 0.1));
     options.step = 5e-3;
-    EXPECT_FALSE(TimeStep(near, options).begin());
+    EXPECT_FALSE(ImplicitStepper(near, options).begin());
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/newton.h"
+#include "core/solver/newton.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/sheet_energies.h"
+#include "core/bending/cubic_bending.h"
+#include "core/membrane/membrane_energy.h"
+#include "core/time/inertia.h"
 #include "tests/support/small_sheet.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -44,13 +47,14 @@ void press(Sheet& sheet, double strain) {
 TEST(Newton, BucklesInFewIterations) {
     Sheet sheet = strip();
     press(sheet, 1e-4);
-    const BendingEnergy bending(sheet.hinges, {});
-    const MembraneEnergy membrane(sheet.triangles);
+    CubicBending bending(CubicHinges(sheet.hinges, sheet.rest));
+    MembraneEnergy membrane(sheet.triangles);
+    Inertia inertia(sheet, Vector3d::Zero());
     TimeSpent spent;
-    const IncrementalPotential potential(sheet, {&bending, &membrane}, 0.1, Vector3d::Zero(), spent);
+    Potential potential(sheet, {&inertia, &bending, &membrane}, spent);
+    potential.begin(test::step_of(sheet, 0, 0.1));
     Positions x = sheet.position;
-    NewtonSystem system(potential, x);
-    const NewtonResult result = minimise(potential, system, {.max_iterations = 200, .tolerance = 1e-8}, x);
+    const MinimiserResult result = Newton(1e-8).minimise(potential, 200, x);
     EXPECT_TRUE(result.converged);
     EXPECT_LT(result.iterations, 40);
     EXPECT_GT(x.row(2).cwiseAbs().maxCoeff(), 1e-4) << "it did not buckle";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nonlinear_hinge.h"
+#include "core/bending/nonlinear_hinge.h"
 
 #include <gtest/gtest.h>
 

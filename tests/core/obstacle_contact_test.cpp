@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/obstacle_contact.h"
+#include "core/contact/penalty/obstacle_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/finite_differences.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/random_shapes.h"
+#include "tests/support/steps.h"
 
 namespace sherd::test {
 namespace {
 
 /// Advances `seconds` in steps of `step`.
-void simulate(Sheet& sheet, TimeStepOptions options, double step, double seconds) {
+void simulate(Sheet& sheet, StepperOptions options, double step, double seconds) {
     options.step = step;
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < static_cast<int>(std::lround(seconds / step)); ++i) {
         time_step.begin();
         time_step.solve(20);
@@ -41,7 +42,7 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         const Sheet sheet = lone_vertex(Vector3d(0.0001, 0, 0.0049));
         for (const bool moves : {false, true}) {
             if (moves) obstacle.motion = turning;
-            const ObstacleContact contact(sheet, obstacle, 0.5, 1e-3);
+            const ObstacleContact contact = test::begun(ObstacleContact(sheet, obstacle), sheet, 0.5, 1e-3);
             Touch touch;
             contact.add_touch(sheet.position, touch);
             EXPECT_EQ(touch.vertices.size(), 1u);
@@ -57,9 +58,9 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 // The spring of a resting vertex is the two materials in series over the footprint.
 TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
     Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005));
-    TimeStepOptions options;
-    options.obstacles = {floor(1e7)};
-    options.newton.tolerance = 1e-14;
+    StepperOptions options;
+    options.contact.obstacles = {floor(1e7)};
+    options.tolerance = 1e-14;
     simulate(sheet, options, 1e-3, 4);
     const double stiffness = 1e-4 / 0.01 / (2 / 1e7);
     EXPECT_NEAR(0.005 - sheet.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
@@ -69,11 +70,11 @@ TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
 TEST(ObstacleContact, BouncesAsTheSpringSays) {
     const double height = 0.01, gravity = 9.81, mass = 0.1, stiffness = 5e4, length = 2e-6;
     Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 + height));
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = length;
-    options.obstacles = {floor(1e7)};
-    options.newton.tolerance = 1e-14;
-    TimeStep time_step(sheet, options);
+    options.contact.obstacles = {floor(1e7)};
+    options.tolerance = 1e-14;
+    ImplicitStepper time_step(sheet, options);
     const double fall = std::sqrt(2 * height / gravity), swing = std::sqrt(mass / stiffness);
     const double sinking = mass * gravity / stiffness,
                  amplitude = std::hypot(sinking, gravity * fall * swing);
@@ -102,9 +103,9 @@ TEST(ObstacleContact, BouncesAsTheSpringSays) {
 TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
     Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
     sheet.velocity(0, 0) = 1;
-    TimeStepOptions options;
-    options.obstacles = {floor(1e7, 0.5)};
-    options.newton.tolerance = 1e-13;
+    StepperOptions options;
+    options.contact.obstacles = {floor(1e7, 0.5)};
+    options.tolerance = 1e-13;
     simulate(sheet, options, 1e-4, 0.4);
     const double distance = 1 / (2 * 0.5 * 9.81);
     EXPECT_NEAR(sheet.position(0, 0), distance, 0.01 * distance);
@@ -121,9 +122,9 @@ TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
     const double sinking = 0.1 * gravity * std::cos(slope) / 5e4;
     for (const Obstacle& ramp : {obstacle(PlaneShape(Vector3d::Zero(), normal), 1e7, friction), tilted_box}) {
         Sheet sheet = lone_vertex((0.005 - sinking) * normal);
-        TimeStepOptions options;
-        options.obstacles = {ramp};
-        options.newton.tolerance = 1e-13;
+        StepperOptions options;
+        options.contact.obstacles = {ramp};
+        options.tolerance = 1e-13;
         simulate(sheet, options, 1e-4, seconds);
         const double way = 0.5 * gravity * (std::sin(slope) - friction * std::cos(slope)) * seconds * seconds;
         EXPECT_NEAR(sheet.position.col(0).dot(downhill), way, 0.01 * way);
@@ -141,9 +142,9 @@ TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
         tray.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                             {seconds, Vector3d(0, way, 0), Vector3d::UnitZ(), 0}};
         Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * gravity / 5e4));
-        TimeStepOptions options;
-        options.obstacles = {tray};
-        options.newton.tolerance = 1e-13;
+        StepperOptions options;
+        options.contact.obstacles = {tray};
+        options.tolerance = 1e-13;
         simulate(sheet, options, 1e-3, 0.5 * seconds);
         return sheet.position(1, 0) / (0.5 * way);
     };
@@ -157,14 +158,14 @@ TEST(ObstacleContact, APlateRestsOnTheTopOfASphere) {
     Material material;
     material.density = 1000, material.thickness = 0.002, material.young = 1e6;
     Sheet sheet = stacked_plates(1, 8, 0, material);
-    TimeStepOptions options;
-    options.obstacles = {obstacle(SphereShape(Vector3d(0, 0, -0.101), 0.1), 1e9, 0.5)};
-    options.damping.mass = 20;
+    StepperOptions options;
+    options.contact.obstacles = {obstacle(SphereShape(Vector3d(0, 0, -0.101), 0.1), 1e9, 0.5)};
+    options.shell.damping.mass = 20;
     simulate(sheet, options, 2e-3, 1);
     const Positions before = sheet.position;
     const double height = (before * sheet.mass).z() / sheet.mass.sum();
     EXPECT_LT(height, -0.002) << "its corners hang";
-    options.damping.mass = 0;
+    options.shell.damping.mass = 0;
     simulate(sheet, options, 2e-3, 1);
     EXPECT_LT((sheet.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
 }

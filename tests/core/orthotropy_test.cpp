@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // If one of these fails, a woven or rolled sheet is stiff in the wrong directions, or an isotropic one has
 // directions at all.
-#include "core/orthotropy.h"
+#include "core/material/orthotropy.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/material.h"
+#include "core/material/material.h"
 #include "tests/support/random_shapes.h"
 
 namespace sherd {

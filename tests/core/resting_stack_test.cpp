@@ -3,10 +3,11 @@
 
 #include <cmath>
 
-#include "core/contact/obstacle_contact.h"
-#include "core/time_step.h"
+#include "core/contact/penalty/obstacle_contact.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -15,7 +16,7 @@ constexpr Material ceramic{.density = 2400, .thickness = 2e-3, .young = 70e9, .p
 constexpr int plates = 3;
 constexpr double settling = 0.5, rest = 10;  // s
 
-void advance(TimeStep& time_step, double seconds, double step) {
+void advance(ImplicitStepper& time_step, double seconds, double step) {
     for (int i = 0; i < std::lround(seconds / step); ++i) {
         time_step.begin();
         ASSERT_TRUE(time_step.solve(50).converged);
@@ -29,20 +30,21 @@ TEST(RestingStack, StaysAtRest) {
     Sheet sheet = test::stacked_plates(plates, 3, 1.001 * ceramic.thickness, ceramic);
     sheet.position.row(2).array() += 0.5001 * ceramic.thickness;
     const Obstacle floor = test::floor(3e10, 0.3);
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 5e-3;
-    options.obstacles = {floor};
-    options.sheet_contact = true;
-    options.sheet_friction = 0.3;
-    options.newton.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
-    TimeStep time_step(sheet, options);
+    options.contact.obstacles = {floor};
+    options.contact.sheets = true;
+    options.contact.friction = 0.3;
+    options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
+    ImplicitStepper time_step(sheet, options);
     advance(time_step, settling, options.step);
     const Positions before = sheet.position;
     advance(time_step, rest, options.step);
     EXPECT_LT((sheet.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
 
     Positions forces = Positions::Zero(3, sheet.position.cols());
-    ObstacleContact(sheet, floor, settling + rest, options.step).add_gradient(sheet.position, forces);
+    test::begun(ObstacleContact(sheet, floor), sheet, settling + rest, options.step)
+        .add_gradient(sheet.position, forces);
     const double weight = 9.81 * sheet.mass.sum();
     EXPECT_NEAR(-forces.row(2).sum(), weight, 0.01 * weight);
     forces.setZero();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/contact/sheet_contact.h"
-#include "core/time_step.h"
+#include "core/contact/sheets/sheet_contact.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
@@ -11,15 +11,15 @@ namespace {
 const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
 const Material rubber{.density = 1000, .thickness = 1e-3, .young = 2e6, .poisson = 0.4};
 
-TimeStepOptions with_contact(double step) {
-    TimeStepOptions options;
+StepperOptions with_contact(double step) {
+    StepperOptions options;
     options.step = step;
-    options.sheet_contact = true;
-    options.newton.tolerance = 1e-8;
+    options.contact.sheets = true;
+    options.tolerance = 1e-8;
     return options;
 }
 
-void advance(TimeStep& time_step) {
+void advance(ImplicitStepper& time_step) {
     time_step.begin();
     EXPECT_TRUE(time_step.solve(200).converged);
     time_step.finish();
@@ -31,10 +31,10 @@ TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
     Sheet sheet = test::stacked_plates(2, 4, 0.05, ceramic);
     const Index half = static_cast<Index>(sheet.position.cols()) / 2;
     sheet.velocity.rightCols(half).row(2).setConstant(-1000);
-    TimeStepOptions options = with_contact(1e-4);
+    StepperOptions options = with_contact(1e-4);
     options.gravity.setZero();
     const Vector3d momentum = linear_momentum(sheet);
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < 5; ++i) {
         advance(time_step);
         EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
@@ -52,9 +52,9 @@ TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
         const double x = sheet.position(0, v);
         sheet.velocity.col(v) = Vector3d(-100 * x, 0, 400 * std::abs(x));
     }
-    TimeStepOptions options = with_contact(2e-4);
+    StepperOptions options = with_contact(2e-4);
     options.gravity.setZero();
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     const SheetContact contact(sheet);
     std::size_t most = 0;
     for (int i = 0; i < 50; ++i) {
@@ -71,10 +71,10 @@ TEST(SheetContact, AStackRestsOnItself) {
     Sheet sheet = test::stacked_plates(plates, 4, 1.02 * ceramic.thickness, ceramic);
     const Index each = static_cast<Index>(sheet.position.cols()) / plates;
     std::fill_n(sheet.fixed.begin(), each, 1);
-    TimeStepOptions options = with_contact(2e-4);
-    options.sheet_friction = 0.3;
-    options.newton.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
-    TimeStep time_step(sheet, options);
+    StepperOptions options = with_contact(2e-4);
+    options.contact.friction = 0.3;
+    options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < 150; ++i) advance(time_step);
     const Positions before = sheet.position;
     for (int i = 0; i < 50; ++i) advance(time_step);
@@ -86,19 +86,19 @@ TEST(SheetContact, AStackRestsOnItself) {
 }
 
 /// Cuts the triangle off its sheet: copies of its corners, at the same places, are its own.
-void cut_off(Sheet& sheet, std::size_t triangle, TimeStep& time_step) {
+void cut_off(Sheet& sheet, std::size_t triangle, ImplicitStepper& time_step) {
+    ShellChange change;
     for (Index& corner : sheet.triangles[triangle].vertices) {
         const Index copy = static_cast<Index>(sheet.mass.size());
         resize_vertices(sheet, copy + 1);
         copy_vertex(sheet, corner, copy);
-        time_step.position.conservativeResize(3, copy + 1);
-        time_step.position.col(copy) = time_step.position.col(corner);
+        change.vertices.push_back({corner, copy});
         for (VectorXd* shared : {&sheet.mass, &sheet.footprint})
             (*shared)[corner] = (*shared)[copy] = 0.5 * (*shared)[copy];
         sheet.twins.push_back({corner, copy});
         corner = copy;
     }
-    time_step.stencils_changed();
+    time_step.topology_changed(change);
 }
 
 // A crack opens in the middle of a step, in contact: lips that lie on each other neither push nor stop the
@@ -108,10 +108,10 @@ TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
     const Index half = static_cast<Index>(sheet.position.cols()) / 2;
     sheet.hinges.clear();  // which would have to be cut as well
     sheet.velocity.rightCols(half).row(2).setConstant(-3);
-    TimeStepOptions options = with_contact(1e-4);
+    StepperOptions options = with_contact(1e-4);
     options.gravity.setZero();
     const Vector3d momentum = linear_momentum(sheet);
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     time_step.begin();
     time_step.solve(3);
     EXPECT_GT(SheetContact(sheet).touching(time_step.position).size(), 0u);

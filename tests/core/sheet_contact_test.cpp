@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/sheet_contact.h"
+#include "core/contact/sheets/sheet_contact.h"
 
 #include <gtest/gtest.h>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
@@ -118,9 +118,9 @@ TEST(SheetContact, TwinsDoNotSeeEachOther) {
 
 TEST(SheetContact, OverlapIsRefusedByName) {
     Sheet sheet = test::stacked_plates(2, 2, 1e-3, ceramic);
-    TimeStepOptions options;
-    options.sheet_contact = true;
-    TimeStep step(sheet, options);
+    StepperOptions options;
+    options.contact.sheets = true;
+    ImplicitStepper step(sheet, options);
     EXPECT_THROW(step.begin(), std::runtime_error);
 }
 
@@ -137,17 +137,17 @@ Collision collide(Sheet& sheet, double speed, double step, int steps) {
         sheet.velocity.col(v) = Vector3d(0.1 * speed, 0, -speed);
         sheet.position(2, v) += 0.2 * sheet.position(0, v) + 0.012;
     }
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = step;
     options.gravity.setZero();
-    options.sheet_contact = true;
-    options.newton.tolerance = 1e-9;
-    TimeStep time_step(sheet, options);
+    options.contact.sheets = true;
+    options.tolerance = 1e-9;
+    ImplicitStepper time_step(sheet, options);
     const Vector3d momentum = linear_momentum(sheet);
     Collision result;
     for (int i = 0; i < steps; ++i) {
         time_step.begin();
-        const NewtonResult newton = time_step.solve(200);
+        const MinimiserResult newton = time_step.solve(200);
         time_step.finish();
         result.iterations += newton.iterations;
         result.unconverged += !newton.converged;

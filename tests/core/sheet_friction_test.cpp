@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/sheet_friction.h"
+#include "core/contact/sheets/sheet_friction.h"
 
 #include <gtest/gtest.h>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/contact_pairs.h"
 #include "tests/support/plates.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -83,7 +84,7 @@ TEST(SheetFriction, SlidingCountsInFull) {
 TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     const Sheet sheet = test::stacked_plates(2, 4, 1.9e-3, board);
     const SheetContact contact(sheet);
-    const SheetFriction friction(sheet, contact, 0.5, step);
+    const SheetFriction friction = test::begun(SheetFriction(sheet, contact, 0.5), sheet, 0, step);
     for (const double way : {0.2, 5.0}) {  // sticking, sliding
         Positions x = sheet.position;
         test::Random random(5);
@@ -100,11 +101,11 @@ TEST(SheetFriction, StopsASlidingPlateAfterTheCoulombDistance) {
     std::fill_n(sheet.fixed.begin(), half, 1);
     const double speed = 0.3, coefficient = 0.4;
     sheet.velocity.rightCols(half).row(0).setConstant(speed);
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 2e-4;
-    options.sheet_contact = true;
-    options.sheet_friction = coefficient;
-    TimeStep time_step(sheet, options);
+    options.contact.sheets = true;
+    options.contact.friction = coefficient;
+    ImplicitStepper time_step(sheet, options);
     const double start = sheet.position.rightCols(half).row(0).mean();
     for (int i = 0; i < 500; ++i) {
         time_step.begin();

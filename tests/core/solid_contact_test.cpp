@@ -3,12 +3,13 @@
 // long, its vertices alone would let it through.
 #include <gtest/gtest.h>
 
-#include "core/contact/contact_solids.h"
-#include "core/contact/sheet_friction.h"
-#include "core/time_step.h"
+#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/sheets/sheet_friction.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/solid_gap.h"
+#include "tests/support/steps.h"
 
 namespace sherd::test {
 namespace {
@@ -16,23 +17,24 @@ namespace {
 const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
 const Material rubber{.density = 1000, .thickness = 2e-3, .young = 1e7, .poisson = 0.4};
 
-TimeStepOptions against(const Obstacle& obstacle, double step) {
-    TimeStepOptions options;
+StepperOptions against(const Obstacle& obstacle, double step) {
+    StepperOptions options;
     options.step = step;
     options.gravity.setZero();
-    options.obstacles = {obstacle};
-    options.newton.tolerance = 1e-8;
+    options.contact.obstacles = {obstacle};
+    options.tolerance = 1e-8;
     return options;
 }
 
 /// Advances by `count` steps, each of which must be possible and leave a gap.
-void advance(Sheet& sheet, const TimeStepOptions& options, int count, double thickness) {
-    TimeStep time_step(sheet, options);
+void advance(Sheet& sheet, const StepperOptions& options, int count, double thickness) {
+    ImplicitStepper time_step(sheet, options);
     for (int i = 1; i <= count; ++i) {
         ASSERT_TRUE(time_step.begin()) << "step " << i;
         ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
         time_step.finish();
-        ASSERT_GT(gap(sheet, options.obstacles[0], i * options.step), 0.05 * thickness) << "step " << i;
+        ASSERT_GT(gap(sheet, options.contact.obstacles[0], i * options.step), 0.05 * thickness)
+            << "step " << i;
     }
 }
 
@@ -50,17 +52,17 @@ Obstacle spike(double friction = 0) {
 TEST(SolidContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Sheet sheet = stacked_plates(1, 2, 0, rubber);
     sheet.position.colwise() += Vector3d(0.011, 0.007, 0.2 * rubber.thickness);
-    const std::vector<Obstacle> obstacles{spike(0.4)};
-    SheetContact contact(sheet, contact_solids(sheet, obstacles), false);
-    const Positions solid = solid_positions(obstacles, 0);
-    contact.place_solids(solid, solid);
+    Obstacle moving = spike(0.4);
+    moving.motion.keys = {{.time = 1}, {.time = 1 + 1e-3, .translation = Vector3d(2e-5, 0, 0)}};
+    SheetContact contact(sheet, {moving}, false);
+    contact.begin(test::step_of(sheet, 0, 1e-3));
     ASSERT_GT(contact.touching(sheet.position).size(), 0u);
     expect_derivatives(contact, sheet.position, 1e-9, 1e-4);
 
-    Positions moved = solid;
-    moved.row(0).array() += 2e-5;
-    contact.place_solids(solid, moved);
-    const SheetFriction friction(sheet, contact, 0, 1e-3);
+    const StepContext moved = test::step_of(sheet, 1, 1e-3);
+    contact.begin(moved);
+    SheetFriction friction(sheet, contact, 0);
+    friction.begin(moved);
     Positions force = Positions::Zero(3, sheet.position.cols());
     friction.add_gradient(sheet.position, force);
     EXPECT_LT(force.row(0).sum(), 0) << "the energy falls where the sheet follows";
@@ -107,10 +109,10 @@ TEST(SolidContact, APlateLiesOnABoxAsOnAPlane) {
         sheet.position.row(2).array() += 0.5 * rubber.thickness;
         Obstacle box = solid_box(Vector3d(0, 0, -1), Vector3d(1, 1, 1));
         if (!surface) box.surface = nullptr;
-        TimeStepOptions options = against(box, 1e-2);
+        StepperOptions options = against(box, 1e-2);
         options.gravity = Vector3d(0, 0, -9.81);
-        options.newton.tolerance = 1e-13;
-        TimeStep time_step(sheet, options);
+        options.tolerance = 1e-13;
+        ImplicitStepper time_step(sheet, options);
         for (int i = 0; i < 100; ++i) {
             time_step.begin();
             time_step.solve(50);
@@ -128,9 +130,9 @@ TEST(SolidContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
     const Obstacle holder = solid_box(Vector3d(-0.06, 0, 0), Vector3d(0.0105, 0.2, 0.01));
     for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
         sheet.fixed[v] = sheet.rest(0, v) < -0.044;
-    TimeStepOptions options = against(holder, 1e-3);
+    StepperOptions options = against(holder, 1e-3);
     options.gravity = Vector3d(0, 0, -9.81);
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < 50; ++i) {
         ASSERT_TRUE(time_step.begin());
         ASSERT_TRUE(time_step.solve(100).converged);

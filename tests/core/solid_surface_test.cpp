@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Too wide an edge or too large a footprint makes contact too stiff; an edge too few lets a sheet's edge
 // through.
-#include "core/contact/solid_surface.h"
+#include "core/contact/geometry/solid_surface.h"
 
 #include <gtest/gtest.h>
 

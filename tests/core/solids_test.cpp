@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A distance that is wrong lets sheets into an obstacle; derivatives that are wrong push them the wrong way,
 // or keep Newton's method from ending.
-#include "core/contact/solids.h"
+#include "core/contact/geometry/solids.h"
 
 #include <gtest/gtest.h>
 

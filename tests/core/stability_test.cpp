@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/stability.h"
+#include "core/time/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ Sheet fold(double thickness) {
     sheet.rest = sheet.position = test::folded_hinge(1.0, 0.2, 0.9, 0.7, 0.8);
     sheet.mass.setConstant(1000 * thickness);
     for (const std::array<Index, 3>& triangle : {std::array{0, 1, 2}, std::array{0, 3, 1}})
-        sheet.triangles.push_back({triangle, membrane_triangle(triangle_positions(sheet.rest, triangle),
-                                                               membrane_elasticity(material))});
+        sheet.triangles.push_back(
+            {triangle, membrane_triangle(columns(sheet.rest, triangle), membrane_elasticity(material))});
     sheet.hinges.push_back(hinge_stencil(sheet, {0, 1, 2, 3}, hinge_stiffness(material)));
     return sheet;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/small_sheet.h"
 
 namespace sherd {
@@ -37,16 +37,16 @@ TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     Sheet half = test::small_sheet(half_rest, {{0, 2, 1}}, material);
     half.guides = {Eigen::DiagonalMatrix<double, 3>(0, 1, 1)};
     half.guide = {1, 1, 0};
-    TimeStepOptions options;
+    StepperOptions options;
     options.gravity = Vector3d(0, 1, -20);
     options.step = 0.01;
-    options.newton.tolerance = 1e-13;
+    options.tolerance = 1e-13;
     whole.fixed[0] = half.fixed[0] = 1;
-    TimeStepOptions half_options = options;
-    half_options.mirrors = {symmetry_hinge(half, {0, 1}, Vector3d::UnitX(), whole.hinges[0].stiffness)};
-    TimeStep whole_step(whole, options), half_step(half, half_options);
+    StepperOptions half_options = options;
+    half_options.shell.mirrors = {symmetry_hinge(half, {0, 1}, Vector3d::UnitX(), whole.hinges[0].stiffness)};
+    ImplicitStepper whole_step(whole, options), half_step(half, half_options);
     for (int i = 0; i < 20; ++i) {
-        for (TimeStep* step : {&whole_step, &half_step}) {
+        for (ImplicitStepper* step : {&whole_step, &half_step}) {
             step->begin();
             step->solve(50);
             step->finish();
@@ -65,10 +65,11 @@ TEST(Clamp, HoldsTheTangent) {
         rest << 0, 0, 1, 0, 1, 0.5, 0, 0, 0;
         Sheet sheet = test::small_sheet(rest, {{0, 2, 1}}, {1000, 0.01, 1e9, 0.3});
         sheet.fixed = {1, 1, 0};
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = 0.02;
-        if (clamped) options.mirrors = {clamp_hinge(sheet, {0, 1}, hinge_stiffness({1000, 0.01, 1e9, 0.3}))};
-        TimeStep step(sheet, options);
+        if (clamped)
+            options.shell.mirrors = {clamp_hinge(sheet, {0, 1}, hinge_stiffness({1000, 0.01, 1e9, 0.3}))};
+        ImplicitStepper step(sheet, options);
         double drop = 0;
         for (int i = 0; i < 100; ++i) {
             step.begin();

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
@@ -37,11 +37,11 @@ double sum(const TimeSpent& spent) {
 void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
     Sheet sheet = test::stacked_plates(2, 4, 1.2 * ceramic.thickness, ceramic);
     sheet.velocity.rightCols(sheet.velocity.cols() / 2).row(2).setConstant(-2);
-    TimeStepOptions options;
-    options.newton.tolerance = 1e-8;
-    options.sheet_contact = sheet_contact;
+    StepperOptions options;
+    options.tolerance = 1e-8;
+    options.contact.sheets = sheet_contact;
     const Clock::time_point start = Clock::now();
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < 5; ++i) {
         time_step.begin();
         EXPECT_TRUE(time_step.solve(200).converged);

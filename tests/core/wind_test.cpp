@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The force of the air. Each test is a statement of aerodynamics that a flag in the wind relies on.
-#include "core/wind.h"
+#include "core/forces/wind.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "tests/support/small_sheet.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -33,7 +34,8 @@ Wind wind_on(const Sheet& sheet, const Vector3d& velocity) {
 /// What the air does to a sheet that keeps its velocity.
 Positions forces(const Sheet& sheet, const Wind& wind, double step = 1e-3) {
     Positions gradient = Positions::Zero(3, sheet.position.cols());
-    WindEnergy(sheet, {wind}, 1, step).add_gradient(sheet.position + step * sheet.velocity, gradient);
+    test::begun(WindEnergy(sheet, {wind}), sheet, 1 - step, step)
+        .add_gradient(sheet.position + step * sheet.velocity, gradient);
     return -gradient;
 }
 
@@ -52,7 +54,7 @@ Sheet moving_anyhow() {
     return sheet;
 }
 
-void advance(TimeStep& time_step) {
+void advance(ImplicitStepper& time_step) {
     time_step.begin();
     EXPECT_TRUE(time_step.solve(100).converged);
     time_step.finish();
@@ -61,7 +63,8 @@ void advance(TimeStep& time_step) {
 // Newton's method would not converge, or go uphill.
 TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
     const Sheet sheet = moving_anyhow();
-    const WindEnergy energy(sheet, {wind_on(sheet, {4, -2, 1})}, 1, 1e-2);
+    const WindEnergy energy =
+        test::begun(WindEnergy(sheet, {wind_on(sheet, {4, -2, 1})}), sheet, 1 - 1e-2, 1e-2);
     test::expect_derivatives(energy, sheet.position, 1e-3, 1e-8);
     BlockMatrix hessian(4, {}, std::vector<char>(4, 0));
     energy.add_hessian(sheet.position, Curvature::exact, hessian);
@@ -74,13 +77,13 @@ TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
 TEST(Wind, APlateThatFallsBroadsideReachesItsTerminalSpeed) {
     for (const double length : {1e-2, 1e-1, 0.5}) {
         Sheet sheet = test::two_triangles(card);
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = length;
-        options.winds = {wind_on(sheet, Vector3d::Zero())};
-        TimeStep time_step(sheet, options);
+        options.shell.winds = {wind_on(sheet, Vector3d::Zero())};
+        ImplicitStepper time_step(sheet, options);
         for (double time = 0; time < 8; time += length) advance(time_step);
         const double speed =
-            std::sqrt(2 * sheet.mass.sum() * 9.81 / (1.225 * area_of(sheet) * options.winds[0].drag));
+            std::sqrt(2 * sheet.mass.sum() * 9.81 / (1.225 * area_of(sheet) * options.shell.winds[0].drag));
         for (Index v = 0; v < 4; ++v)
             EXPECT_NEAR(-sheet.velocity(2, v), speed, 0.01 * speed) << "step " << length;
         EXPECT_LT(sheet.velocity.topRows(2).cwiseAbs().maxCoeff(), 1e-3 * speed) << "it slips sideways";
@@ -99,13 +102,13 @@ TEST(Wind, OnASheetAtRestIsASheetThatMovesThroughStillAir) {
     const Vector3d velocity(6, 1, -3);
     Sheet resting = test::tetrahedron(card), moving = resting;
     moving.velocity.colwise() = -velocity;
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = 2e-3;
-    options.newton.tolerance = 1e-12;
-    TimeStepOptions still = options;
-    options.winds = {wind_on(resting, velocity)};
-    still.winds = {wind_on(moving, Vector3d::Zero())};
-    TimeStep in_wind(resting, options), in_still_air(moving, still);
+    options.tolerance = 1e-12;
+    StepperOptions still = options;
+    options.shell.winds = {wind_on(resting, velocity)};
+    still.shell.winds = {wind_on(moving, Vector3d::Zero())};
+    ImplicitStepper in_wind(resting, options), in_still_air(moving, still);
     for (int i = 1; i <= 50; ++i) {
         advance(in_wind);
         advance(in_still_air);
@@ -140,13 +143,13 @@ TEST(Wind, LiftsWhatIsAtAnAngleToIt) {
 TEST(Wind, NeverBlowsASheetFasterThanItself) {
     for (const double step : {1e-4, 1e-2, 1.0}) {
         Sheet sheet = test::tetrahedron(card);
-        TimeStepOptions options;
+        StepperOptions options;
         options.gravity.setZero();
         options.step = step;
         Wind wind = wind_on(sheet, {20, 0, 0});
         wind.drag = wind.lift = wind.friction = 1e5;
-        options.winds = {wind};
-        TimeStep time_step(sheet, options);
+        options.shell.winds = {wind};
+        ImplicitStepper time_step(sheet, options);
         double before = 0.5 * sheet.mass.sum() * 400;
         for (int i = 0; i < 20; ++i) {
             advance(time_step);

@@ -37,7 +37,7 @@ void expect_stencils_of_the_mesh(const BreakableSheet& sheet) {
         const HingeStencil& stencil = sheet.mechanics().hinges[hinge];
         RC_ASSERT(stencil.vertices[0] == static_cast<Index>(sheet.mesh().vertex(edge, 0)) ||
                   stencil.vertices[0] == static_cast<Index>(sheet.mesh().vertex(edge, 1)));
-        const RestHinge fresh = rest_hinge(hinge_positions(sheet.mechanics().rest, stencil.vertices));
+        const RestHinge fresh = rest_hinge(columns(sheet.mechanics().rest, stencil.vertices));
         RC_ASSERT(fresh.area == stencil.rest.area);
         RC_ASSERT(fresh.angle == stencil.rest.angle);
     }
@@ -89,12 +89,6 @@ TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
     EXPECT_EQ(sheet.strength(sheet.edge_of_hinge(0)), 0.5);
 }
 
-/// The stiffness that a hinge was made with, from its part that is linear in it.
-double stiffness_of(const BreakableSheet& sheet, const HingeStencil& stencil) {
-    const CubicHinge unit = cubic_hinge(hinge_positions(sheet.mechanics().rest, stencil.vertices), 1);
-    return stencil.cubic.quadratic.trace() / unit.quadratic.trace();
-}
-
 // A sheet whose axis is lost or taken for that of a neighbour bends like another material.
 TEST(BreakableSheet, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     SheetInput iron = input(test::grid(1, 1)), cloth = input(test::grid(3, 2));
@@ -104,17 +98,17 @@ TEST(BreakableSheet, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     cloth.axes.assign(cloth.mesh.number_of_faces(), Vector3d(std::cos(angle), std::sin(angle), 0));
     const BreakableSheet sheet({iron, cloth});
     for (const HingeStencil& stencil : sheet.mechanics().hinges) {
-        const HingePositions rest = hinge_positions(sheet.mechanics().rest, stencil.vertices);
+        const HingePositions rest = columns(sheet.mechanics().rest, stencil.vertices);
         const Vector3d edge = rest.col(1) - rest.col(0);
         const bool is_iron = &stencil == sheet.mechanics().hinges.data();  // one edge between two faces
         const double expected = is_iron
                                     ? hinge_stiffness(iron.material)
                                     : hinge_stiffness(cloth.material, angle - std::atan2(edge.y(), edge.x()));
-        EXPECT_NEAR(stiffness_of(sheet, stencil), expected, 1e-12 * expected);
+        EXPECT_NEAR(stencil.stiffness, expected, 1e-12 * expected);
     }
     for (std::size_t f = 0; f < sheet.mechanics().triangles.size(); ++f) {
         const TriangleStencil& triangle = sheet.mechanics().triangles[f];
-        const TrianglePositions rest = triangle_positions(sheet.mechanics().rest, triangle.vertices);
+        const TrianglePositions rest = columns(sheet.mechanics().rest, triangle.vertices);
         const Vector3d edge = rest.col(1) - rest.col(0);
         const Matrix3d expected =
             f < 2 ? membrane_elasticity(iron.material)

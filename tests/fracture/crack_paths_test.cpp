@@ -29,15 +29,15 @@ struct Outcome {
 /// and nothing has broken for a while.
 Outcome press(const SheetInput& input, const std::vector<Index>& faces, double force) {
     SimulationOptions options;
-    options.gravity.setZero();
-    options.step = 2e-4;
-    options.damping.stiffness = 1e-4;
-    options.sheet_contact = false;  // it is where cracks begin and run that counts here
+    options.stepper.gravity.setZero();
+    options.stepper.step = 2e-4;
+    options.stepper.shell.damping.stiffness = 1e-4;
+    options.stepper.contact.sheets = false;  // it is where cracks begin and run that counts here
     const BreakableSheet sheet({input});
     Load load;
     load.dead = area_forces(sheet.mechanics(), faces, Vector3d(0, 0, -force));
     load.ramp = ramp;
-    options.loads = {load};
+    options.stepper.shell.loads = {load};
     Simulation simulation({input}, options);
     Outcome outcome;
     int quiet = 0;

@@ -42,9 +42,9 @@ SheetInput spinning_bowl() {
 
 SimulationOptions weightless(double step, BendingModel model) {
     SimulationOptions options;
-    options.step = step;
-    options.bending = {model, exact_jacobian(model)};
-    options.gravity.setZero();
+    options.stepper.step = step;
+    options.stepper.shell.bending = {model, exact_jacobian(model)};
+    options.stepper.gravity.setZero();
     options.tolerance = 1e-8;
     return options;
 }
@@ -80,7 +80,7 @@ TEST(FreeFlight, EachBendingModelKeepsLinearMomentum) {
 
 /// Brings a sheet to equilibrium, which is not its rest shape with cubic-2007, and gives it its motion back:
 /// what the rest shape sets free would be damped away as vibration.
-void settle_in_motion(Sheet& sheet, TimeStepOptions options) {
+void settle_in_motion(Sheet& sheet, StepperOptions options) {
     const Positions motion = sheet.velocity;
     sheet.velocity.setZero();
     options.step = 1e-2;
@@ -95,13 +95,13 @@ struct Loss {
 Loss loss(BendingModel model, double step) {
     BreakableSheet bowl({spinning_bowl()});
     Sheet& sheet = bowl.mechanics();
-    TimeStepOptions options;
+    StepperOptions options;
     options.step = step;
     options.gravity.setZero();
-    options.bending = {model, exact_jacobian(model)};
-    options.newton.tolerance = 1e-8;
+    options.shell.bending = {model, exact_jacobian(model)};
+    options.tolerance = 1e-8;
     settle_in_motion(sheet, options);
-    TimeStep time_step(sheet, options);
+    ImplicitStepper time_step(sheet, options);
     time_step.begin();
     time_step.position = sheet.position;  // whose energies are asked for below
     const auto energy = [&] {

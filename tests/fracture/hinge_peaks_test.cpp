@@ -69,7 +69,7 @@ TEST(HingePeaks, TheLargestIsThatOfTheReports) {
     }
     sheet.velocity = Vector3d(0, 0, -2);
     SimulationOptions options;
-    options.obstacles = {test::floor()};
+    options.stepper.contact.obstacles = {test::floor()};
     Simulation simulation({sheet}, options);
     StepReport peaks;
     for (int i = 0; i < 20; ++i) raise_peaks(peaks, simulation.step());

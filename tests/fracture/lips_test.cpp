@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "fracture/breakable_sheet.h"
 #include "meshops/generate.h"
 #include "meshops/self_intersections.h"
@@ -24,11 +24,11 @@ class BrokenStrip {
     /// step: s.
     BrokenStrip(Layout layout, double step) : sheet({input(layout)}) {
         sheet.fail(rim_of_left_half());
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = step;
         options.gravity.setZero();
-        options.sheet_contact = true;
-        time_step = std::make_unique<TimeStep>(sheet.mechanics(), options);
+        options.contact.sheets = true;
+        time_step = std::make_unique<ImplicitStepper>(sheet.mechanics(), options);
         on_left.resize(sheet.mesh().number_of_vertices());
         for (const Face face : sheet.mesh().faces())
             for (const Vertex v : sheet.mesh().vertices_around_face(sheet.mesh().halfedge(face)))
@@ -45,11 +45,11 @@ class BrokenStrip {
     /// One step; what must be true after each.
     void advance() {
         time_step->begin();
-        const NewtonResult result = time_step->solve(50);
+        const MinimiserResult result = time_step->solve(50);
         EXPECT_TRUE(result.converged);
         time_step->finish();
         largest_overlap = std::max(largest_overlap, time_step->lip_overlap());
-        if (sheet.release_lips()) time_step->stencils_changed();
+        if (sheet.release_lips()) time_step->topology_changed({});
         expect_no_intersection();
     }
 
@@ -66,7 +66,7 @@ class BrokenStrip {
     }
 
     BreakableSheet sheet;
-    std::unique_ptr<TimeStep> time_step;
+    std::unique_ptr<ImplicitStepper> time_step;
     std::vector<char> on_left;   ///< of each vertex
     double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
 
@@ -163,10 +163,10 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
             const Vector3d arm = x.col(v) - centre;
             x.col(v) = centre + Vector3d(arm.x() + gap, -arm.z(), arm.y());
         }
-    ASSERT_NO_THROW(strip.time_step->stencils_changed());
+    ASSERT_NO_THROW(strip.time_step->topology_changed({}));
     strip.sheet.release_lips();
     EXPECT_FALSE(strip.sheet.mechanics().twins.empty());
-    strip.time_step->stencils_changed();
+    strip.time_step->topology_changed({});
     EXPECT_NO_THROW(strip.time_step->begin());
 
     for (Eigen::Index v = 0; v < x.cols(); ++v)

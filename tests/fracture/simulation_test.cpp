@@ -31,14 +31,14 @@ TEST(Simulation, LinearMomentumFollowsGravityWhileNothingTouches) {
     shell.velocity = Vector3d(1, 2, 3);
     shell.spin = Vector3d(20, -30, 50);
     SimulationOptions options;
-    options.step = 1e-3;
+    options.stepper.step = 1e-3;
     Simulation simulation({shell}, options);
     const double mass = simulation.sheet().mechanics().mass.sum();
     const Vector3d start = linear_momentum(simulation.sheet().mechanics());
     for (int i = 0; i < 200; ++i) {
         const StepReport report = simulation.step();
         ASSERT_EQ(report.halvings, 0);
-        const Vector3d expected = start + mass * report.time * options.gravity;
+        const Vector3d expected = start + mass * report.time * options.stepper.gravity;
         ASSERT_LT((report.linear_momentum - expected).norm(), 1e-9 * expected.norm())
             << "step " << report.step;
     }
@@ -50,7 +50,7 @@ TEST(Simulation, CurvedSheetAtRestStaysAtRest) {
     tube.mesh = generate_cylinder(0.05, 0.1, {0.012, Layout::delaunay, 1});
     tube.material = {2400, 0.001, 1e9, 0.3};
     SimulationOptions options;
-    options.gravity.setZero();
+    options.stepper.gravity.setZero();
     Simulation simulation({tube}, options);
     for (int i = 0; i < 20; ++i) simulation.step();
     EXPECT_LT(simulation.sheet().mechanics().velocity.cwiseAbs().maxCoeff(), 1e-9);
@@ -64,7 +64,7 @@ TEST(Simulation, ElasticForcesBalanceOnAnyDeformation) {
     for (const bool bending : {true, false}) {
         Positions force = Positions::Zero(3, x.cols());
         if (bending)
-            BendingEnergy(sheet.mechanics().hinges).add_gradient(x, force);
+            bending_energy(sheet.mechanics())->add_gradient(x, force);
         else
             MembraneEnergy(sheet.mechanics().triangles).add_gradient(x, force);
         Vector3d torque = Vector3d::Zero();
@@ -89,7 +89,7 @@ Simulation falling_disc(double strain_threshold, int max_iterations = 50) {
     }
     plate.velocity = Vector3d(0, 0, -4);
     SimulationOptions options;
-    options.obstacles = {test::floor()};
+    options.stepper.contact.obstacles = {test::floor()};
     options.max_iterations = max_iterations;
     return Simulation({plate}, options);
 }
@@ -142,8 +142,8 @@ Simulation landing_disc(int max_iterations, double tolerance) {
     }
     plate.velocity = Vector3d(0, 0, -20);
     SimulationOptions options;
-    options.obstacles = {test::floor()};
-    options.step = 1e-3;
+    options.stepper.contact.obstacles = {test::floor()};
+    options.stepper.step = 1e-3;
     options.max_iterations = max_iterations;
     options.tolerance = tolerance;
     return Simulation({plate}, options);
@@ -184,10 +184,10 @@ Simulation heavy_strip(double strength) {
     for (const Vertex v : strip.mesh.vertices())
         if (is_at(v, 0) || is_at(v, length)) strip.pinned.push_back(static_cast<Index>(v));
     SimulationOptions options;
-    options.step = 3e-2;
-    options.gravity = Vector3d(0, 0, -100);
+    options.stepper.step = 3e-2;
+    options.stepper.gravity = Vector3d(0, 0, -100);
     options.max_iterations = 60;
-    options.sheet_contact = false;
+    options.stepper.contact.sheets = false;
     return Simulation({strip}, options);
 }
 

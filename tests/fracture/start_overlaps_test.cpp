@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "core/contact/sheet_contact.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "meshops/generate.h"
 #include "tests/support/mesh_shapes.h"
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tests/support/random_shapes.h"
+#include "tests/support/steps.h"
 #include "tests/support/theory.h"
 
 namespace sherd {
@@ -18,17 +19,18 @@ using Eigen::MatrixXd;
 /// Angular frequencies, 1/s, of the `count` slowest modes at rest, rigid motions included, ascending:
 /// subspace iteration with the Hessian of an implicit Euler step, M / h^2 + K.
 VectorXd frequencies(const Sheet& sheet, const std::vector<MirrorHinge>& mirrors, int count, double step) {
-    const BendingEnergy bending(sheet.hinges);
-    const MembraneEnergy membrane(sheet.triangles);
-    const MirrorEnergy mirror(sheet, mirrors);
+    ShellEnergies shell(sheet, {.mirrors = mirrors});
+    Inertia inertia(sheet, Vector3d::Zero());
+    std::vector<Energy*> energies = shell.elastic();
+    energies.push_back(&inertia);
     TimeSpent spent;
-    const IncrementalPotential potential(sheet, {&bending, &membrane, &mirror}, step, Vector3d::Zero(),
-                                         spent);
+    Potential potential(sheet, energies, spent);
+    potential.begin(test::step_of(sheet, 0, step));
     BlockMatrix matrix = potential.hessian_pattern(sheet.rest);
     potential.hessian(sheet.rest, Curvature::exact, matrix);
-    LinearSolver solver;
-    solver.analyze(matrix);
-    if (!solver.factorize(matrix)) throw std::runtime_error("the rest shape is not stable");
+    const std::unique_ptr<LinearSolver> solver = cholesky_solver();
+    solver->analyze(matrix);
+    if (!solver->factorize(matrix)) throw std::runtime_error("the rest shape is not stable");
 
     VectorXd mass(3 * sheet.mass.size());
     for (Eigen::Index v = 0; v < sheet.mass.size(); ++v)
@@ -40,7 +42,7 @@ VectorXd frequencies(const Sheet& sheet, const std::vector<MirrorHinge>& mirrors
     for (int iteration = 0; iteration < 25; ++iteration) {
         const MatrixXd forces = mass.asDiagonal() * modes;
         MatrixXd solved(modes.rows(), modes.cols());
-        for (Eigen::Index i = 0; i < modes.cols(); ++i) solved.col(i) = solver.solve(forces.col(i));
+        for (Eigen::Index i = 0; i < modes.cols(); ++i) solved.col(i) = solver->solve(forces.col(i));
         const MatrixXd stiffness = solved.transpose() * forces;
         const MatrixXd inertia = solved.transpose() * mass.asDiagonal() * solved;
         const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> small(

@@ -50,8 +50,8 @@ TEST(TheoryStatics, HeavyCantilever) {
     for (const int edges : {10, 20, 40}) {
         BreakableSheet plate = test::flat_plate(1, 0.25, 1.0 / edges, test::unit_plate(0, 0.01));
         Sheet& sheet = plate.mechanics();
-        TimeStepOptions options;
-        options.mirrors =
+        StepperOptions options;
+        options.shell.mirrors =
             test::clamp(sheet, test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; }),
                         sheet.hinges.front().stiffness);
         options.step = 2;
@@ -87,7 +87,7 @@ TEST(TheoryStatics, SupportedSquareUnderPressure) {
             return std::min(p.x(), p.y()) < 1e-9 || std::max(p.x(), p.y()) > 1 - 1e-9;
         });
         for (std::size_t v = 0; v < rim.size(); ++v) sheet.fixed[v] = rim[v];
-        TimeStepOptions options;
+        StepperOptions options;
         options.step = 10;
         options.gravity.setZero();
         // So small that the middle surface does not stretch: the theory is linear.
@@ -96,7 +96,7 @@ TEST(TheoryStatics, SupportedSquareUnderPressure) {
         load.pressure = pressure;
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
             load.pressed.push_back(static_cast<Index>(t));
-        options.loads = {load};
+        options.shell.loads = {load};
         test::settle(sheet, options, 8);
         // The parabola's value at the middle from the nearest vertices is the largest deflection to 0.1 %.
         errors.push_back(100 * (sheet.position.row(2).maxCoeff() / pressure / navier() - 1));
@@ -121,11 +121,12 @@ TEST(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
                 radius * (1 - std::cos(angle));
         }
         // The end moments act where the seam holds both ends together with one tangent.
-        TimeStepOptions options;
-        options.mirrors = test::clamp(
+        StepperOptions options;
+        options.shell.mirrors = test::clamp(
             sheet, test::select(sheet, [](const Vector3d& p) { return std::abs(p.x() - 0.5) > 0.5 - 1e-9; }),
             sheet.hinges.front().stiffness);
-        for (MirrorHinge& hinge : options.mirrors)  // after the turn the tangent is the same, the place not
+        for (MirrorHinge& hinge :
+             options.shell.mirrors)  // after the turn the tangent is the same, the place not
             hinge.offset =
                 hinge.normal.dot(Vector3d(sheet.position.col(side_vertices(sheet, hinge.side)[0])));
         options.step = 2;
@@ -136,8 +137,8 @@ TEST(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
         for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v)
             diameter = std::max(diameter, sheet.position(2, v));
         EXPECT_NEAR(diameter * pi, 1, 0.03);
-        const double energy = BendingEnergy(sheet.hinges).value(sheet.position) +
-                              MirrorEnergy(sheet, options.mirrors).value(sheet.position);
+        const double energy = bending_energy(sheet)->value(sheet.position) +
+                              MirrorEnergy(sheet, options.shell.mirrors).value(sheet.position);
         const double couple = energy / pi;
         errors.push_back(100 * (couple / (width * 2 * pi) - 1));
     }

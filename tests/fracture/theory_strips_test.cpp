@@ -41,9 +41,10 @@ double measured_rigidity(double w, unsigned seed) {
     input.axes.assign(input.mesh.number_of_faces(), Vector3d(std::cos(w), std::sin(w), 0));
     BreakableSheet plate({input});
     Sheet& sheet = plate.mechanics();
-    TimeStepOptions options;
-    options.mirrors = test::clamp(sheet, test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; }),
-                                  hinge_stiffness(input.material, std::numbers::pi / 2 - w));
+    StepperOptions options;
+    options.shell.mirrors =
+        test::clamp(sheet, test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; }),
+                    hinge_stiffness(input.material, std::numbers::pi / 2 - w));
     options.step = 20;
     constexpr double weight = 0.004;
     options.gravity = Vector3d(0, 0, -weight);

@@ -34,9 +34,10 @@ using Flags = std::vector<char>;
 TEST(Touch, ByVerticesAndByFacesIsOfTheObstacleThatItIsOf) {
     SimulationOptions options;
     const double thin = 5e-4;  // narrower than a face is wide: no vertex comes near
-    options.obstacles = {floor(), solid_box(Vector3d(0.5, 0, 0), Vector3d(0.1, 0.1, 0.1)),
-                         solid_box(Vector3d(0.004, 0.003, -0.011), Vector3d(thin, thin, 0.01))};
-    options.obstacles[0].motion.place.translation().z() = -0.5;
+    options.stepper.contact.obstacles = {
+        floor(), solid_box(Vector3d(0.5, 0, 0), Vector3d(0.1, 0.1, 0.1)),
+        solid_box(Vector3d(0.004, 0.003, -0.011), Vector3d(thin, thin, 0.01))};
+    options.stepper.contact.obstacles[0].motion.place.translation().z() = -0.5;
     Simulation simulation({falling_disc()}, options);
     EXPECT_EQ(simulation.touched_obstacles(), (Flags{0, 0, 0}));
     for (int i = 0; i < 40; ++i) simulation.step();
@@ -46,7 +47,7 @@ TEST(Touch, ByVerticesAndByFacesIsOfTheObstacleThatItIsOf) {
 
 TEST(Touch, OnceIsEnough) {
     SimulationOptions options;
-    options.obstacles = {floor()};
+    options.stepper.contact.obstacles = {floor()};
     Simulation simulation({falling_disc()}, options);
     bool touched_and_left = false;
     for (int i = 0; i < 100; ++i) {
@@ -59,12 +60,12 @@ TEST(Touch, OnceIsEnough) {
 
 TEST(Touch, OfBodiesWithSheetsObstaclesAndEachOther) {
     SimulationOptions options;
-    options.obstacles = {floor(), floor()};
-    options.obstacles[0].motion.place.translation().z() = -0.3;
-    options.obstacles[1].motion.place.translation().z() = -5;
-    options.bodies = {ball({0.003, 0.002, -0.0115}), ball({0.2, 0, -0.29}), ball({0.4, 0, 0}),
-                      ball({0.4, 0.0201, 0}), ball({0.6, 0, 0})};
-    options.bodies[2].velocity = Vector3d(0, 1, 0);
+    options.stepper.contact.obstacles = {floor(), floor()};
+    options.stepper.contact.obstacles[0].motion.place.translation().z() = -0.3;
+    options.stepper.contact.obstacles[1].motion.place.translation().z() = -5;
+    options.stepper.contact.bodies = {ball({0.003, 0.002, -0.0115}), ball({0.2, 0, -0.29}), ball({0.4, 0, 0}),
+                                      ball({0.4, 0.0201, 0}), ball({0.6, 0, 0})};
+    options.stepper.contact.bodies[2].velocity = Vector3d(0, 1, 0);
     Simulation simulation({falling_disc()}, options);
     for (int i = 0; i < 20; ++i) simulation.step();
     EXPECT_EQ(simulation.touched_bodies(), (Flags{1, 1, 1, 1, 0}));

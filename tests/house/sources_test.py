@@ -11,6 +11,8 @@ BELOW = {"meshops": [], "core": [], "fracture": ["core", "meshops"], "app": ["fr
 # Libraries that are kept on one floor.
 KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core",
            "hdf5.h": "app", "toml++": "app", "CLI": "app"}
+# Floors whose rooms (folders) must not include from each other in a circle.
+WITHOUT_CIRCLES = ("meshops", "core", "fracture")
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 MOST_LINES = 400
 
@@ -51,6 +53,35 @@ def violations_of_includes(top, file, lines):
             yield where + f'{file.parent}/ must not include "{name}"'
 
 
+def rooms_above(top, floor):
+    """For each folder of a floor, the other folders of the floor that its files include from."""
+    above = {}
+    for file in sources(top):
+        if file.parts[0] != floor or file.suffix not in (".h", ".cpp"):
+            continue
+        rooms = above.setdefault(file.parent, set())
+        for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', (top / file).read_text(), re.MULTILINE):
+            room = pathlib.PurePath(name).parent
+            if room.parts[:1] == (floor,) and room != file.parent:
+                rooms.add(room)
+    return above
+
+
+def circles(top, floor):
+    """One line for each two folders of the floor that include from each other, by way of others too."""
+    above = rooms_above(top, floor)
+    reached = {}
+    for room in above:
+        reached[room], waiting = set(), [room]
+        while waiting:
+            for other in above.get(waiting.pop(), set()) - reached[room]:
+                reached[room].add(other)
+                waiting.append(other)
+    return [f"{one}/ and {other}/ include from each other, by way of others perhaps"
+            for one in sorted(above) for other in sorted(reached[one])
+            if one < other and one in reached.get(other, set())]
+
+
 def violations(top):
     """One line for each rule broken below the folder `top`."""
     found = []
@@ -62,6 +93,8 @@ def violations(top):
             found.append(f"{file}: has {len(lines)} lines; past {MOST_LINES} it should be two files")
         if file.suffix in (".h", ".cpp") and file.parent.parts[:2] != ("tests", "house"):
             found.extend(violations_of_includes(top, file, lines))
+    for floor in WITHOUT_CIRCLES:
+        found.extend(circles(top, floor))
     return found
 
 
@@ -90,6 +123,12 @@ class House(unittest.TestCase):
                 for other in allowed:
                     found = self.found_in(**{f"{prefix}{floor}__b": f'#include "{other}/a.h"'})
                     self.assertEqual(len(found), 0 if other in allowed[floor].split() else 1, found)
+
+    def test_circles_between_rooms_are_found(self):
+        house = {"core__one__a": "", "core__two__a": '#include "core/one/a.h"', "core__three__a": '#include "core/two/a.h"'}
+        self.assertEqual(self.found_in(**house), [])
+        self.assertEqual(len(self.found_in(**house, core__one__b='#include "core/two/a.h"')), 1)
+        self.assertEqual(len(self.found_in(**house, core__one__b='#include "core/three/a.h"')), 3)
 
     def test_libraries_are_kept_on_their_floor(self):
         self.assertEqual(self.found_in(meshops__b="#include <CGAL/Surface_mesh.h>"), [])

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/contact/distance.h"
+#include "core/contact/geometry/distance.h"
 #include "tests/support/random_shapes.h"
 
 namespace sherd::test {

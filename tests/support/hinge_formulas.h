@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/hinge.h"
+#include "core/elements/hinge.h"
 
 namespace sherd::test {
 

@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "core/contact/obstacle.h"
-#include "core/contact/solids.h"
-#include "core/sheet.h"
+#include "core/contact/colliders/obstacle.h"
+#include "core/contact/geometry/solids.h"
+#include "core/shell/sheet.h"
 
 namespace sherd::test {
 

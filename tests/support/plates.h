@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/contact/distance.h"
+#include "core/contact/geometry/distance.h"
 #include "tests/support/small_sheet.h"
 
 namespace sherd::test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/hinge.h"
-#include "core/membrane.h"
+#include "core/elements/hinge.h"
+#include "core/elements/membrane.h"
 
 namespace sherd::test {
 

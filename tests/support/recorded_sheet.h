@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/recording/recording.h"
-#include "core/sheet.h"
+#include "core/shell/sheet.h"
 
 namespace sherd::test {
 
@@ -25,7 +25,7 @@ inline Sheet bare_sheet(const Positions& rest, const Positions& position,
         const Material rubber{
             .density = 1000, .thickness = thickness[corners[0]], .young = 2e6, .poisson = 0.4};
         sheet.triangles.push_back(
-            {corners, membrane_triangle(triangle_positions(rest, corners), membrane_elasticity(rubber))});
+            {corners, membrane_triangle(columns(rest, corners), membrane_elasticity(rubber))});
         for (const Index v : corners) sheet.footprint[v] += sheet.triangles.back().membrane.area / 3;
     }
     return sheet;

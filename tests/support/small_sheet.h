@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/energy.h"
-#include "core/sides.h"
+#include "core/shell/sides.h"
 #include "tests/support/random_shapes.h"
 
 namespace sherd::test {
@@ -17,7 +17,7 @@ inline Sheet small_sheet(const Positions& rest, const std::vector<std::array<Ind
     sheet.rest = sheet.position = rest;
     for (const std::array<Index, 3>& vertices : triangles) {
         sheet.triangles.push_back(
-            {vertices, membrane_triangle(triangle_positions(rest, vertices), membrane_elasticity(material))});
+            {vertices, membrane_triangle(columns(rest, vertices), membrane_elasticity(material))});
         for (const Index v : vertices)
             sheet.mass[v] += sheet.triangles.back().membrane.area * material.thickness * material.density / 3;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/contact_solids.h"
+#include "core/contact/colliders/contact_solids.h"
 #include "tests/support/plates.h"
 
 namespace sherd::test {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "core/time_step.h"
+#include "core/time/implicit_stepper.h"
 #include "fracture/breakable_sheet.h"
 #include "meshops/generate.h"
 
@@ -41,9 +41,9 @@ inline std::vector<MirrorHinge> clamp(Sheet& sheet, const std::vector<char>& sel
 
 /// Steps until nothing moves any more; implicit Euler with a step far beyond the slowest period takes the
 /// vibration out.
-inline void settle(Sheet& sheet, TimeStepOptions options, int steps) {
-    options.newton.tolerance = 1e-9;
-    TimeStep time_step(sheet, options);
+inline void settle(Sheet& sheet, StepperOptions options, int steps) {
+    options.tolerance = 1e-9;
+    ImplicitStepper time_step(sheet, options);
     for (int i = 0; i < steps; ++i) {
         time_step.begin();
         time_step.position = sheet.position;  // nearer to the end than the inertial prediction

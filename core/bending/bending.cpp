@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/bending/bending.h"
+
+#include "core/bending/cubic_bending.h"
+#include "core/bending/nonlinear_bending.h"
+
+namespace sherd {
+namespace {
+
+/// The force of one model with the Jacobian of another.
+class PairedBending : public Energy {
+  public:
+    PairedBending(std::unique_ptr<Energy> force, std::unique_ptr<Energy> jacobian)
+        : force(std::move(force)), jacobian(std::move(jacobian)) {}
+    void topology_changed(const ShellChange& change, const StepContext& step) override {
+        force->topology_changed(change, step);
+        jacobian->topology_changed(change, step);
+    }
+    double value(const Positions& x) const override { return force->value(x); }
+    double round_off() const override { return force->round_off(); }
+    void add_gradient(const Positions& x, Positions& gradient) const override {
+        force->add_gradient(x, gradient);
+    }
+    void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override {
+        jacobian->add_hessian(x, curvature, hessian);
+    }
+    void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
+        jacobian->add_pattern(pairs);
+    }
+
+  private:
+    std::unique_ptr<Energy> force, jacobian;
+};
+
+/// The cubic model with the constant part of its Jacobian, or all of it.
+std::unique_ptr<Energy> cubic_energy(const Sheet& sheet, BendingModel model, BendingJacobian jacobian) {
+    const bool cubic_part = jacobian == BendingJacobian::cubic;
+    if (model == BendingModel::cubic_2007)
+        return std::make_unique<CubicBending2007>(CubicHinges2007(sheet.hinges, sheet.rest, cubic_part));
+    return std::make_unique<CubicBending>(CubicHinges(sheet.hinges, sheet.rest, 1, cubic_part));
+}
+
+std::unique_ptr<Energy> nonlinear_energy(const Sheet& sheet) {
+    return std::make_unique<NonlinearBending>(NonlinearHinges(sheet.hinges, sheet.rest));
+}
+
+}  // namespace
+
+BendingJacobian exact_jacobian(BendingModel model) {
+    return model == BendingModel::nonlinear ? BendingJacobian::nonlinear : BendingJacobian::cubic;
+}
+
+std::unique_ptr<Energy> bending_energy(const Sheet& sheet, const BendingOptions& options) {
+    const auto& [model, jacobian] = options;
+    const bool nonlinear_force = model == BendingModel::nonlinear,
+               nonlinear_jacobian = jacobian == BendingJacobian::nonlinear;
+    if (nonlinear_force && nonlinear_jacobian) return nonlinear_energy(sheet);
+    if (!nonlinear_force && !nonlinear_jacobian) return cubic_energy(sheet, model, jacobian);
+    if (nonlinear_force)
+        return std::make_unique<PairedBending>(nonlinear_energy(sheet),
+                                               cubic_energy(sheet, BendingModel::cubic, jacobian));
+    return std::make_unique<PairedBending>(cubic_energy(sheet, model, exact_jacobian(model)),
+                                           nonlinear_energy(sheet));
+}
+
+}  // namespace sherd

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/bending/cubic_hinge.h"
+#include "core/bending/hinge_elements.h"
+
+namespace sherd {
+
+/// The cubic hinges of a shell, in equilibrium at rest.
+struct CubicHinges : HingeElements<CubicHinge> {
+    /// rest: [3, V] m; scale: times the hinges' stiffness; cubic_part: whether the Hessian has the cubic
+    /// part, which is not definite (the paper's CS), or is Q alone (CC).
+    CubicHinges(const std::vector<HingeStencil>& stencils, const Positions& rest, double scale = 1,
+                bool cubic_part = true);
+    HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
+
+    bool cubic_part;
+};
+
+/// The hinges as the paper prints them. Their convex neighbours are the hinges in equilibrium.
+struct CubicHinges2007 : HingeElements<CubicHinge> {
+    CubicHinges2007(const std::vector<HingeStencil>& stencils, const Positions& rest, bool cubic_part = true);
+    HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
+    void follow(const ShellChange& change);
+
+    std::vector<CubicHinge> in_equilibrium;
+    bool cubic_part;
+};
+
+using CubicBending = HingeEnergy<CubicHinges>;
+using CubicBending2007 = HingeEnergy<CubicHinges2007>;
+
+}  // namespace sherd

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/hinge.h"
+
+namespace sherd {
+
+/// A bending energy quadratic plus cubic in the positions of four vertices,
+///     E = 1/2 sum_c x_c^T Q x_c - k [e0, e1, e2] + constant,
+/// equal to the nonlinear hinge (paper, eq. 4) along isometric deformations.
+struct CubicHinge {
+    Eigen::Matrix4d quadratic;  ///< Q, N/m, the same for x, y and z; rows sum to zero
+    double cubic = 0;           ///< k, N/m^2
+    double constant = 0;        ///< J, makes E = 0 at rest
+};
+
+/// The paper's eq. 7, with the factor that its printed k lacks. It has a force at rest wherever the rest
+/// angle is not zero, and Q is negative semidefinite where that is past a right angle. rest: m; stiffness:
+/// lambda in N m.
+CubicHinge cubic_hinge_2007(const HingePositions& rest, double stiffness);
+
+/// The cubic hinge in equilibrium at rest: eq. 7 less the multiples of the five squared edge lengths that
+/// cancel its force at rest. They vanish under isometry and only change Q, which becomes positive
+/// semidefinite. rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity D).
+CubicHinge cubic_hinge(const HingePositions& rest, double stiffness);
+
+/// Value, J.
+double value(const CubicHinge& hinge, const HingePositions& x);
+/// Bound on the round-off error of the value, J.
+double round_off(const CubicHinge& hinge);
+/// dE/dx, N, [3, 4].
+HingePositions gradient(const CubicHinge& hinge, const HingePositions& x);
+/// d2E/dx2, N/m, [12, 12], coordinate fastest (appendix A; the paper's CS). `cubic_part = false` leaves Q
+/// alone, which is constant (the paper's CC).
+HingeHessian hessian(const CubicHinge& hinge, const HingePositions& x, bool cubic_part = true);
+
+}  // namespace sherd

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/element_energy.h"
+#include "core/shell/sheet.h"
+
+namespace sherd {
+
+// What is declared for a kind of hinge, found where the kind is known.
+template <class Hinge>
+double value_of(const Hinge& hinge, const HingePositions& x) {
+    return value(hinge, x);
+}
+template <class Hinge>
+HingePositions gradient_of(const Hinge& hinge, const HingePositions& x) {
+    return gradient(hinge, x);
+}
+template <class Hinge>
+double round_off_of(const Hinge& hinge) {
+    return round_off(hinge);
+}
+
+/// Hinges that know nothing of each other, elements of one kind: `Hinge` has value(), gradient() and
+/// round_off().
+template <class Hinge>
+struct HingeElements {
+    /// The shell's; must outlive it, and keeps the vertices.
+    const std::vector<HingeStencil>* stencils;
+    std::vector<Hinge> hinges;  ///< of the stencils
+
+    std::size_t size() const { return hinges.size(); }
+    const std::array<Index, 4>& vertices(std::size_t i) const { return (*stencils)[i].vertices; }
+    double value(std::size_t i, const HingePositions& x) const { return value_of(hinges[i], x); }
+    HingePositions gradient(std::size_t i, const HingePositions& x) const {
+        return gradient_of(hinges[i], x);
+    }
+    double round_off() const {
+        double sum = 0;
+        for (const Hinge& hinge : hinges) sum += round_off_of(hinge);
+        return sum;
+    }
+    void follow(const ShellChange& change) { follow_hinges(change, hinges); }
+};
+
+/// Bending energy of hinges that know nothing of each other.
+template <class Hinges>
+class HingeEnergy : public ElementEnergy<Hinges> {
+  public:
+    using ElementEnergy<Hinges>::ElementEnergy;
+    void topology_changed(const ShellChange& change, const StepContext&) override {
+        this->elements.follow(change);
+    }
+    double round_off() const override { return this->elements.round_off(); }
+};
+
+}  // namespace sherd

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/colliders/rigid_body.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/contact/geometry/solids.h"
+
+namespace sherd {
+
+RigidBody rigid_sphere(double radius, double density) {
+    RigidBody body;
+    body.shape = std::make_shared<SphereShape>(Vector3d::Zero(), radius);
+    body.mass = 4.0 / 3 * std::numbers::pi * radius * radius * radius * density;
+    body.inertia.setConstant(0.4 * body.mass * radius * radius);
+    body.feet = {Vector3d::Zero()};
+    body.skin = radius;
+    body.foot = radius;
+    return body;
+}
+
+RigidBody rigid_box(const Vector3d& size, double density) {
+    RigidBody body;
+    body.shape = std::make_shared<BoxShape>(Vector3d::Zero(), 0.5 * size);
+    body.mass = size.prod() * density;
+    const Vector3d squares = size.cwiseAbs2();
+    body.inertia = body.mass / 12 * (Vector3d::Constant(squares.sum()) - squares);
+    for (int i = 0; i < 8; ++i)
+        body.feet.push_back(0.5 *
+                            size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    body.foot = 0.25 * std::cbrt(size.prod());
+    return body;
+}
+
+}  // namespace sherd

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "core/contact/geometry/shape.h"
+#include "core/contact/geometry/solid_surface.h"
+
+namespace sherd {
+
+/// A free rigid body.
+struct RigidBody {
+    std::shared_ptr<const Shape> shape;  ///< in the frame of its principal axes, about its centre of mass
+    std::shared_ptr<const SolidSurface> surface = nullptr;  ///< of the shape, in its frame; null: none
+    double mass = 1;                                        ///< kg
+    Vector3d inertia = Vector3d::Ones();                    ///< kg m^2, about the principal axes
+    double young = 2.1e11;                                  ///< Pa
+    double friction = 0;                                    ///< Coulomb coefficient
+    /// What of it meets obstacles: points of its frame with a skin (m) around them, and their stiffness over
+    /// the modulus in contact (m).
+    std::vector<Vector3d> feet;
+    double skin = 0, foot = 0;
+
+    Vector3d centre = Vector3d::Zero();            ///< m, of mass
+    Matrix3d rotation = Matrix3d::Identity();      ///< from its frame to space
+    Vector3d velocity = Vector3d::Zero();          ///< m/s
+    Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about its centre
+
+    Eigen::Isometry3d pose() const {  ///< from its frame to space
+        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+        pose.linear() = rotation;
+        pose.translation() = centre;
+        return pose;
+    }
+    Matrix3d inertia_in_space() const { return rotation * inertia.asDiagonal() * rotation.transpose(); }
+    Vector3d spin() const {  ///< rad/s
+        return rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose() * angular_momentum;
+    }
+    double kinetic_energy() const {  ///< J
+        return 0.5 * (mass * velocity.squaredNorm() + spin().dot(angular_momentum));
+    }
+};
+
+/// A body of a homogeneous sphere or box, at rest; density: kg/m^3, radius, size: m.
+RigidBody rigid_sphere(double radius, double density);
+RigidBody rigid_box(const Vector3d& size, double density);
+
+}  // namespace sherd

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/contact.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+Contact::Contact(const Sheet& sheet, ContactOptions given, const Vector3d& gravity)
+    : sheet(sheet), options(std::move(given)), lips(sheet.lips) {
+    const std::vector<Obstacle>& obstacles = options.obstacles;
+    if (!options.bodies.empty())
+        body_contact = std::make_unique<BodyContact>(sheet, options.bodies, obstacles, gravity);
+    for (const Obstacle& obstacle : obstacles)
+        obstacle_contact.push_back(std::make_unique<ObstacleContact>(sheet, obstacle));
+    const bool surfaces = std::any_of(obstacles.begin(), obstacles.end(),
+                                      [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
+    if (!options.sheets && !surfaces) return;
+    sheet_contact = std::make_unique<SheetContact>(sheet, obstacles, options.sheets);
+    sheet_friction = std::make_unique<SheetFriction>(sheet, *sheet_contact, options.friction);
+}
+
+std::vector<Energy*> Contact::energies() {
+    std::vector<Energy*> all;
+    if (body_contact) all.push_back(body_contact.get());
+    for (const auto& contact : obstacle_contact) all.push_back(contact.get());
+    if (sheet_contact) all.push_back(sheet_contact.get());
+    if (options.sheets) all.push_back(&lips);
+    return all;
+}
+
+std::vector<Energy*> Contact::frictions() {
+    if (!sheet_friction) return {};
+    return {sheet_friction.get()};
+}
+
+void Contact::require_apart() const {
+    if (sheet_contact) sheet_contact->require_apart(sheet.position);
+}
+
+double Contact::free_way(const Positions& motion) {
+    double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(sheet.position, motion) : 1;
+    if (!body_contact) return fraction;
+    body_contact->moved_to(sheet.position);
+    return std::min(fraction, body_contact->safe_fraction(sheet.position, motion));
+}
+
+Positions Contact::pushed_along() const {
+    if (!sheet_contact) return Positions::Zero(3, sheet.position.cols());
+    return sheet_contact->pushed_along(sheet.position);
+}
+
+void Contact::finish(const Positions& x) {
+    if (body_contact) body_contact->finish(x);
+}
+
+const std::vector<RigidBody>& Contact::bodies() const {
+    return body_contact ? body_contact->bodies() : options.bodies;
+}
+
+double Contact::stored_energy(const Positions& x) const {
+    double sum = 0;
+    for (const auto& contact : obstacle_contact) sum += contact->stored_energy(x);
+    if (body_contact) sum += body_contact->stored_energy(x);
+    if (sheet_contact) sum += sheet_contact->value(x);
+    if (options.sheets) sum += lips.value(x);
+    return sum;
+}
+
+Touch Contact::touch(const Positions& x) const {
+    Touch touch;
+    std::set<const SolidSurface*> surfaces;
+    if (sheet_contact) sheet_contact->add_touched(x, touch.vertices, surfaces);
+    for (std::size_t o = 0; o < obstacle_contact.size(); ++o) {
+        Touch own;
+        obstacle_contact[o]->add_touch(x, own);
+        if (!own.vertices.empty() || surfaces.contains(options.obstacles[o].surface.get()))
+            touch.obstacles.insert(o);
+        touch.include(own);
+    }
+    if (body_contact) body_contact->add_touch(x, touch);
+    return touch;
+}
+
+}  // namespace sherd

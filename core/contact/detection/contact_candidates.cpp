@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/detection/contact_candidates.h"
+
+#include <algorithm>
+
+#include "core/contact/detection/box_tree.h"
+#include "core/contact/geometry/continuous_collision.h"
+
+namespace sherd {
+namespace {
+
+/// Boxes around what each vertex of sheets can reach, half of its sheet's thickness included, and so many
+/// margins.
+std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
+    std::vector<Box> boxes(surface.vertices());
+    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v) {
+        const Eigen::Array3d from = within.start.col(v), to = from + within.motion.col(v).array();
+        const double inflation = ContactCandidates::nearness * surface.half_thickness(v) +
+                                 margins * (within.margin + within.round_off);
+        boxes[v] = {from.min(to) - inflation, from.max(to) + inflation};
+    }
+    return boxes;
+}
+
+template <std::size_t N>
+struct Elements {
+    std::vector<std::array<Index, N>> vertices;
+    BoxTree tree;
+};
+
+/// Elements that `wanted` says yes to, given their vertices and their box.
+template <std::size_t N, class Wanted>
+Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
+                  const Wanted& wanted) {
+    const std::vector<Box> all = element_boxes(boxes, elements);
+    std::vector<std::array<Index, N>> found;
+    std::vector<Box> around;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (wanted(elements[i], all[i])) {
+            found.push_back(elements[i]);
+            around.push_back(all[i]);
+        }
+    return {std::move(found), BoxTree(around)};
+}
+
+std::vector<std::array<Index, 1>> points(Index from, Index to) {
+    std::vector<std::array<Index, 1>> points;
+    for (Index v = from; v < to; ++v) points.push_back({v});
+    return points;
+}
+
+std::array<Index, 4> both(const std::array<Index, 1>& vertex, const std::array<Index, 3>& triangle) {
+    return {vertex[0], triangle[0], triangle[1], triangle[2]};
+}
+
+std::array<Index, 4> both(const std::array<Index, 2>& one, const std::array<Index, 2>& other) {
+    const auto& [first, second] = std::minmax(one, other);
+    return {first[0], first[1], second[0], second[1]};
+}
+
+/// From the middle of the second element to that of the first, of length 1.
+Vector3d between_middles(PairKind kind, const PairPositions& x) {
+    const Vector3d middle = kind == PairKind::edge_edge
+                                ? Vector3d(0.5 * (x.col(0) + x.col(1)) - 0.5 * (x.col(2) + x.col(3)))
+                                : Vector3d(x.col(0) - (x.col(1) + x.col(2) + x.col(3)) / 3);
+    return middle.normalized();
+}
+
+/// Vertices that have come to or gone from corners of triangles, or whose twins have.
+std::vector<char> changed_vertices(const ContactSurface& before, const ContactSurface& after) {
+    std::vector<char> changed(std::max(before.vertices(), after.vertices()), 0);
+    for (std::size_t f = 0; f < after.triangles().size(); ++f)
+        for (int i = 0; i < 3; ++i) {
+            const Index old = before.triangles()[f][i], now = after.triangles()[f][i];
+            if (old != now) changed[old] = changed[now] = 1;
+        }
+    std::vector<std::array<Index, 2>> twins;
+    std::set_symmetric_difference(before.twins().begin(), before.twins().end(), after.twins().begin(),
+                                  after.twins().end(), std::back_inserter(twins));
+    for (const auto& [a, b] : twins) changed[a] = changed[b] = 1;
+    return changed;
+}
+
+}  // namespace
+
+ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
+                                     SolidTrees& solids)
+    : within(std::move(neighbourhood)) {
+    find(surface, std::vector<char>(surface.vertices(), 1), solids);
+}
+
+void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
+                             SolidTrees& solids) {
+    if (surface.sheets_meet()) find_on_sheets(surface, changed);
+    if (surface.solid_vertices() > 0) find_on_solids(surface, changed, solids);
+}
+
+void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed) {
+    const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
+    const auto has_changed = [&](const auto& element, const Box&) {
+        return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
+    };
+    const auto has_not = [&](const auto& element, const Box& box) { return !has_changed(element, box); };
+    const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
+        some.tree.meet(others.tree, [&](Index i, Index j) {
+            look_at(surface, kind, both(some.vertices[i], others.vertices[j]));
+        });
+    };
+    const auto all_points = points(surface.solid_vertices(), surface.vertices());
+    const auto vertices = those(all_points, boxes, has_changed);
+    const auto triangles = those(surface.triangles(), boxes, has_changed);
+    const auto edges = those(surface.edges(), boxes, has_changed);
+    meet(PairKind::vertex_triangle, vertices, triangles);
+    meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, has_not));
+    meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
+    meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
+    edges.tree.meet_itself([&](Index i, Index j) {
+        look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
+    });
+}
+
+void ContactCandidates::find_on_solids(const ContactSurface& surface, const std::vector<char>& changed,
+                                       SolidTrees& solids) {
+    // Boxes of solids have no margin, so it is here twice.
+    const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
+    const auto all_points = points(surface.solid_vertices(), surface.vertices());
+    for (std::size_t solid = 0; solid + 1 < surface.solid_starts().size(); ++solid) {
+        const ContactSurface::Start first = surface.solid_starts()[solid];
+        const SolidTrees::Trees& trees = solids.of(solid, surface, within);
+        const Box around = trees.points.bounds();
+        const auto wanted = [&](const auto& element, const Box& box) {
+            return box.meets(around) &&
+                   std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
+        };
+        const auto vertices = those(all_points, boxes, wanted);
+        const auto edges = those(surface.edges(), boxes, wanted);
+        const auto triangles = those(surface.triangles(), boxes, wanted);
+        vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
+            look_at(surface, PairKind::vertex_triangle,
+                    both(vertices.vertices[i], surface.solid_triangles()[first.triangle + j]));
+        });
+        triangles.tree.meet(trees.points, [&](Index i, Index j) {
+            look_at(surface, PairKind::vertex_triangle,
+                    both(std::array{first.vertex + j}, triangles.vertices[i]));
+        });
+        edges.tree.meet(trees.edges, [&](Index i, Index j) {
+            look_at(surface, PairKind::edge_edge,
+                    both(edges.vertices[i], surface.solid_edges()[first.edge + j]));
+        });
+    }
+}
+
+void ContactCandidates::look_at(const ContactSurface& surface, PairKind kind,
+                                const std::array<Index, 4>& vertices) {
+    if (surface.apart(kind, vertices)) return;
+    const PairPositions x = columns(within.start, vertices);
+    const double way =
+        approach(kind, columns(within.motion, vertices)) + 2 * within.margin + within.round_off;
+    const double farthest = nearness * surface.thickness(kind, vertices) + way;
+    if (separation(kind, x, between_middles(kind, x)) > farthest) return;
+    const Closest closest = closest_points(kind, x);
+    const double distance = std::sqrt(squared_distance(closest, x));
+    if (distance > farthest) return;
+    const double touching = surface.touching(kind, vertices);
+    if (distance <= nearness * touching + way)
+        candidates.push_back({kind, vertices, touching, (x * closest.weights).normalized()});
+}
+
+std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
+                                                 const Neighbourhood& smaller) {
+    std::vector<ContactPair> picked;
+    const double around = 2 * smaller.margin + smaller.round_off;
+    for (auto& [kind, vertices, touching, direction] : candidates) {
+        const PairPositions from = columns(smaller.start, vertices);
+        const PairPositions to = from + columns(smaller.motion, vertices);
+        const double far = nearness * touching + around;
+        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
+        direction = (from * closest_points(kind, from).weights).normalized();
+        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
+        picked.push_back(surface.pair(kind, vertices, touching));
+    }
+    std::sort(picked.begin(), picked.end(), [](const ContactPair& a, const ContactPair& b) {
+        return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
+    });
+    return picked;
+}
+
+void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after,
+                               SolidTrees& solids) {
+    const Index known = static_cast<Index>(within.start.cols());
+    if (known != before.vertices() || before.triangles().size() != after.triangles().size()) {
+        *this = {};
+        return;
+    }
+    for (Positions* x : {&within.start, &within.motion}) {
+        const Positions old = *x;
+        *x = Positions::Zero(3, after.vertices());
+        x->leftCols(known) = old;
+        for (std::size_t f = 0; f < after.triangles().size(); ++f)
+            for (int i = 0; i < 3; ++i) {
+                const Index now = after.triangles()[f][i];
+                if (now >= known) x->col(now) = old.col(before.triangles()[f][i]);
+            }
+    }
+    const std::vector<char> changed = changed_vertices(before, after);
+    std::erase_if(candidates, [&](const Candidate& candidate) {
+        return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
+                           [&](Index v) { return changed[v]; });
+    });
+    find(after, changed, solids);
+}
+
+}  // namespace sherd

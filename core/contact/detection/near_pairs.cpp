@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/detection/near_pairs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contact/geometry/continuous_collision.h"
+
+namespace sherd {
+namespace {
+
+/// A distance that the pair is not nearer than, m: that of boxes around the elements.
+double distance_of_boxes(PairKind kind, const PairPositions& x) {
+    const int first = vertices_of_first(kind);
+    const auto one = x.leftCols(first), other = x.rightCols(4 - first);
+    const Vector3d above = one.rowwise().minCoeff() - other.rowwise().maxCoeff();
+    const Vector3d below = other.rowwise().minCoeff() - one.rowwise().maxCoeff();
+    return std::max(above.maxCoeff(), below.maxCoeff());
+}
+
+/// Whether the pair is nearer than `limit`, m.
+bool within(double limit, const ContactPair& pair, const Positions& x) {
+    const PairPositions local = columns(x, pair.vertices);
+    return distance_of_boxes(pair.kind, local) < limit && distance(pair, local) < limit;
+}
+
+/// By which vertices may depart from the motion until candidates are looked for again, in half thicknesses of
+/// the thinnest sheet: where the sheet is going to be for some time, and in one step.
+constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
+
+/// How many steps like this one to look for candidates for, unless they lead far. motion: less its mean, m.
+double lookahead(const Positions& motion, double unit) {
+    return std::clamp(12 * unit / motion.colwise().norm().maxCoeff(), 1.0, 10.0);
+}
+
+double thinnest_half(const ContactSurface& surface) {
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v)
+        thinnest = std::min(thinnest, surface.half_thickness(v));
+    return thinnest;
+}
+
+}  // namespace
+
+void NearPairs::surface_changed(ContactSurface surface) {
+    const ContactSurface before = std::exchange(of, std::move(surface));
+    found.follow(before, of, solids);
+    near = {};
+    last.resize(3, 0);
+}
+
+const std::vector<ContactPair>& NearPairs::candidates(const Positions& x, const Positions& motion) const {
+    if (near.contains(x) && near.contains(x + motion)) return pairs;
+    const double unit = thinnest_half(of);
+    near = Neighbourhood(x, motion, margin_of_step * unit, of.solid_vertices());
+    if (!found.neighbourhood().contains(near))
+        found = ContactCandidates(of,
+                                  Neighbourhood(x, lookahead(near.motion, unit) * motion,
+                                                margin_of_all * unit, of.solid_vertices()),
+                                  solids);
+    pairs = found.pick(of, near);
+    return pairs;
+}
+
+const std::vector<ContactPair>& NearPairs::touching(const Positions& x) const {
+    if (last.cols() == x.cols() && last == x) return active;
+    active.clear();
+    for (const ContactPair& pair : candidates(x, Positions::Zero(3, x.cols())))
+        if (within(pair.touching, pair, x)) active.push_back(pair);
+    last = x;
+    return active;
+}
+
+double NearPairs::safe_fraction(const Positions& x, const Positions& motion) const {
+    double fraction = 1;
+    for (const ContactPair& pair : candidates(x, motion)) {
+        const PairPositions from = columns(x, pair.vertices);
+        const PairPositions way = fraction * columns(motion, pair.vertices);
+        const double clearance = 0.5 * pair.barrier().range, kept = pair.minimum() + clearance;
+        if (distance_of_boxes(pair.kind, from) < kept + approach(pair.kind, way))
+            fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance);
+    }
+    return fraction;
+}
+
+void NearPairs::add_contacts(const Positions& x, bool ahead,
+                             std::vector<std::pair<Index, Index>>& blocks) const {
+    for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : touching(x))
+        if (!ahead || within(ContactCandidates::nearness * pair.touching, pair, x))
+            add_pairs(blocks, numbered_from(pair.vertices, of.solid_vertices()));
+}
+
+void NearPairs::add_touched(const Positions& x, std::set<Index>& vertices,
+                            std::set<const SolidSurface*>& touched) const {
+    if (of.solid_vertices() == 0) return;
+    for (const ContactPair& pair : touching(x)) {
+        const ContactSolid* solid = of.solid_of(pair.kind, pair.vertices);
+        if (!solid) continue;
+        touched.insert(solid->surface);
+        for (const Index vertex : pair.vertices)
+            if (!of.of_solid(vertex)) vertices.insert(vertex - of.solid_vertices());
+    }
+}
+
+}  // namespace sherd

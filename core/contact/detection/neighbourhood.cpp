@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/detection/neighbourhood.h"
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+// Relative, of any distance: a bound, and what is granted here, so that positions may grow.
+constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
+
+Positions less_mean(const Positions& motion) {
+    const Vector3d mean = motion.rowwise().mean();  // once, not for every column
+    return motion.colwise() - mean;
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin, Index solids)
+    : start(x),
+      motion(solids > 0 ? motion : less_mean(motion)),
+      margin(margin),
+      solids(solids),
+      solids_rest(motion.leftCols(solids).isZero(0)) {
+    round_off = rounding * ((start.cwiseAbs() + this->motion.cwiseAbs()).maxCoeff() + margin);
+}
+
+bool Neighbourhood::contains(const Positions& x, double spare) const {
+    if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
+    const bool skip = solids_rest && x.leftCols(solids) == start.leftCols(solids);
+    const auto looked_at = [&](const Positions& all) {
+        return all.rightCols(all.cols() - (skip ? solids : 0));
+    };
+    const Positions difference = looked_at(x) - looked_at(start);
+    const Positions moved = solids > 0 ? difference : less_mean(difference);
+    const auto along_motion = looked_at(motion);
+    const double way = along_motion.squaredNorm(), along = moved.cwiseProduct(along_motion).sum();
+    const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;
+    const double limit = std::max(0.0, margin - spare);
+    return ((moved - time * along_motion).colwise().squaredNorm().array() <= limit * limit).all();
+}
+
+bool Neighbourhood::contains(const Neighbourhood& other) const {
+    return contains(other.start, other.margin) && contains(other.start + other.motion, other.margin);
+}
+
+}  // namespace sherd

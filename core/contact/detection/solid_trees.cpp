@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/detection/solid_trees.h"
+
+namespace sherd {
+namespace {
+
+template <std::size_t N>
+BoxTree tree(const std::vector<std::array<Index, N>>& elements, Index from, Index to, Index first_vertex,
+             const std::vector<Box>& of_vertices) {
+    std::vector<Box> boxes(to - from);
+    for (Index i = from; i < to; ++i)
+        for (const Index vertex : elements[i]) boxes[i - from].include(of_vertices[vertex - first_vertex]);
+    return BoxTree(boxes);
+}
+
+}  // namespace
+
+const SolidTrees::Trees& SolidTrees::of(std::size_t solid, const ContactSurface& surface,
+                                        const Neighbourhood& within) {
+    const ContactSurface::Start first = surface.solid_starts()[solid],
+                                end = surface.solid_starts()[solid + 1];
+    const Positions from = within.start.middleCols(first.vertex, end.vertex - first.vertex);
+    const Positions to = from + within.motion.middleCols(first.vertex, end.vertex - first.vertex);
+    while (kept.size() <= solid)
+        kept.push_back({Positions(3, 0), Positions(3, 0), {BoxTree({}), BoxTree({}), BoxTree({})}});
+    Kept& known = kept[solid];
+    if (known.from.cols() == from.cols() && known.from == from && known.to == to) return known.trees;
+    std::vector<Box> boxes;
+    for (Eigen::Index v = 0; v < from.cols(); ++v)
+        boxes.push_back(
+            {from.col(v).array().min(to.col(v).array()), from.col(v).array().max(to.col(v).array())});
+    known = {from,
+             to,
+             {BoxTree(boxes), tree(surface.solid_edges(), first.edge, end.edge, first.vertex, boxes),
+              tree(surface.solid_triangles(), first.triangle, end.triangle, first.vertex, boxes)}};
+    return known.trees;
+}
+
+}  // namespace sherd

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/geometry/continuous_collision.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+constexpr double kept = 0.1;   // of the gap, at the end
+constexpr double slack = 0.5;  // of what is kept, not worth another iteration
+constexpr int max_iterations = 500;
+
+}  // namespace
+
+double approach(PairKind kind, const PairPositions& displacement) {
+    // Points of the elements move by weighted means of their vertices' motions, so against each other by no
+    // more than the two vertices do that move most.
+    const int first = vertices_of_first(kind);
+    double most = 0;
+    for (int i = 0; i < first; ++i)
+        for (int j = first; j < 4; ++j)
+            most = std::max(most, (displacement.col(i) - displacement.col(j)).squaredNorm());
+    return std::sqrt(most);
+}
+
+double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement, double minimum,
+                     double clearance) {
+    // Of rounding positions on the way, and of the distance; a dozen roundings of numbers of this size.
+    const double size = x.cwiseAbs().maxCoeff() + displacement.cwiseAbs().maxCoeff();
+    const double excluded = minimum + 32 * std::numeric_limits<double>::epsilon() * size;
+    const auto gap_at = [&](double time) {
+        const PairPositions at = x + time * displacement;
+        return std::sqrt(squared_distance(closest_points(kind, at), at)) - excluded;
+    };
+    double gap = gap_at(0);
+    const double bound = approach(kind, displacement) * (1 + 1e-12);  // rounded up
+    if (!(gap > 0) || !std::isfinite(bound)) return 0;
+    const double target = std::min(kept * gap, clearance), enough = slack * target;
+    // Those more let every pair through that stays twice the clearance away, however far it goes.
+    const double most = std::min(max_iterations + bound / clearance, 1e6);
+    double time = 0;
+    for (int iteration = 0; iteration < most; ++iteration) {
+        const double way = gap - target;
+        if (bound * (1 - time) <= way) return 1;
+        if (iteration > 0 && way <= enough) break;
+        time += way / bound;
+        gap = gap_at(time);
+    }
+    return time;
+}
+
+}  // namespace sherd

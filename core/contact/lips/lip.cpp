@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/lips/lip.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/contact/barrier/contact_pair.h"
+
+namespace sherd {
+namespace {
+
+/// The triangle's frame: along the lip, out of the triangle in its plane, and normal to both.
+struct LipFrame {
+    Vector3d along, out, normal;
+    double length, height;  ///< m, of the lip, and of the triangle on it
+    double foot;            ///< of the apex on the lip: 0 at its start, 1 at its end
+};
+
+LipFrame lip_frame(const PairPositions& x) {
+    LipFrame frame;
+    const Vector3d edge = x.col(2) - x.col(1), apex = x.col(3) - x.col(1);
+    frame.length = edge.norm();
+    frame.along = edge / frame.length;
+    frame.foot = apex.dot(frame.along) / frame.length;
+    const Vector3d rise = apex - apex.dot(frame.along) * frame.along;
+    frame.height = rise.norm();
+    frame.out = -rise / frame.height;
+    frame.normal = frame.along.cross(frame.out);
+    return frame;
+}
+
+}  // namespace
+
+double lip_opening(const PairPositions& x) {
+    return lip_frame(x).out.dot(x.col(0) - x.col(1));
+}
+
+PairPositions lip_opening_gradient(const PairPositions& x) {
+    const LipFrame frame = lip_frame(x);
+    const Vector3d gap = x.col(0) - x.col(1);
+    // `out` turns in the plane with the lip, and out of the plane when the apex leaves it.
+    const Vector3d turn = gap.dot(frame.along) / frame.length * frame.out;
+    const Vector3d fold = gap.dot(frame.normal) / frame.height * frame.normal;
+    PairPositions gradient;
+    gradient.col(0) = frame.out;
+    gradient.col(1) = -frame.out + turn + (1 - frame.foot) * fold;
+    gradient.col(2) = -turn + frame.foot * fold;
+    gradient.col(3) = -fold;
+    return gradient;
+}
+
+PairHessian lip_opening_hessian(const PairPositions& x) {
+    using PairVector = Eigen::Matrix<double, 12, 1>;
+    const LipFrame frame = lip_frame(x);
+    const Vector3d gap = x.col(0) - x.col(1);
+    const double across = gap.dot(frame.out) / 2, along = gap.dot(frame.along), above = gap.dot(frame.normal);
+    const double l = frame.length, h = frame.height;
+    // Components in the frame of the motion of the vertex, of the lip's end and of the apex against the
+    // points of the triangle that they are measured from, as linear forms of the motion of the vertices.
+    const auto form = [](const Eigen::Vector4d& weights, const Vector3d& direction) -> PairVector {
+        return (direction * weights.transpose()).reshaped();
+    };
+    const Eigen::Vector4d of_gap(1, -1, 0, 0), of_edge(0, -1, 1, 0),
+        of_apex(0, frame.foot - 1, -frame.foot, 1);
+    const PairVector edge_out = form(of_edge, frame.out), edge_normal = form(of_edge, frame.normal);
+    const PairVector apex_normal = form(of_apex, frame.normal);
+    const PairVector with_edge = -form(of_gap, frame.along) / l -
+                                 (across * edge_out - along * form(of_edge, frame.along)) / (l * l) -
+                                 above / (l * l) * edge_normal;
+    const PairVector with_apex = -form(of_gap, frame.normal) / h + along / (l * h) * edge_normal -
+                                 (across * apex_normal + above * form(of_apex, frame.out)) / (h * h);
+    const PairHessian half = edge_out * with_edge.transpose() + apex_normal * with_apex.transpose() +
+                             above / (l * h) * edge_normal * form(of_apex, frame.along).transpose();
+    return half + half.transpose();
+}
+
+double value(const LipStencil& lip, const PairPositions& x) {
+    const double overlap = std::max(0.0, -lip_opening(x));
+    return 0.5 * lip.stiffness * overlap * overlap;
+}
+
+PairPositions gradient(const LipStencil& lip, const PairPositions& x) {
+    const double opening = lip_opening(x);
+    if (opening >= 0) return PairPositions::Zero();
+    return lip.stiffness * opening * lip_opening_gradient(x);
+}
+
+PairHessian hessian(const LipStencil& lip, const PairPositions& x, bool convex) {
+    const double opening = lip_opening(x);
+    if (opening >= 0) return PairHessian::Zero();
+    const PairPositions slope = lip_opening_gradient(x);
+    PairHessian block = slope.reshaped() * slope.reshaped().transpose();
+    if (!convex) block += opening * lip_opening_hessian(x);
+    return lip.stiffness * block;
+}
+
+double LipContact::largest_overlap(const Positions& x) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        largest = std::max(largest, -lip_opening(columns(x, elements.vertices(i))));
+    return largest;
+}
+
+}  // namespace sherd

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/contact/geometry/distance.h"
+#include "core/element_energy.h"
+
+namespace sherd {
+
+/// A vertex on one lip of a crack, and the triangle of the other lip: vertices 0 | 1 2 3, the lip being the
+/// triangle's side from 1 to 2.
+struct LipStencil {
+    std::array<Index, 4> vertices;
+    double stiffness;  ///< N/m
+};
+
+/// How far the vertex is in front of the lip, in the triangle's plane, m; negative when it overlaps.
+double lip_opening(const PairPositions& x);
+/// d(opening)/dx, [3, 4]; without sum and without torque.
+PairPositions lip_opening_gradient(const PairPositions& x);
+/// d2(opening)/dx2, 1/m.
+PairHessian lip_opening_hessian(const PairPositions& x);
+
+/// A spring against overlap, none against opening or sliding: its energy, J, with derivatives by the
+/// positions.
+double value(const LipStencil& lip, const PairPositions& x);
+PairPositions gradient(const LipStencil& lip, const PairPositions& x);
+/// `convex`: the Gauss-Newton part alone.
+PairHessian hessian(const LipStencil& lip, const PairPositions& x, bool convex);
+
+/// The lips of a shell's cracks.
+struct LipElements {
+    const std::vector<LipStencil>* lips;  ///< must outlive it
+
+    std::size_t size() const { return lips->size(); }
+    const std::array<Index, 4>& vertices(std::size_t i) const { return (*lips)[i].vertices; }
+    double value(std::size_t i, const PairPositions& x) const { return sherd::value((*lips)[i], x); }
+    PairPositions gradient(std::size_t i, const PairPositions& x) const {
+        return sherd::gradient((*lips)[i], x);
+    }
+    PairHessian hessian(std::size_t i, const PairPositions& x, Curvature curvature) const {
+        return sherd::hessian((*lips)[i], x, curvature == Curvature::convex);
+    }
+};
+
+/// What holds the lips of a crack apart as long as they are too near for SheetContact.
+class LipContact : public ElementEnergy<LipElements> {
+  public:
+    /// The stencils must outlive it.
+    explicit LipContact(const std::vector<LipStencil>& lips) : ElementEnergy({&lips}) {}
+    Task task() const override { return Task::contact; }
+    double largest_overlap(const Positions& x) const;  ///< m, 0 when nothing overlaps
+};
+
+}  // namespace sherd

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/sheets/sheet_contact.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace sherd {
+namespace {
+
+std::string message(const ContactSurface& surface, const ContactPair& pair, double apart) {
+    std::string sheet, solid;
+    for (const Index vertex : pair.vertices)
+        (surface.of_solid(vertex) ? solid : sheet) +=
+            " " + std::to_string(vertex - (surface.of_solid(vertex) ? 0 : surface.solid_vertices()));
+    const std::string elements =
+        pair.kind == PairKind::edge_edge ? "the edges of vertices" : "a vertex and the triangle of vertices";
+    const std::string others = solid.empty() ? "" : " and of an obstacle's" + solid;
+    return "contact: " + elements + sheet + others + " are " + std::to_string(apart) +
+           " m apart, which must be more than " + std::to_string(pair.minimum()) +
+           " m; move the sheets apart, or make them thinner";
+}
+
+}  // namespace
+
+SheetContact::SheetContact(const Sheet& sheet, std::vector<Obstacle> given, bool sheets_meet)
+    : sheet(sheet),
+      obstacles(std::move(given)),
+      solids(contact_solids(sheet, obstacles)),
+      near(ContactSurface(sheet, solids, sheets_meet)) {
+    start = end = solid_positions(obstacles, 0);
+}
+
+void SheetContact::begin(const StepContext& step) {
+    start = solid_positions(obstacles, step.begin);
+    end = solid_positions(obstacles, step.end());
+}
+
+void SheetContact::topology_changed(const ShellChange&, const StepContext& step) {
+    near.surface_changed(ContactSurface(sheet, solids, surface().sheets_meet()));
+    begin(step);
+}
+
+const Positions& SheetContact::with(const Positions& solid, const Positions& x) const {
+    if (solid.cols() == 0) return x;
+    whole.resize(3, solid.cols() + x.cols());
+    whole << solid, x;
+    return whole;
+}
+
+SheetContact::Pairs SheetContact::pairs_at(const Positions& all) const {
+    return {near.touching(all), all, surface().solid_vertices()};
+}
+
+double SheetContact::value(const Positions& x) const {
+    return sum_of_values(pairs_at(at_end(x)), x);
+}
+
+void SheetContact::add_gradient(const Positions& x, Positions& gradient) const {
+    add_gradients(pairs_at(at_end(x)), x, gradient);
+}
+
+void SheetContact::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    add_hessians(pairs_at(at_end(x)), x, curvature, hessian);
+}
+
+void SheetContact::add_contacts(const Positions& x, bool ahead,
+                                std::vector<std::pair<Index, Index>>& pairs) const {
+    near.add_contacts(at_end(x), ahead, pairs);
+}
+
+double SheetContact::safe_fraction(const Positions& x, const Positions& motion) const {
+    if (end.cols() == 0) return near.safe_fraction(x, motion);
+    Positions way(3, end.cols() + motion.cols());
+    way << Positions::Zero(3, end.cols()), motion;
+    return near.safe_fraction(at_end(x), way);
+}
+
+double SheetContact::safe_fraction_of_step(const Positions& x, const Positions& motion) const {
+    Positions way(3, end.cols() + motion.cols());
+    way << end - start, motion;
+    return near.safe_fraction(with(start, x), way);
+}
+
+Positions SheetContact::pushed_along(const Positions& x) const {
+    Positions pushed = Positions::Zero(3, x.cols());
+    if (start == end) return pushed;
+    Positions way = Positions::Zero(3, end.cols() + x.cols());
+    way.leftCols(end.cols()) = end - start;
+    const Index first = surface().solid_vertices();
+    for (const ContactPair& pair : near.candidates(with(start, x), way))
+        for (const Index of_solid : pair.vertices)
+            for (const Index of_sheet : pair.vertices)
+                if (of_solid < first && of_sheet >= first && way.col(of_solid).squaredNorm() > 0)
+                    pushed.col(of_sheet - first) = way.col(of_solid);
+    return pushed;
+}
+
+void SheetContact::require_apart(const Positions& x) const {
+    const Positions& all = with(start, x);
+    for (const ContactPair& pair : near.touching(all)) {
+        const double apart = distance(pair, columns(all, pair.vertices));
+        if (!(apart > pair.minimum())) throw std::runtime_error(message(surface(), pair, apart));
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/sheets/sheet_friction.h"
+
+#include <Eigen/LU>
+
+namespace sherd {
+namespace {
+
+using SlipMatrix = Eigen::Matrix<double, 3, 12>;
+
+/// Of the pair's inertia against turning, to bear elements that are as thin as a line.
+constexpr double regularization = 1e-8;
+
+/// The small rotation, rad, that the elements' edges have made, as a matrix on the vertices' displacements:
+/// the one that fits best, which is exact for a rigid motion.
+SlipMatrix rotation(PairKind kind, const PairPositions& x) {
+    Matrix3d inertia = Matrix3d::Zero();
+    SlipMatrix moments = SlipMatrix::Zero();
+    const auto add_edge = [&](int a, int b) {
+        const Vector3d edge = x.col(b) - x.col(a);
+        inertia += edge.squaredNorm() * Matrix3d::Identity() - edge * edge.transpose();
+        moments.middleCols<3>(3 * b) += cross_matrix(edge);
+        moments.middleCols<3>(3 * a) -= cross_matrix(edge);
+    };
+    if (kind == PairKind::edge_edge) {
+        add_edge(0, 1);
+        add_edge(2, 3);
+    } else {
+        add_edge(1, 2);
+        add_edge(2, 3);
+        add_edge(3, 1);
+    }
+    inertia += regularization * inertia.trace() * Matrix3d::Identity();
+    return inertia.inverse() * moments;
+}
+
+}  // namespace
+
+SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double lag) {
+    const Closest closest = closest_points(pair.kind, x);
+    const double apart = std::sqrt(squared_distance(closest, x));
+    const Vector3d normal =
+        squared_distance_gradient(closest, x) * closest.weights / (2 * apart * closest.weights.squaredNorm());
+    const double force =
+        -pair.stiffness * pair.mollifier.value(x) * pair.barrier().slope(apart - pair.minimum());
+    SlidingPair sliding{pair.vertices,
+                        apart * cross_matrix(normal) * rotation(pair.kind, x),
+                        Matrix3d::Identity() - normal * normal.transpose(),
+                        {coefficient * force, smoothing_speed * lag}};
+    for (int i = 0; i < 4; ++i) sliding.slip.middleCols<3>(3 * i) += closest.weights[i] * sliding.tangent;
+    return sliding;
+}
+
+PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
+    PairPositions moved;
+    for (int v = 0; v < 4; ++v) {
+        const Index vertex = pairs[i].vertices[v];
+        if (vertex < first)
+            moved.col(v) = solids.col(vertex);
+        else
+            moved.col(v) = x.col(vertex - first) - origin.col(vertex);
+    }
+    return moved;
+}
+
+PairPositions SlidingPairs::gradient(std::size_t i, const PairPositions& moved) const {
+    const Eigen::Matrix<double, 12, 1> local =
+        pairs[i].slip.transpose() * pairs[i].friction.gradient(slip(i, moved));
+    return local.reshaped(3, 4);
+}
+
+PairHessian SlidingPairs::hessian(std::size_t i, const PairPositions& moved, Curvature) const {
+    const SlidingPair& pair = pairs[i];
+    return pair.slip.transpose() * pair.friction.hessian(slip(i, moved), pair.tangent) * pair.slip;
+}
+
+void SheetFriction::begin(const StepContext& step) {
+    const Positions start = contact.at_start(sheet.position);
+    elements.pairs.clear();
+    elements.first = contact.surface().solid_vertices();
+    elements.origin = contact.at_start(step.origin);
+    elements.solids = (step.lag / step.length) * (contact.at_end(sheet.position).leftCols(elements.first) -
+                                                  start.leftCols(elements.first));
+    for (const ContactPair& pair : contact.touching_at_start(sheet.position)) {
+        const ContactSolid* solid = contact.surface().solid_of(pair.kind, pair.vertices);
+        const double own = solid ? solid->friction : coefficient;
+        if (own > 0)
+            elements.pairs.push_back(sliding_pair(pair, columns(start, pair.vertices), own, step.lag));
+    }
+}
+
+void SheetFriction::add_contacts(const Positions&, bool, std::vector<std::pair<Index, Index>>& all) const {
+    add_patterns(elements, all);
+}
+
+}  // namespace sherd

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "core/energy.h"
+
+namespace sherd {
+
+// Sums over elements: the one loop that all energies share. `elements` has, for i from 0 to size() - 1,
+//     vertices(i)                  std::array<Index, N>; a vertex below zero is none of the shell's: it is
+//     where
+//                                  it is, and takes no force
+//     value(i, local)              J
+//     gradient(i, local)           N, [3, N]
+//     hessian(i, local, curvature) N/m, [3 N, 3 N], symmetric, coordinate fastest
+// where local, [3, N], are the positions (m) of the element's vertices, or what gather(i, x) makes of all.
+
+template <class Elements>
+auto local_positions(const Elements& elements, std::size_t i, const Positions& x) {
+    if constexpr (requires { elements.gather(i, x); })
+        return elements.gather(i, x);
+    else
+        return columns(x, elements.vertices(i));
+}
+
+template <class Elements>
+double sum_of_values(const Elements& elements, const Positions& x) {
+    double sum = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        sum += elements.value(i, local_positions(elements, i, x));
+    return sum;
+}
+
+template <class Elements>
+void add_gradients(const Elements& elements, const Positions& x, Positions& gradient) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto local = elements.gradient(i, local_positions(elements, i, x));
+        const auto vertices = elements.vertices(i);
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            if (vertices[v] >= 0) gradient.col(vertices[v]) += local.col(static_cast<Eigen::Index>(v));
+    }
+}
+
+template <class Elements>
+void add_hessians(const Elements& elements, const Positions& x, Curvature curvature, BlockMatrix& hessian) {
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        add_element(hessian, elements.vertices(i),
+                    elements.hessian(i, local_positions(elements, i, x), curvature));
+}
+
+/// Appends the pairs of vertices of each element.
+template <class Elements>
+void add_patterns(const Elements& elements, std::vector<std::pair<Index, Index>>& pairs) {
+    for (std::size_t i = 0; i < elements.size(); ++i) add_pairs(pairs, elements.vertices(i));
+}
+
+/// The energy of elements that stay the same for a step at least.
+template <class Elements>
+class ElementEnergy : public Energy {
+  public:
+    explicit ElementEnergy(Elements elements) : elements(std::move(elements)) {}
+
+    double value(const Positions& x) const override { return sum_of_values(elements, x); }
+    void add_gradient(const Positions& x, Positions& gradient) const override {
+        add_gradients(elements, x, gradient);
+    }
+    void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override {
+        add_hessians(elements, x, curvature, hessian);
+    }
+    void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
+        add_patterns(elements, pairs);
+    }
+
+  protected:
+    Elements elements;
+};
+
+}  // namespace sherd

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/elements/hinge.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace sherd {
+namespace {
+
+double cotangent(const Vector3d& a, const Vector3d& b) {
+    return a.dot(b) / a.cross(b).norm();
+}
+
+}  // namespace
+
+RestHinge rest_hinge(const HingePositions& rest) {
+    const Vector3d e0 = rest.col(1) - rest.col(0), e1 = rest.col(2) - rest.col(0),
+                   e2 = rest.col(3) - rest.col(0);
+    const Vector3d e3 = rest.col(2) - rest.col(1), e4 = rest.col(3) - rest.col(1);
+    RestHinge hinge;
+    hinge.edge_length = e0.norm();
+    hinge.area = 0.5 * (e0.cross(e1).norm() + e0.cross(e2).norm());
+    hinge.angle = hinge_angle(rest);
+    hinge.cotangents << cotangent(e0, e1), cotangent(-e0, e3), cotangent(e0, e2), cotangent(-e0, e4);
+    return hinge;
+}
+
+double hinge_angle(const HingePositions& x) {
+    const Vector3d e0 = x.col(1) - x.col(0), e1 = x.col(2) - x.col(0), e2 = x.col(3) - x.col(0);
+    const Vector3d n0 = e0.cross(e1), n1 = e2.cross(e0);
+    return std::atan2(e0.norm() * n0.dot(e2), n0.dot(n1));
+}
+
+double hinge_strain(const RestHinge& rest, const HingePositions& x) {
+    const double change = std::remainder(hinge_angle(x) - rest.angle, 2 * std::numbers::pi);
+    return rest.edge_length / rest.area * change;
+}
+
+}  // namespace sherd

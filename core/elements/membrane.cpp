@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/elements/membrane.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace sherd {
+namespace {
+
+using Matrix32 = Eigen::Matrix<double, 3, 2>;
+
+/// F from edge vectors, which keeps its digits far from the origin. The derivatives' rows sum to zero.
+Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    Matrix32 edges;
+    edges << x.col(1) - x.col(0), x.col(2) - x.col(0);
+    return edges * triangle.derivatives.bottomRows<2>();
+}
+
+Vector3d strain_of(const Matrix32& F) {
+    return {0.5 * (F.col(0).squaredNorm() - 1), 0.5 * (F.col(1).squaredNorm() - 1), F.col(0).dot(F.col(1))};
+}
+
+Eigen::Matrix2d tensor(const Vector3d& stress) {
+    Eigen::Matrix2d s;
+    s << stress[0], stress[2], stress[2], stress[1];
+    return s;
+}
+
+Eigen::Matrix2d tensile_part(const Eigen::Matrix2d& stress) {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(stress);
+    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+           eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d& elasticity) {
+    const Vector3d a = rest.col(1) - rest.col(0), b = rest.col(2) - rest.col(0), normal = a.cross(b);
+    const Vector3d axis0 = a.normalized(), axis1 = normal.cross(a).normalized();
+    Eigen::Matrix2d edges;
+    edges << axis0.dot(a), axis0.dot(b), axis1.dot(a), axis1.dot(b);
+    MembraneTriangle triangle;
+    triangle.area = 0.5 * normal.norm();
+    triangle.derivatives.bottomRows<2>() = edges.inverse();
+    triangle.derivatives.row(0) = -triangle.derivatives.bottomRows<2>().colwise().sum();
+    triangle.elasticity = elasticity;
+    return triangle;
+}
+
+Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    return strain_of(deformation_gradient(triangle, x));
+}
+
+double value(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    const Vector3d strain = green_strain(triangle, x);
+    return 0.5 * triangle.area * strain.dot(triangle.elasticity * strain);
+}
+
+TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    const Matrix32 F = deformation_gradient(triangle, x);
+    const Eigen::Matrix2d stress = tensor(triangle.elasticity * strain_of(F));
+    return triangle.area * F * stress * triangle.derivatives.transpose();
+}
+
+Eigen::Matrix<double, 9, 9> hessian(const MembraneTriangle& triangle, const TrianglePositions& x,
+                                    bool convex) {
+    const Matrix32 F = deformation_gradient(triangle, x);
+    Eigen::Matrix<double, 3, 9> B;  // d(strain)/dx
+    for (int i = 0; i < 3; ++i) {
+        const double d0 = triangle.derivatives(i, 0), d1 = triangle.derivatives(i, 1);
+        B.block<1, 3>(0, 3 * i) = d0 * F.col(0).transpose();
+        B.block<1, 3>(1, 3 * i) = d1 * F.col(1).transpose();
+        B.block<1, 3>(2, 3 * i) = d1 * F.col(0).transpose() + d0 * F.col(1).transpose();
+    }
+    Eigen::Matrix2d stress = tensor(triangle.elasticity * strain_of(F));
+    if (convex) stress = tensile_part(stress);
+    const Eigen::Matrix3d geometric = triangle.derivatives * stress * triangle.derivatives.transpose();
+    Eigen::Matrix<double, 9, 9> h = B.transpose() * triangle.elasticity * B;
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) h.block<3, 3>(3 * a, 3 * b).diagonal().array() += geometric(a, b);
+    return triangle.area * h;
+}
+
+}  // namespace sherd

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Positions of a triangle's three vertices, one column each, m.
+using TrianglePositions = Eigen::Matrix<double, 3, 3>;
+
+/// Constant-strain triangle of a St. Venant-Kirchhoff membrane.
+struct MembraneTriangle {
+    double area = 0;  ///< at rest, m^2
+    Eigen::Matrix<double, 3, 2>
+        derivatives;      ///< d(shape function)/d(rest coordinate), 1/m: F = x derivatives
+    Matrix3d elasticity;  ///< N/m, on (E00, E11, 2 E01) in the rest frame
+};
+
+/// The rest frame's first axis runs along the edge from vertex 0 to vertex 1.
+/// elasticity: see membrane_elasticity().
+MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d& elasticity);
+
+/// Green strain (E00, E11, 2 E01) in the rest frame.
+Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);
+
+/// Value, J.
+double value(const MembraneTriangle& triangle, const TrianglePositions& x);
+/// dE/dx, N, [3, 3].
+TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x);
+/// d2E/dx2, N/m, [9, 9], coordinate fastest. `convex` drops the compressive part of the geometric stiffness,
+/// which makes the matrix positive semidefinite.
+Eigen::Matrix<double, 9, 9> hessian(const MembraneTriangle& triangle, const TrianglePositions& x,
+                                    bool convex);
+
+}  // namespace sherd

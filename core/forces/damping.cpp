@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/forces/damping.h"
+
+namespace sherd {
+
+void StiffnessDamping::begin(const StepContext& step) {
+    const double scale = coefficient / step.lag;
+    triangles.clear();
+    for (const TriangleStencil& triangle : sheet.triangles)
+        triangles.push_back({triangle.vertices, membrane_triangle(columns(step.origin, triangle.vertices),
+                                                                  scale * triangle.membrane.elasticity)});
+    bending = std::make_unique<CubicBending>(CubicHinges(sheet.hinges, step.origin, scale));
+    membrane = std::make_unique<MembraneEnergy>(triangles);
+}
+
+double StiffnessDamping::value(const Positions& x) const {
+    return bending->value(x) + membrane->value(x);
+}
+
+double StiffnessDamping::round_off() const {
+    return bending->round_off();
+}
+
+void StiffnessDamping::add_gradient(const Positions& x, Positions& gradient) const {
+    bending->add_gradient(x, gradient);
+    membrane->add_gradient(x, gradient);
+}
+
+void StiffnessDamping::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    bending->add_hessian(x, curvature, hessian);
+    membrane->add_hessian(x, curvature, hessian);
+}
+
+void StiffnessDamping::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
+    bending->add_pattern(pairs);
+    membrane->add_pattern(pairs);
+}
+
+}  // namespace sherd

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/bending/cubic_bending.h"
+#include "core/forces/vertex_springs.h"
+#include "core/membrane/membrane_energy.h"
+
+namespace sherd {
+
+/// Damping proportional to stiffness and to mass (Rayleigh). A mode of angular frequency w is damped with the
+/// ratio (stiffness w + mass / w) / 2.
+struct Damping {
+    double stiffness = 0;  ///< s; resists changes of shape
+    double mass = 0;       ///< 1/s; resists all motion, that of rigid bodies too, like a thick medium
+};
+
+/// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy, of
+/// cubic hinges and membranes, of a shell whose rest shape is the step's origin (StepContext). To second
+/// order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K (x - origin), with K that of the shell's
+/// shape there without its stresses. An elastic energy has neither net force nor net torque on any shape:
+/// linear and angular momentum are kept, which x^T K x alone does for linear momentum only.
+class StiffnessDamping : public Energy {
+  public:
+    /// The shell must outlive it. coefficient: s.
+    StiffnessDamping(const Sheet& sheet, double coefficient) : sheet(sheet), coefficient(coefficient) {}
+    StiffnessDamping(const StiffnessDamping&) = delete;  // its sums refer to its triangles
+    void begin(const StepContext& step) override;
+    double value(const Positions& x) const override;
+    double round_off() const override;
+    void add_gradient(const Positions& x, Positions& gradient) const override;
+    void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    Task task() const override { return Task::loads; }
+    void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+
+  private:
+    const Sheet& sheet;
+    double coefficient;
+    std::vector<TriangleStencil> triangles;
+    std::unique_ptr<Energy> bending, membrane;
+};
+
+/// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin). It
+/// takes linear and angular momentum away, at the rate `coefficient`.
+class MassDamping : public ElementEnergy<VertexSprings> {
+  public:
+    /// The shell must outlive it. coefficient: 1/s.
+    MassDamping(const Sheet& sheet, double coefficient)
+        : ElementEnergy({}), sheet(sheet), coefficient(coefficient) {}
+    void begin(const StepContext& step) override {
+        elements = {coefficient / step.lag * sheet.mass, step.origin};
+    }
+    Task task() const override { return Task::loads; }
+
+  private:
+    const Sheet& sheet;
+    double coefficient;
+};
+
+}  // namespace sherd

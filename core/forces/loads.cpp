@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/forces/loads.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <stdexcept>
+
+namespace sherd {
+namespace {
+
+double fraction(const Load& load, double time) {
+    return load.ramp > 0 ? std::clamp(time / load.ramp, 0.0, 1.0) : 1.0;
+}
+
+}  // namespace
+
+std::vector<CornerForce> point_forces(const Sheet& sheet, std::span<const Index> vertices,
+                                      const Vector3d& force) {
+    std::vector<CornerForce> forces(sheet.mass.size(), CornerForce{-1, 0, force});
+    for (Index t = 0; t < static_cast<Index>(sheet.triangles.size()); ++t)
+        for (int corner = 0; corner < 3; ++corner)
+            forces[sheet.triangles[t].vertices[corner]] = {t, corner, force};
+    std::vector<CornerForce> result;
+    for (const Index vertex : vertices) {
+        result.push_back(forces.at(vertex));
+        if (result.back().triangle < 0) throw std::out_of_range("point_forces: a vertex without triangle");
+    }
+    return result;
+}
+
+std::vector<CornerForce> line_forces(const Sheet& sheet, std::span<const TriangleSide> sides,
+                                     const Vector3d& force) {
+    std::vector<CornerForce> result;
+    for (const TriangleSide& side : sides) {
+        const auto [from, to, opposite] = side_vertices(sheet, side);
+        const double length = (sheet.rest.col(to) - sheet.rest.col(from)).norm();
+        for (const int turn : {1, 2})
+            result.push_back({side.triangle, (side.corner + turn) % 3, length / 2 * force});
+    }
+    return result;
+}
+
+std::vector<CornerForce> area_forces(const Sheet& sheet, std::span<const Index> triangles,
+                                     const Vector3d& force) {
+    std::vector<CornerForce> result;
+    for (const Index triangle : triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            result.push_back({triangle, corner, sheet.triangles[triangle].membrane.area / 3 * force});
+    return result;
+}
+
+double PressedTriangles::value(std::size_t i, const TrianglePositions& x) const {
+    const TrianglePositions r = x.colwise() - centre;
+    return -(triangles[i].pressure / 6 * r.determinant());
+}
+
+TrianglePositions PressedTriangles::gradient(std::size_t i, const TrianglePositions& x) const {
+    const TrianglePositions r = x.colwise() - centre;
+    TrianglePositions slope;
+    for (int c = 0; c < 3; ++c)
+        slope.col(c) = -(triangles[i].pressure / 6 * r.col((c + 1) % 3).cross(r.col((c + 2) % 3)));
+    return slope;
+}
+
+Eigen::Matrix<double, 9, 9> PressedTriangles::hessian(std::size_t i, const TrianglePositions& x,
+                                                      Curvature curvature) const {
+    Eigen::Matrix<double, 9, 9> blocks = Eigen::Matrix<double, 9, 9>::Zero();
+    if (curvature == Curvature::convex) return blocks;
+    const TrianglePositions r = x.colwise() - centre;
+    for (int c = 0; c < 3; ++c) {
+        const int next = (c + 1) % 3;
+        const Matrix3d block = triangles[i].pressure / 6 * cross_matrix(r.col((c + 2) % 3));
+        blocks.block<3, 3>(3 * c, 3 * next) = block;
+        blocks.block<3, 3>(3 * next, 3 * c) = block.transpose();
+    }
+    return blocks;
+}
+
+void LoadEnergy::begin(const StepContext& step) {
+    start = sheet.position;
+    sum_loads(step.end());
+    if (pressed.size() > 0) complete_pressure();
+}
+
+void LoadEnergy::sum_loads(double time) {
+    force = Positions::Zero(3, sheet.position.cols());
+    pressed.triangles.clear();
+    for (const Load& load : loads) {
+        const double share = fraction(load, time);
+        for (const CornerForce& dead : load.dead)
+            force.col(sheet.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
+        for (const Index triangle : load.pressed)
+            pressed.triangles.push_back({sheet.triangles[triangle].vertices, share * load.pressure});
+    }
+}
+
+void LoadEnergy::complete_pressure() {
+    pressed.centre.setZero();
+    for (const auto& triangle : pressed.triangles)
+        pressed.centre +=
+            columns(start, triangle.vertices).rowwise().mean() / static_cast<double>(pressed.size());
+    for (std::size_t i = 0; i < pressed.size(); ++i) {
+        const auto& [vertices, pressure] = pressed.triangles[i];
+        const TrianglePositions x = columns(start, vertices), missed = pressed.gradient(i, x);
+        const Vector3d area = 0.5 * Vector3d(x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0)));
+        for (const Index vertex : vertices) force.col(vertex) += pressure / 3 * area;
+        for (int c = 0; c < 3; ++c) force.col(vertices[c]) += missed.col(c);
+    }
+    start_potential = sum_of_values(pressed, start);
+}
+
+double LoadEnergy::value(const Positions& x) const {
+    return sum_of_values(pressed, x) - start_potential - force.cwiseProduct(x - start).sum();
+}
+
+void LoadEnergy::add_gradient(const Positions& x, Positions& gradient) const {
+    gradient -= force;
+    add_gradients(pressed, x, gradient);
+}
+
+void LoadEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    add_hessians(pressed, x, curvature, hessian);
+}
+
+void LoadEnergy::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
+    add_patterns(pressed, pairs);
+}
+
+}  // namespace sherd

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/forces/shell_energies.h"
+
+namespace sherd {
+
+ShellEnergies::ShellEnergies(const Sheet& sheet, const ShellEnergyOptions& options)
+    : bending(bending_energy(sheet, options.bending)),
+      membrane(sheet.triangles),
+      mirrors(sheet, options.mirrors) {
+    if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(sheet, options.loads));
+    if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(sheet, options.winds));
+    if (options.damping.stiffness > 0)
+        outer.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness));
+    if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass));
+}
+
+std::vector<Energy*> ShellEnergies::loads() {
+    std::vector<Energy*> all;
+    for (const std::unique_ptr<Energy>& energy : outer) all.push_back(energy.get());
+    return all;
+}
+
+}  // namespace sherd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/bending/bending.h"
+#include "core/bending/mirror_hinge.h"
+#include "core/forces/damping.h"
+#include "core/forces/loads.h"
+#include "core/forces/wind.h"
+#include "core/membrane/membrane_energy.h"
+
+namespace sherd {
+
+struct ShellEnergyOptions {
+    BendingOptions bending = {};            ///< energy and Jacobian of the hinges
+    std::vector<MirrorHinge> mirrors = {};  ///< at clamps and symmetry planes
+    std::vector<Load> loads = {};
+    std::vector<Wind> winds = {};
+    Damping damping = {};
+};
+
+/// What acts on a shell beside inertia and contact: its elasticity, and loads, wind and damping.
+class ShellEnergies {
+  public:
+    /// The sheet must outlive it.
+    ShellEnergies(const Sheet& sheet, const ShellEnergyOptions& options);
+
+    /// In the order in which they are summed.
+    std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }
+    std::vector<Energy*> loads();
+
+    double bending_value(const Positions& x) const {  ///< J
+        return bending->value(x) + mirrors.value(x);
+    }
+    double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
+
+  private:
+    std::unique_ptr<Energy> bending;
+    MembraneEnergy membrane;
+    MirrorEnergy mirrors;
+    std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind, damping; those that there are
+};
+
+}  // namespace sherd

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/forces/wind.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+namespace {
+
+/// K, kg/s, of a triangle. corners: m; wind: of the air relative to it, m/s.
+Matrix3d resistance(const Wind& wind, const TrianglePositions& corners, const Vector3d& relative) {
+    const Vector3d area =
+        0.5 * Vector3d(corners.col(1) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(0)));
+    const Vector3d normal = area.stableNormalized();
+    const double across = normal.dot(relative), along = (relative - across * normal).norm();
+    const Matrix3d normals = normal * normal.transpose();
+    return 0.5 * wind.density * area.norm() *
+           ((wind.drag * std::abs(across) + wind.lift * along) * normals +
+            wind.friction * along * (Matrix3d::Identity() - normals));
+}
+
+}  // namespace
+
+Vector3d Wind::at(const Vector3d& place, double time) const {
+    Vector3d sum = velocity;
+    for (const GustWave& gust : gusts)
+        sum += std::cos(gust.wave.dot(place) + gust.frequency * time + gust.phase) * gust.amplitude;
+    return ramp > 0 ? std::clamp(time / ramp, 0.0, 1.0) * sum : sum;
+}
+
+void WindEnergy::begin(const StepContext& step) {
+    elements.corners.clear();
+    for (const Wind& wind : winds)
+        for (const Index triangle : wind.triangles) {
+            const std::array<Index, 3>& vertices = sheet.triangles[triangle].vertices;
+            const TrianglePositions x = columns(sheet.position, vertices),
+                                    v = columns(sheet.velocity, vertices),
+                                    origin = columns(step.origin, vertices);
+            TrianglePositions air;
+            for (int i = 0; i < 3; ++i) air.col(i) = wind.at(x.col(i), step.end());
+            const Matrix3d stiffness = resistance(wind, x, (air - v).rowwise().mean()) / (3 * step.lag);
+            for (int i = 0; i < 3; ++i)
+                elements.corners.push_back({vertices[i], origin.col(i) + step.lag * air.col(i), stiffness});
+        }
+}
+
+}  // namespace sherd

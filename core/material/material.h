@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/material/orthotropy.h"
+
+namespace sherd {
+
+/// What the stiffness of a hinge is, as a share of the plate's rigidity.
+enum class Calibration {
+    third,  ///< a third: a hinge mesh of stiffness lambda resists developable bending like a plate of 3
+            ///< lambda
+    paper   ///< all of it, as in the paper
+};
+
+/// A homogeneous sheet, SI units: isotropic, or orthotropic along two perpendicular axes.
+struct Material {
+    double density = 0;    ///< kg/m^3
+    double thickness = 0;  ///< m
+    double young = 0;      ///< Pa, along the first material axis
+    double poisson = 0;    ///< nu01: contraction along the second axis for a stretch along the first
+    std::optional<double> young1 = {};  ///< Pa, along the second axis; none: as along the first
+    std::optional<double> shear = {};   ///< G01, Pa; none: see elastic_constants()
+    Calibration calibration = Calibration::third;
+};
+
+/// Whether every direction of the sheet is the same, so that its material axes do not matter.
+bool is_isotropic(const Material& material);
+
+/// The material's constants. Its shear modulus, where it is not given, is sqrt(Y0 Y1) / (2 (1 + nu)) with nu
+/// the geometric mean of nu01 and nu10 (Huber), for an isotropic sheet Y / (2 (1 + nu)).
+Orthotropy elastic_constants(const Material& material);
+
+/// Plate rigidity D = Y t^3 / (12 (1 - nu^2)), N m; of an orthotropic sheet the geometric mean of its two.
+double bending_rigidity(const Material& material);
+
+/// Young's modulus, Pa; of an orthotropic sheet the geometric mean of its two.
+double mean_young(const Material& material);
+
+/// lambda, N m, of a hinge whose rest edge makes `angle` (rad) with the first material axis: see
+/// edge_stiffness() and Calibration.
+double hinge_stiffness(const Material& material, double angle = 0);
+
+/// Plane-stress elasticity times thickness, N/m, [3, 3] on the Green strain (E00, E11, 2 E01) in a frame from
+/// whose first axis it is `angle` (rad, counterclockwise) to the material's.
+Matrix3d membrane_elasticity(const Material& material, double angle = 0);
+
+/// Stretching stiffness over the hinges' bending stiffness at a length (m): Y t / (lambda / length^2), with
+/// the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on (paper,
+/// section 8).
+double stretch_over_bend(const Material& material, double length);
+inline constexpr double least_stretch_over_bend = 100;
+
+}  // namespace sherd

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shell/sides.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+std::vector<TriangleSide> boundary_sides(const Sheet& sheet, std::span<const char> selected) {
+    std::vector<std::pair<Index, Index>> ends;
+    for (const TriangleStencil& triangle : sheet.triangles)
+        for (int i = 0; i < 3; ++i) ends.emplace_back(triangle.vertices[i], triangle.vertices[(i + 1) % 3]);
+    std::sort(ends.begin(), ends.end());
+    std::vector<TriangleSide> sides;
+    for (Index t = 0; t < static_cast<Index>(sheet.triangles.size()); ++t) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto [from, to, opposite] = side_vertices(sheet, {t, corner});
+            // The neighbour, if there is one, runs along the side the other way.
+            const bool boundary = !std::binary_search(ends.begin(), ends.end(), std::pair(to, from));
+            if (boundary && selected[from] && selected[to]) sides.push_back({t, corner});
+        }
+    }
+    return sides;
+}
+
+}  // namespace sherd

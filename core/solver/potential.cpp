@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/potential.h"
+
+#include <algorithm>
+
+#include "core/shell/supports.h"
+
+namespace sherd {
+
+template <class Action>
+void Potential::each(const Action& action) const {
+    for (Energy* energy : energies) {
+        const Stopwatch watch(spent, energy->task());
+        action(*energy);
+    }
+}
+
+void Potential::begin(const StepContext& step) {
+    each([&](Energy& energy) { energy.begin(step); });
+}
+
+void Potential::topology_changed(const ShellChange& change, const StepContext& step) {
+    each([&](Energy& energy) { energy.topology_changed(change, step); });
+}
+
+void Potential::moved_to(const Positions& x) {
+    each([&](Energy& energy) { energy.moved_to(x); });
+}
+
+double Potential::value(const Positions& x) const {
+    double sum = 0;
+    each([&](const Energy& energy) { sum += energy.value(x); });
+    return sum;
+}
+
+double Potential::round_off() const {
+    double sum = 0;
+    each([&](const Energy& energy) { sum += energy.round_off(); });
+    return sum;
+}
+
+Positions Potential::gradient(const Positions& x) const {
+    Positions sum = Positions::Zero(3, x.cols());
+    each([&](const Energy& energy) { energy.add_gradient(x, sum); });
+    constrain(sheet, sum);
+    return sum;
+}
+
+BlockMatrix Potential::hessian_pattern(const Positions& x) const {
+    std::vector<std::pair<Index, Index>> pairs;
+    each([&](const Energy& energy) {
+        energy.add_pattern(pairs);
+        energy.add_contacts(x, true, pairs);
+    });
+    return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed, sheet.guide,
+                       sheet.guides);
+}
+
+bool Potential::fits(const Positions& x, const BlockMatrix& hessian) const {
+    std::vector<std::pair<Index, Index>> pairs;
+    each([&](const Energy& energy) { energy.add_contacts(x, false, pairs); });
+    if (pairs.empty()) return true;
+    const Stopwatch watch(spent, Task::contact);
+    return std::all_of(pairs.begin(), pairs.end(),
+                       [&](const auto& pair) { return hessian.has(pair.first, pair.second); });
+}
+
+double Potential::safe_fraction(const Positions& x, const Positions& motion) const {
+    double fraction = 1;
+    each([&](const Energy& energy) { fraction = std::min(fraction, energy.safe_fraction(x, motion)); });
+    return fraction;
+}
+
+void Potential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    hessian.set_zero();
+    each([&](const Energy& energy) { energy.add_hessian(x, curvature, hessian); });
+}
+
+}  // namespace sherd

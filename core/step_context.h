@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// The displacement (m) and the rotation vector (rad) of a rigid body in a step, or their rates.
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+
+/// The origins of a rigid body in a step, see StepContext; its displacement and rotation since the step's
+/// beginning take the place of positions.
+struct BodyOrigin {
+    Vector6d pose = Vector6d::Zero();      ///< m, rad
+    Vector6d velocity = Vector6d::Zero();  ///< m/s, rad/s
+};
+
+/// One implicit time step as energies see it. Its time scheme says what a velocity at the step's end is, as a
+/// function of the positions x there:
+///     v(x) = (x - origin) / lag,
+/// and what an acceleration is, (v(x) - velocity_origin) / lag. For implicit Euler the origins are positions
+/// and velocities at the beginning, and the lag is the step's length.
+struct StepContext {
+    double begin = 0;           ///< s
+    double length = 0;          ///< s
+    double lag = 0;             ///< s
+    Positions origin;           ///< [3, V] m
+    Positions velocity_origin;  ///< [3, V] m/s
+    std::vector<BodyOrigin> bodies;
+
+    double end() const { return begin + length; }  ///< s
+    /// m/s at the end of the step; x: [3, V] m.
+    Positions velocity(const Positions& x) const { return (x - origin) / lag; }
+    /// Where a vertex that is at `from` at the beginning of the step would have to be at its end to move with
+    /// what a scripted motion carries from there to `to`, m. For implicit Euler that is `to`.
+    Vector3d at_rest_on(Index vertex, const Vector3d& from, const Vector3d& to) const {
+        return to + (origin.col(vertex) - from) + (lag / length - 1) * (to - from);
+    }
+};
+
+}  // namespace sherd

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time/implicit_stepper.h"
+
+#include "core/shell/supports.h"
+#include "core/time/implicit_euler.h"
+
+namespace sherd {
+
+ImplicitStepper::ImplicitStepper(Sheet& sheet, const StepperOptions& options)
+    : position(sheet.position),
+      sheet(sheet),
+      options(options),
+      scheme(std::make_unique<ImplicitEuler>()),
+      inertia(sheet, options.gravity),
+      shell(sheet, options.shell),
+      contact(sheet, options.contact, options.gravity),
+      potential(sheet, all_energies(), spent),
+      minimiser(std::make_unique<Newton>(options.tolerance)) {
+    step = scheme->begin(sheet, contact.bodies(), time, options.step);
+}
+
+std::vector<Energy*> ImplicitStepper::all_energies() {
+    std::vector<Energy*> all{&inertia};
+    for (const std::vector<Energy*>& some :
+         {shell.elastic(), contact.energies(), shell.loads(), contact.frictions()})
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
+bool ImplicitStepper::begin(double length) {
+    step = scheme->begin(sheet, contact.bodies(), time, length);
+    potential.begin(step);
+    require_apart();
+    return predict();
+}
+
+bool ImplicitStepper::predict() {
+    const Positions motion = inertia.predicted() - sheet.position;
+    position = inertia.predicted();
+    if (free_way(motion) == 1) return true;
+    // What is carried has to arrive, and obstacles too, so they go first, if need be with what is near them,
+    // and the others as far as there is room.
+    const Positions carried = carried_part(sheet, motion);
+    for (const bool along : {false, true}) {
+        const Positions first = along ? carried + pushed_along() : carried;
+        if (free_way(first) < 1) continue;
+        const Positions others = motion - first;
+        position = sheet.position + first;
+        potential.moved_to(position);
+        position += potential.safe_fraction(position, others) * others;
+        return true;
+    }
+    return false;
+}
+
+void ImplicitStepper::require_apart() {
+    if (contact.empty()) return;
+    const Stopwatch watch(spent, Task::contact);
+    contact.require_apart();
+}
+
+double ImplicitStepper::free_way(const Positions& motion) {
+    if (contact.empty()) return 1;
+    const Stopwatch watch(spent, Task::contact);
+    return contact.free_way(motion);
+}
+
+Positions ImplicitStepper::pushed_along() const {
+    Positions pushed = contact.pushed_along();
+    constrain(sheet, pushed);
+    return pushed;
+}
+
+MinimiserResult ImplicitStepper::solve(int max_iterations) {
+    const Stopwatch watch(spent, Task::other);  // but for what its parts book
+    return minimiser->minimise(potential, max_iterations, position);
+}
+
+void ImplicitStepper::topology_changed(const ShellChange& change) {
+    position.conservativeResize(3, sheet.position.cols());
+    for (const auto& [parent, vertex] : change.vertices) position.col(vertex) = position.col(parent);
+    scheme->topology_changed(sheet, change, step);
+    potential.topology_changed(change, step);
+    minimiser->topology_changed(change, potential, position);
+}
+
+void ImplicitStepper::finish() {
+    contact.finish(position);
+    scheme->finish(step, position, sheet);
+    time = step.end();
+}
+
+PotentialEnergies ImplicitStepper::energies() const {
+    PotentialEnergies sum;
+    sum.bending = shell.bending_value(position);
+    sum.membrane = shell.membrane_value(position);
+    sum.gravity = -options.gravity.dot(position * sheet.mass);
+    for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
+    sum.contact = contact.stored_energy(position);
+    return sum;
+}
+
+}  // namespace sherd

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time/stability.h"
+
+#include "core/membrane/membrane_energy.h"
+#include "core/solver/linear_solver.h"
+#include "core/solver/potential.h"
+#include "core/time/implicit_euler.h"
+#include "core/time/inertia.h"
+
+namespace sherd {
+namespace {
+
+constexpr double growth_time = 0.1;  // s
+
+}  // namespace
+
+bool stable_at_rest(const Sheet& sheet, BendingModel model) {
+    if (model == BendingModel::cubic_2007) model = BendingModel::cubic;
+    const std::unique_ptr<Energy> bending = bending_energy(sheet, {model, exact_jacobian(model)});
+    MembraneEnergy membrane(sheet.triangles);
+    // With a step of the growth time, the masses on the diagonal outweigh what grows more slowly.
+    TimeSpent spent;
+    Inertia inertia(sheet, Vector3d::Zero());
+    inertia.begin(ImplicitEuler().begin(sheet, {}, 0, growth_time));
+    const Potential potential(sheet, {&inertia, bending.get(), &membrane}, spent);
+    BlockMatrix stiffness = potential.hessian_pattern(sheet.rest);
+    potential.hessian(sheet.rest, Curvature::exact, stiffness);
+    const std::unique_ptr<LinearSolver> solver = cholesky_solver();
+    solver->analyze(stiffness);
+    return solver->factorize(stiffness);
+}
+
+}  // namespace sherd

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/colliders/rigid_body.h"
+#include "core/shell/sheet.h"
+#include "core/shell_change.h"
+#include "core/step_context.h"
+
+namespace sherd {
+
+/// An implicit time scheme whose steps end at the minimum of a potential: see StepContext and Inertia.
+struct TimeScheme {
+    virtual ~TimeScheme() = default;
+    /// The step of `length` (s) that begins at `time` (s) where the sheet and the bodies are.
+    virtual StepContext begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
+                              double length) const = 0;
+    /// Lets what the scheme remembers follow a change of the sheet, and the origins of the open step.
+    virtual void topology_changed(const Sheet& sheet, const ShellChange& change, StepContext& step) = 0;
+    /// Ends the step at the positions x [3, V] m: gives them to the sheet, and the velocities there.
+    virtual void finish(const StepContext& step, const Positions& x, Sheet& sheet) = 0;
+};
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/time/implicit_euler.h"
+
+namespace sherd::test {
+
+/// The step of implicit Euler from where the sheet and the bodies are; begin, length: s.
+inline StepContext step_of(const Sheet& sheet, double begin, double length,
+                           const std::vector<RigidBody>& bodies = {}) {
+    return ImplicitEuler().begin(sheet, bodies, begin, length);
+}
+
+/// The energy, in a step of implicit Euler from where the sheet is.
+template <class E>
+E begun(E energy, const Sheet& sheet, double begin, double length) {
+    energy.begin(step_of(sheet, begin, length));
+    return energy;
+}
+
+}  // namespace sherd::test
