@@ -25,14 +25,14 @@ struct CutOptions {
 nlohmann::ordered_json summary(const Mesh& before, std::span<const Edge> edges, const CrackMesh& cracks,
                                const CrackMesh::Change& change) {
     const Mesh& mesh = cracks.mesh();
-    const std::size_t opened = change.opening.edges.size();
+    const std::size_t opened = change.topology.opened.size();
     return {{"vertices_before", before.number_of_vertices()},
             {"vertices_after", mesh.number_of_vertices()},
             {"faces", mesh.number_of_faces()},
             {"edges_requested", edges.size()},
             {"edges_opened", opened},
             {"edges_closed", edges.size() - opened},
-            {"vertices_split", change.opening.vertices.size()},
+            {"vertices_split", change.topology.vertices.size()},
             {"fragments", connected_components(mesh).count},
             {"euler_characteristic",
              static_cast<std::int64_t>(mesh.number_of_vertices() + mesh.number_of_faces()) -

@@ -31,6 +31,16 @@ std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
     return vertices;
 }
 
+template <class Element>
+std::vector<Heir> heirs(const std::vector<Born<Element>>& born) {
+    std::vector<Heir> all;
+    for (const auto& [element, parents] : born) {
+        all.push_back({number(element), {}});
+        for (const auto& [parent, weight] : parents) all.back().parents.push_back({number(parent), weight});
+    }
+    return all;
+}
+
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
@@ -63,8 +73,8 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
         add_vertices(input, number(&input - inputs.data()), first_vertex);
-        sheet_of_face.insert(sheet_of_face.end(), input.mesh.number_of_faces(),
-                             number(&input - inputs.data()));
+        sheet.face_sheet.insert(sheet.face_sheet.end(), input.mesh.number_of_faces(),
+                                number(&input - inputs.data()));
         first_vertex += number(input.mesh.number_of_vertices());
     }
     add_coincident_vertices();
@@ -110,32 +120,32 @@ void BreakableSheet::add_coincident_vertices() {
 
 void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Face face : mesh().faces()) {
-        const Material& material = inputs[sheet_of_face[face]].material;
+        const Material& material = inputs[sheet.face_sheet[face]].material;
         const std::array<Index, 3> vertices = face_vertices(mesh(), face);
         const TrianglePositions rest = columns(sheet.rest, vertices);
         const MembraneTriangle membrane =
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
         sheet.triangles.push_back({vertices, membrane});
-        face_area.push_back(membrane.area);
-        face_mass.push_back(membrane.area * material.thickness * material.density);
-        for (const Index vertex : vertices) sheet.mass[vertex] += face_mass.back() / 3;
+        sheet.face_area.push_back(membrane.area);
+        sheet.face_mass.push_back(membrane.area * material.thickness * material.density);
+        for (const Index vertex : vertices) sheet.mass[vertex] += sheet.face_mass.back() / 3;
     }
 }
 
 void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Edge edge : mesh().edges()) {
-        edge_hinge.push_back(-1);
-        edge_strength.push_back(std::numeric_limits<double>::infinity());
+        sheet.edge_hinge.push_back(-1);
+        sheet.edge_strength.push_back(std::numeric_limits<double>::infinity());
         if (cracks().state(edge) != EdgeState::interior) continue;
         const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
                                         mesh().face(mesh().halfedge(edge, 1))};
-        const SheetInput& input = inputs[sheet_of_face[faces[0]]];
-        edge_hinge.back() = number(sheet.hinges.size());
-        hinge_edge.push_back(edge);
+        const SheetInput& input = inputs[sheet.face_sheet[faces[0]]];
+        sheet.edge_hinge.back() = number(sheet.hinges.size());
+        sheet.hinge_edge.push_back(number(edge));
         const std::array<Index, 4> vertices = hinge_vertices(edge);
         const double angle =
             hinge_axis_angle(columns(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
-        edge_strength.back() = directional_strength(input.strength, angle);
+        sheet.edge_strength.back() = directional_strength(input.strength, angle);
         sheet.hinges.push_back(hinge_stencil(sheet, vertices, hinge_stiffness(input.material, angle)));
     }
 }
@@ -149,7 +159,7 @@ void BreakableSheet::add_strengths(const std::vector<SheetInput>& inputs) {
             throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
                         std::to_string(factors.size()) + " factors of the strength for " +
                         std::to_string(edges) + " edges");
-        for (std::size_t e = 0; e < factors.size(); ++e) edge_strength[first_edge + e] *= factors[e];
+        for (std::size_t e = 0; e < factors.size(); ++e) sheet.edge_strength[first_edge + e] *= factors[e];
         first_edge += edges;
         measures.push_back(input.strength.measure);
         crack_tip_factors.push_back(input.strength.crack_tip_factor);
@@ -158,7 +168,7 @@ void BreakableSheet::add_strengths(const std::vector<SheetInput>& inputs) {
 
 Index BreakableSheet::sheet_of(Edge edge) const {
     const Halfedge h = mesh().halfedge(edge);
-    return sheet_of_face[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
+    return sheet.face_sheet[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
 }
 
 void BreakableSheet::add_footprints() {
@@ -190,16 +200,15 @@ std::array<Index, 4> BreakableSheet::hinge_vertices(Edge edge) const {
 
 BreakableSheet::Change BreakableSheet::fail(std::span<const Edge> edges) {
     Change change{crack_mesh.fail(edges), {}};
-    const Opening& opening = change.cracks.opening;
-    for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge(edge));
-    edge_hinge.resize(mesh().number_of_edges(), -1);
-    edge_strength.resize(mesh().number_of_edges(), std::numeric_limits<double>::infinity());
-    for (const auto& [vertex, created] : opening.vertices)
-        change.shell.vertices.push_back({number(vertex), number(created)});
-    carry_over(opening);
-    renumber(opening.faces);
-    share_masses(opening);
-    lips.open(opening);
+    const TopologyChange& topology = change.cracks.topology;
+    for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(sheet, number(edge)));
+    change.shell.vertices = heirs(topology.vertices);
+    change.shell.edges = heirs(topology.edges);
+    change.shell.faces = heirs(topology.faces);
+    follow(sheet, change.shell);
+    renumber(topology.changed);
+    share_masses(topology);
+    lips.open(topology);
     lips.write(mesh(), sheet);
     return change;
 }
@@ -210,50 +219,36 @@ bool BreakableSheet::release_lips() {
     return true;
 }
 
-Index BreakableSheet::remove_hinge(Edge edge) {
-    const Index hinge = edge_hinge[edge];
-    edge_hinge[hinge_edge.back()] = hinge;
-    edge_hinge[edge] = -1;
-    hinge_edge[hinge] = hinge_edge.back();
-    hinge_edge.pop_back();
-    sheet.hinges[hinge] = sheet.hinges.back();
-    sheet.hinges.pop_back();
-    return hinge;
-}
-
-void BreakableSheet::carry_over(const Opening& opening) {
-    resize_vertices(sheet, number(mesh().number_of_vertices()));
-    for (const auto& [vertex, created] : opening.vertices)
-        copy_vertex(sheet, number(vertex), number(created));
-}
-
 void BreakableSheet::renumber(std::span<const Face> faces) {
     for (const Face face : faces) {
         sheet.triangles[face].vertices = face_vertices(mesh(), face);
         for (const Halfedge h : mesh().halfedges_around_face(mesh().halfedge(face))) {
-            const Index hinge = edge_hinge[mesh().edge(h)];
+            const Index hinge = sheet.edge_hinge[mesh().edge(h)];
             if (hinge >= 0) sheet.hinges[hinge].vertices = hinge_vertices(mesh().edge(h));
         }
     }
 }
 
-void BreakableSheet::share_masses(const Opening& opening) {
+void BreakableSheet::share_masses(const TopologyChange& change) {
     const auto rest_mass = [this](Vertex vertex) {
         double sum = 0;
         for (const Face face : mesh().faces_around_target(mesh().halfedge(vertex)))
-            if (face != Mesh::null_face()) sum += face_mass[face] / 3;
+            if (face != Mesh::null_face()) sum += sheet.face_mass[face] / 3;
         return sum;
     };
-    for (std::size_t i = 0; i < opening.vertices.size();) {
-        const Vertex vertex = opening.vertices[i].vertex;
-        std::vector<Vertex> copies{vertex};
-        for (; i < opening.vertices.size() && opening.vertices[i].vertex == vertex; ++i)
-            copies.push_back(opening.vertices[i].created);
-        const double footprint_per_mass = sheet.footprint[vertex] / sheet.mass[vertex];
-        for (const Vertex copy : copies) {
-            sheet.mass[copy] = rest_mass(copy);
-            sheet.footprint[copy] = footprint_per_mass * sheet.mass[copy];
+    const auto share = [&](Vertex vertex, double footprint_per_mass) {
+        sheet.mass[number(vertex)] = rest_mass(vertex);
+        sheet.footprint[number(vertex)] = footprint_per_mass * sheet.mass[number(vertex)];
+    };
+    Vertex shared;  // whose copies are being given their parts; they stand one after the other
+    double footprint_per_mass = 0;
+    for (const Born<Vertex>& copy : change.vertices) {
+        if (copy.parent() != shared) {
+            shared = copy.parent();
+            footprint_per_mass = sheet.footprint[number(shared)] / sheet.mass[number(shared)];
+            share(shared, footprint_per_mass);
         }
+        share(copy.element, footprint_per_mass);
     }
 }
 

@@ -43,17 +43,17 @@ class BreakableSheet {
     const Mesh& mesh() const { return crack_mesh.mesh(); }
     const Sheet& mechanics() const { return sheet; }
     Sheet& mechanics() { return sheet; }
-    std::span<const Index> face_sheet() const { return sheet_of_face; }  ///< [F] number of the input
-    Edge edge_of_hinge(std::size_t hinge) const { return hinge_edge[hinge]; }
+    std::span<const Index> face_sheet() const { return sheet.face_sheet; }  ///< [F] number of the input
+    Edge edge_of_hinge(std::size_t hinge) const { return Edge(sheet.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges, -1 when it has none.
-    Index hinge_of_edge(Edge edge) const { return edge_hinge[edge]; }
+    Index hinge_of_edge(Edge edge) const { return sheet.edge_hinge[edge]; }
     /// What the hinge of `edge` withstands, in the unit of its sheet's measure; infinite when it cannot fail.
-    double strength(Edge edge) const { return edge_strength[edge]; }
+    double strength(Edge edge) const { return sheet.edge_strength[edge]; }
     /// By what the hinge of `edge` is judged.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
-    std::span<const double> face_areas() const { return face_area; }  ///< [F] at rest, m^2
+    std::span<const double> face_areas() const { return sheet.face_area; }  ///< [F] at rest, m^2
 
     /// What a crack changed, in the mesh and in the mechanics.
     struct Change {
@@ -76,20 +76,14 @@ class BreakableSheet {
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
-    /// Returns the number that the hinge had.
-    Index remove_hinge(Edge edge);
-    void carry_over(const Opening& opening);
     void renumber(std::span<const Face> faces);
-    void share_masses(const Opening& opening);
+    void share_masses(const TopologyChange& change);
 
     CrackMesh crack_mesh;
     Sheet sheet;
     Lips lips;
-    std::vector<Index> sheet_of_face, edge_hinge;
-    std::vector<Edge> hinge_edge;
     std::vector<Measure> measures;  ///< of each input
     std::vector<double> crack_tip_factors;
-    std::vector<double> edge_strength, face_mass, face_area;  ///< face_mass: [F] kg
 };
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "meshops/error.h"
+#include "meshops/split_vertex.h"
 
 namespace sherd {
 
@@ -56,14 +57,13 @@ CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 
-    change.opening =
+    change.topology =
         split_vertices(halfedges, ends, [this](Edge edge) { return states[edge] != EdgeState::interior; });
     states.resize(halfedges.number_of_edges(), EdgeState::boundary);
-    for (const Opening::OpenedEdge& opened : change.opening.edges) {
-        states[opened.edge] = EdgeState::boundary;
-        edge_origin.push_back(original(opened.edge));
-    }
-    for (const auto& [vertex, created] : change.opening.vertices) vertex_origin.push_back(original(vertex));
+    for (const auto& [edge, created] : change.topology.opened) states[edge] = EdgeState::boundary;
+    for (const Born<Edge>& edge : change.topology.edges) edge_origin.push_back(original(edge.parent()));
+    for (const Born<Vertex>& vertex : change.topology.vertices)
+        vertex_origin.push_back(original(vertex.parent()));
     return change;
 }
 

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "fracture/edge_state.h"
-#include "meshops/mesh.h"
-#include "meshops/split_vertex.h"
+#include "meshops/topology_change.h"
 
 namespace sherd {
 
@@ -20,7 +19,7 @@ class CrackMesh {
 
     const Mesh& mesh() const { return halfedges; }
     EdgeState state(Edge edge) const { return states[edge]; }
-    /// Ancestry: the vertex of the uncut mesh that `vertex` is, or came from; and the same of an edge.
+    /// Ancestry: the vertex of the uncut mesh that `vertex` is, or is a copy of; and the same of an edge.
     Vertex original(Vertex vertex) const { return vertex_origin[vertex]; }
     Edge original(Edge edge) const { return edge_origin[edge]; }
     /// Whether a crack ends at `vertex`, inside the sheet: a single failed edge leads there.
@@ -29,7 +28,7 @@ class CrackMesh {
     /// What the failure of some edges did.
     struct Change {
         std::vector<int> boundary_vertices;  ///< of each failed edge: 0, 1, 2 for the paper's B0, B1, B2
-        Opening opening;
+        TopologyChange topology;
     };
 
     /// Lets `edges` fail at once and opens the mesh where it can. B0, B1, B2 count each edge's end points

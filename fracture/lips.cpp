@@ -41,13 +41,14 @@ void Lips::lie_together(Vertex a, Vertex b) {
     twins[b].push_back(a);
 }
 
-void Lips::open(const Opening& opening) {
-    for (const auto& [vertex, created] : opening.vertices) {
-        const std::vector<Vertex> others = twins[vertex];
-        for (const Vertex other : others) lie_together(other, created);
-        lie_together(vertex, created);
+void Lips::open(const TopologyChange& change) {
+    for (const Born<Vertex>& created : change.vertices) {
+        if (!created.is_copy()) continue;
+        const std::vector<Vertex> others = twins[created.parent()];
+        for (const Vertex other : others) lie_together(other, created.element);
+        lie_together(created.parent(), created.element);
     }
-    for (const auto& [edge, created] : opening.edges) edges.push_back({edge, created});
+    for (const auto& [edge, created] : change.opened) edges.push_back({edge, created});
 }
 
 bool Lips::are_twins(Vertex a, Vertex b) const {

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "core/shell/sheet.h"
-#include "meshops/mesh.h"
-#include "meshops/split_vertex.h"
+#include "meshops/topology_change.h"
 
 namespace sherd {
 
@@ -23,7 +22,7 @@ class Lips {
     void lie_together(Vertex a, Vertex b);
 
     /// To be called when the mesh has been opened.
-    void open(const Opening& opening);
+    void open(const TopologyChange& change);
 
     /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick, but for
     /// those that hang together elsewhere. Whether there were any.

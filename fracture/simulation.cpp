@@ -145,10 +145,11 @@ void Simulation::record_change(const CrackMesh::Change& change) {
     const std::size_t first = events.failures.size() - change.boundary_vertices.size();
     for (std::size_t i = 0; i < change.boundary_vertices.size(); ++i)
         events.failures[first + i].boundary_vertices = change.boundary_vertices[i];
-    for (const auto& [edge, created] : change.opening.edges)
+    for (const auto& [edge, created] : change.topology.opened)
         events.openings.push_back({0, steps, static_cast<Index>(edge), static_cast<Index>(created)});
-    for (const auto& [vertex, created] : change.opening.vertices)
-        events.splits.push_back({0, steps, static_cast<Index>(vertex), static_cast<Index>(created)});
+    for (const Born<Vertex>& vertex : change.topology.vertices)
+        events.splits.push_back(
+            {0, steps, static_cast<Index>(vertex.parent()), static_cast<Index>(vertex.element)});
 }
 
 void Simulation::update_fragments() {

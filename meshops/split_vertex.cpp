@@ -99,8 +99,8 @@ void sort_unique(std::vector<Element>& elements) {
 
 }  // namespace
 
-Opening split_vertices(Mesh& mesh, std::span<const Vertex> vertices,
-                       const std::function<bool(Edge)>& is_cut) {
+TopologyChange split_vertices(Mesh& mesh, std::span<const Vertex> vertices,
+                              const std::function<bool(Edge)>& is_cut) {
     std::vector<Edge> edges;
     for (const Vertex vertex : vertices)
         if (sectors(mesh, vertex, is_cut).size() > 1) add_opened_edges(mesh, vertex, is_cut, edges);
@@ -113,21 +113,24 @@ Opening split_vertices(Mesh& mesh, std::span<const Vertex> vertices,
     std::vector<std::vector<Sector>> parts;
     for (const Vertex end : ends) parts.push_back(sectors(mesh, end, is_cut));
 
-    Opening opening;
+    TopologyChange change;
     for (const Edge edge : edges) {
-        opening.edges.push_back({edge, detach(mesh, edge)});
-        opening.faces.push_back(mesh.face(mesh.halfedge(opening.edges.back().created, 0)));
+        const Edge created = detach(mesh, edge);
+        change.edges.push_back(copy_of(edge, created));
+        change.opened.push_back({edge, created});
+        change.changed.push_back(mesh.face(mesh.halfedge(created, 0)));
     }
     for (std::size_t i = 0; i < ends.size(); ++i) {
         std::vector<Face> keeping;
         join_borders(mesh, parts[i].front(), ends[i], ends[i], keeping);
         for (std::size_t s = 1; s < parts[i].size(); ++s) {
-            opening.vertices.push_back({ends[i], copy_vertex(mesh, ends[i])});
-            join_borders(mesh, parts[i][s], ends[i], opening.vertices.back().created, opening.faces);
+            const Vertex created = copy_vertex(mesh, ends[i]);
+            change.vertices.push_back(copy_of(ends[i], created));
+            join_borders(mesh, parts[i][s], ends[i], created, change.changed);
         }
     }
-    sort_unique(opening.faces);
-    return opening;
+    sort_unique(change.changed);
+    return change;
 }
 
 }  // namespace sherd

@@ -3,25 +3,10 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
-#include "meshops/mesh.h"
+#include "meshops/topology_change.h"
 
 namespace sherd {
-
-/// What opening a mesh changed. Nothing is renumbered: what was created is appended.
-struct Opening {
-    struct SplitVertex {
-        Vertex vertex, created;  ///< `created` took over a part of the faces around `vertex`
-    };
-    struct OpenedEdge {
-        Edge edge, created;  ///< `edge` stays with one of its two faces, `created` is now the other's
-    };
-    std::vector<SplitVertex> vertices;
-    std::vector<OpenedEdge> edges;
-    std::vector<Face>
-        faces;  ///< with a corner at a created vertex or a side on a created edge, ascending, each once
-};
 
 /// Opens the mesh at `vertices` along the edges for which `is_cut`: two corners of one of these vertices stay
 /// the same vertex if and only if one can walk between them through faces around it without crossing a cut
@@ -30,6 +15,7 @@ struct Opening {
 /// of `vertices`. A vertex at the far end of an edge that opens must be uncut otherwise, or be one of
 /// `vertices`: both ends of every newly cut edge always suffice. Time: proportional to the fans of these
 /// vertices.
-Opening split_vertices(Mesh& mesh, std::span<const Vertex> vertices, const std::function<bool(Edge)>& is_cut);
+TopologyChange split_vertices(Mesh& mesh, std::span<const Vertex> vertices,
+                              const std::function<bool(Edge)>& is_cut);
 
 }  // namespace sherd

@@ -21,24 +21,30 @@ void resize(VectorXd& values, Index count) {
 }  // namespace
 
 void resize_vertices(Sheet& sheet, Index count) {
-    for (Positions* columns : {&sheet.rest, &sheet.position, &sheet.velocity}) resize(*columns, count);
-    for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
-        resize(*values, count);
-    sheet.fixed.resize(count, 0);
-    sheet.carrier.resize(count, 0);
-    sheet.guide.resize(count, 0);
-    sheet.body.resize(count, 0);
+    visit_vertices(sheet, [count](auto& values, auto... rule) {
+        if constexpr (sizeof...(rule) == 0)
+            resize(values, count);
+        else
+            values.resize(count, 0);
+    });
 }
 
-void copy_vertex(Sheet& sheet, Index from, Index to) {
-    for (Positions* columns : {&sheet.rest, &sheet.position, &sheet.velocity})
-        columns->col(to) = columns->col(from);
-    for (VectorXd* values : {&sheet.mass, &sheet.thickness, &sheet.young, &sheet.footprint})
-        (*values)[to] = (*values)[from];
-    sheet.fixed[to] = sheet.fixed[from];
-    sheet.carrier[to] = sheet.carrier[from];
-    sheet.guide[to] = sheet.guide[from];
-    sheet.body[to] = sheet.body[from];
+void follow(Sheet& sheet, const ShellChange& change) {
+    const auto append_to = [](const std::vector<Heir>& heirs) {
+        return [&heirs](auto& values, const auto&... rule) { append(values, heirs, rule...); };
+    };
+    visit_vertices(sheet, append_to(change.vertices));
+    visit_edges(sheet, append_to(change.edges));
+    visit_faces(sheet, append_to(change.faces));
+}
+
+Index remove_hinge_of(Sheet& sheet, Index edge) {
+    const Index hinge = sheet.edge_hinge[edge];
+    sheet.edge_hinge[sheet.hinge_edge.back()] = hinge;
+    sheet.edge_hinge[edge] = -1;
+    remove_hinge(sheet.hinge_edge, hinge);
+    remove_hinge(sheet.hinges, hinge);
+    return hinge;
 }
 
 HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness) {

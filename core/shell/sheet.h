@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/contact/lips/lip.h"
@@ -8,6 +9,7 @@
 #include "core/elements/membrane.h"
 #include "core/material/material.h"
 #include "core/motion.h"
+#include "core/shell/inheritance.h"
 
 namespace sherd {
 
@@ -24,8 +26,9 @@ struct HingeStencil {
     double stiffness;  ///< lambda, N m
 };
 
-/// The mechanics of all sheets of a simulation, as arrays and index stencils. Vertices and triangles are only
-/// ever appended or renumbered by whoever holds the topology; nothing here knows of a mesh.
+/// The mechanics of all sheets of a simulation, as arrays and index stencils. Vertices, edges and faces are
+/// only ever appended or renumbered by whoever holds the topology; nothing here knows of a mesh. What each of
+/// them carries is listed once more in visit_vertices(), visit_edges() and visit_faces(), and nowhere else.
 struct Sheet {
     Positions rest;           ///< [3, V] m
     Positions position;       ///< [3, V] m
@@ -40,21 +43,68 @@ struct Sheet {
         carrier;              ///< [V] 0, or the number, from 1, of the motion that carries the fixed vertex
     std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
     std::vector<Index> body;  ///< [V] number of the sheet that the vertex is of, whatever broke off it since
+
+    std::vector<TriangleStencil> triangles;  ///< [F]
+    std::vector<double> face_area;           ///< [F] m^2, at rest
+    std::vector<double> face_mass;           ///< [F] kg
+    std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face is of
+
+    std::vector<Index> edge_hinge;      ///< [E] number of the edge's hinge, -1 when it has none
+    std::vector<double> edge_strength;  ///< [E] what its hinge withstands; infinite when it cannot fail
+
+    std::vector<HingeStencil> hinges;  ///< [H]
+    std::vector<Index> hinge_edge;     ///< [H] the edge of each
+
     /// Vertices that lie on each other because a crack between them has only just opened: elements that have
     /// one each do not see each other in SheetContact.
     std::vector<std::array<Index, 2>> twins;
     std::vector<LipStencil> lips;  ///< of these cracks
     std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
     std::vector<Motion> motions;   ///< of carried vertices, from where they are at rest
-    std::vector<TriangleStencil> triangles;
-    std::vector<HingeStencil> hinges;
 };
 
-/// Gives the arrays `count` vertices; new ones are zero.
+/// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list that has an
+/// entry for each vertex: an attribute that is listed here follows every change of the mesh.
+template <class S, class Visit>
+void visit_vertices(S& sheet, Visit visit) {
+    visit(sheet.rest);
+    visit(sheet.position);
+    visit(sheet.velocity);
+    visit(sheet.mass);
+    visit(sheet.thickness);
+    visit(sheet.young);
+    visit(sheet.footprint);
+    visit(sheet.fixed, Inheritance::common, char(0));
+    visit(sheet.carrier, Inheritance::common, Index(0));
+    visit(sheet.guide, Inheritance::common, char(0));
+    visit(sheet.body, Inheritance::first, Index(0));
+}
+
+/// The same of edges.
+template <class S, class Visit>
+void visit_edges(S& sheet, Visit visit) {
+    visit(sheet.edge_hinge, Inheritance::none, Index(-1));
+    visit(sheet.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
+}
+
+/// The same of faces. Their corners and shape are for whoever makes the change to set.
+template <class S, class Visit>
+void visit_faces(S& sheet, Visit visit) {
+    visit(sheet.triangles, Inheritance::first, TriangleStencil());
+    visit(sheet.face_area, Inheritance::none, 0.0);
+    visit(sheet.face_mass, Inheritance::none, 0.0);
+    visit(sheet.face_sheet, Inheritance::first, Index(0));
+}
+
+/// Gives the vertices' arrays `count` entries; new ones are zero.
 void resize_vertices(Sheet& sheet, Index count);
 
-/// Copies all data of a vertex to another one.
-void copy_vertex(Sheet& sheet, Index from, Index to);
+/// Lets all that elements carry follow a change. Masses, footprints and the shape of elements that were born
+/// or lost a part are for whoever made it.
+void follow(Sheet& sheet, const ShellChange& change);
+
+/// Takes its hinge from an edge; returns the number that the hinge had, which the last hinge takes.
+Index remove_hinge_of(Sheet& sheet, Index edge);
 
 /// The stencil of the hinge whose edge runs from vertices[0] to vertices[1]; see HingePositions for the
 /// order.

@@ -77,8 +77,7 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
 }
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {
-    position.conservativeResize(3, sheet.position.cols());
-    for (const auto& [parent, vertex] : change.vertices) position.col(vertex) = position.col(parent);
+    append(position, change.vertices);
     scheme->topology_changed(sheet, change, step);
     potential.topology_changed(change, step);
     minimiser->topology_changed(change, potential, position);

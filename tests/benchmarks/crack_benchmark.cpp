@@ -62,7 +62,7 @@ void every_edge_at_once(benchmark::State& state) {
         state.PauseTiming();
         CrackMesh cracks(mesh);
         state.ResumeTiming();
-        benchmark::DoNotOptimize(cracks.fail(edges).opening.vertices.size());
+        benchmark::DoNotOptimize(cracks.fail(edges).topology.vertices.size());
     }
     report(state, mesh, edges.size());
 }

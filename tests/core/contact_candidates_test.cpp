@@ -163,8 +163,7 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
         const Index corner = sheet.triangles[triangle].vertices[1],
                     copy = static_cast<Index>(sheet.mass.size());
-        resize_vertices(sheet, copy + 1);
-        copy_vertex(sheet, corner, copy);
+        follow(sheet, {.vertices = {{copy, {{corner, 1}}}}});
         sheet.triangles[triangle].vertices[1] = copy;
         sheet.twins.push_back({corner, copy});
         if (triangle == 3) sheet.twins.erase(sheet.twins.begin());

@@ -90,9 +90,9 @@ void cut_off(Sheet& sheet, std::size_t triangle, ImplicitStepper& time_step) {
     ShellChange change;
     for (Index& corner : sheet.triangles[triangle].vertices) {
         const Index copy = static_cast<Index>(sheet.mass.size());
-        resize_vertices(sheet, copy + 1);
-        copy_vertex(sheet, corner, copy);
-        change.vertices.push_back({corner, copy});
+        const Heir heir{copy, {{corner, 1}}};
+        follow(sheet, {.vertices = {heir}});
+        change.vertices.push_back(heir);
         for (VectorXd* shared : {&sheet.mass, &sheet.footprint})
             (*shared)[corner] = (*shared)[copy] = 0.5 * (*shared)[copy];
         sheet.twins.push_back({corner, copy});

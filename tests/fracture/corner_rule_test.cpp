@@ -112,18 +112,19 @@ RC_GTEST_PROP(CornerRule, ChangesAreReportedInFull, ()) {
     const CrackMesh::Change change = cracks.fail(drawn.failed);
     std::vector<int> origin(drawn.mesh.number_of_vertices());
     for (std::size_t v = 0; v < origin.size(); ++v) origin[v] = static_cast<int>(v);
-    for (const auto& [vertex, created] : change.opening.vertices) {
-        RC_ASSERT(created.idx() == origin.size());
-        origin.push_back(origin[vertex]);
+    for (const Born<Vertex>& vertex : change.topology.vertices) {
+        RC_ASSERT(vertex.element.idx() == origin.size());
+        RC_ASSERT(vertex.is_copy());
+        origin.push_back(origin[vertex.parent()]);
     }
     RC_ASSERT(origin.size() == cracks.mesh().number_of_vertices());
     std::size_t edges = drawn.mesh.number_of_edges();
-    for (const auto& [edge, created] : change.opening.edges) {
+    for (const auto& [edge, created] : change.topology.opened) {
         RC_ASSERT(created.idx() == edges++);
         RC_ASSERT(cracks.original(created).idx() == edge.idx());
     }
     const auto after = test::triangles_of(cracks.mesh());
-    const auto& reported = change.opening.faces;
+    const auto& reported = change.topology.changed;
     for (std::size_t f = 0; f < after.size(); ++f) {
         if (after[f] == before[f]) continue;
         for (const int i : {0, 1, 2}) RC_ASSERT(origin[after[f][i]] == before[f][i]);

@@ -30,7 +30,7 @@ TEST(CrackMesh, CountsBoundaryVerticesOfAFailingEdge) {
     CrackMesh strip(grid(3, 1));
     const CrackMesh::Change change = strip.fail(std::array{edge_between(strip.mesh(), 1, 5)});
     EXPECT_EQ(change.boundary_vertices, std::vector{2});
-    EXPECT_EQ(change.opening.vertices.size(), 2u);
+    EXPECT_EQ(change.topology.vertices.size(), 2u);
     EXPECT_EQ(connected_components(strip.mesh()).count, 2);
 }
 
