@@ -92,7 +92,7 @@ TEST(TheoryModes, CantileverStrip) {
         test::report(("cantilever strip, modes 1 to 6, b/" + std::to_string(edges)).c_str(), errors);
         for (const int bending_mode : {0, 1, 2, 4, 5})
             EXPECT_NEAR(errors[bending_mode], 0, 16.0 / edges + 1.5) << bending_mode;
-        EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct core/README.md";
+        EXPECT_GT(errors[3], 15) << "the twisting mode is known to be stiff: correct core/bending/README.md";
         EXPECT_LT(errors[3], 55);
     }
 }
