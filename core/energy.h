@@ -36,8 +36,8 @@ struct Energy {
     virtual void add_gradient(const Positions& x, Positions& gradient) const = 0;
     /// Adds d2E/dx2, in N/m.
     virtual void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const = 0;
-    /// Appends the pairs of vertices that have a block in the Hessian.
-    virtual void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const = 0;
+    /// Appends the pairs of vertices that have a block in the Hessian as long as the shell stays as it is.
+    virtual void add_pattern(std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Appends those that come and go with the positions: the pairs that have a block at x, and, `ahead`,
     /// those that are likely to have one soon.
     virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,

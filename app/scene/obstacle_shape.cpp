@@ -80,7 +80,7 @@ std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<Obsta
         for (const std::string& warning : found)
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
         obstacles.push_back(
-            {std::move(made.shape), spec.motion, spec.young, spec.friction, shared(std::move(made.surface))});
+            {{std::move(made.shape), shared(std::move(made.surface)), spec.young, spec.friction}, spec.motion});
     }
     return obstacles;
 }

@@ -11,7 +11,7 @@ namespace sherd::test {
 
 template <class Solid>
 Obstacle obstacle(const Solid& solid, double young = 3e10, double friction = 0) {
-    return {std::make_shared<Solid>(solid), {}, young, friction};
+    return {{std::make_shared<Solid>(solid), nullptr, young, friction}, {}};
 }
 
 /// The plane z = 0.

@@ -20,10 +20,6 @@ bool is_ball(const RigidBody& body) {
     return body.feet.size() == 1;
 }
 
-double foot_stiffness(const RigidBody& body, const RigidBody& other) {
-    return body.foot / (1 / body.young + 1 / other.young);
-}
-
 }  // namespace
 
 BodyContact::BodyContact(const Sheet& sheet, std::vector<RigidBody> bodies,
@@ -48,82 +44,99 @@ void BodyContact::topology_changed(const ShellChange&, const StepContext& step) 
 void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
-        steps.emplace_back(sheet, started[b], obstacles, gravity, step, step.bodies[b], pairs[b].get());
-    meetings.clear();
-    sliding.clear();
+        steps.emplace_back(sheet, started[b], gravity, step, step.bodies[b], pairs[b].get());
+    obstacle_places.clear();
+    for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(step.end()));
     last.resize(3, 0);
-    find_meetings();
+    find_feet();
     find_sliding(step);
 }
 
-void BodyContact::find_meetings() {
-    for (std::size_t a = 0; a < steps.size(); ++a)
-        for (std::size_t b = 0; b < steps.size(); ++b) {
-            const RigidBody &one = steps[a].start(), &other = steps[b].start();
+void BodyContact::find_feet() {
+    feet.clear();
+    for (std::size_t body = 0; body < steps.size(); ++body)
+        for (std::size_t other = 0; other < steps.size() + obstacles.size(); ++other) {
             // A ball says all of what it meets, so that corners need not say it again, nor a second ball.
-            const bool said = is_ball(other) && (!is_ball(one) || b < a);
-            if (a == b || said) continue;
-            for (const Vector3d& foot : one.feet)
-                meetings.push_back({a, b, foot, foot_stiffness(one, other)});
+            const bool said =
+                is_free(other) && is_ball(started[other]) && (!is_ball(started[body]) || other < body);
+            if (body == other || said) continue;
+            for (const Vector3d& foot : started[body].feet) feet.push_back({body, other, foot});
         }
 }
 
 void BodyContact::find_sliding(const StepContext& step) {
-    for (const Meeting& meeting : meetings) {
-        const RigidBody &one = steps[meeting.one].start(), &other = steps[meeting.other].start();
-        const double friction = friction_between(one.friction, other.friction);
-        const BodyPose here = steps[meeting.one].pose(Vector6d::Zero()),
-                       there = steps[meeting.other].pose(Vector6d::Zero());
-        const Overlap at = overlap(*other.shape, there.place, here.place * meeting.foot, one.skin);
-        if (friction == 0 || at.depth <= 0) continue;
-        const Vector3d touching = here.place * meeting.foot - one.skin * at.normal;
-        sliding.push_back({meeting.one,
-                           meeting.other,
-                           {here.place.inverse() * touching,
-                            there.place.inverse() * touching,
-                            Matrix3d::Identity() - at.normal * at.normal.transpose(),
-                            {friction * meeting.stiffness * at.depth, smoothing_speed * step.lag}}});
-    }
-}
-
-void BodyContact::add_between(const VectorXd& q, std::size_t one, std::size_t other, const Vector3d& arm,
-                              const Vector3d& other_arm, const Vector3d& gradient, const Matrix3d& hessian,
-                              Potential& sum) const {
-    const Matrix36d here = steps[one].pose(part(q, one)).point_motion(arm),
-                    there = -steps[other].pose(part(q, other)).point_motion(other_arm);
-    sum.gradient.segment<6>(6 * one) += here.transpose() * gradient;
-    sum.gradient.segment<6>(6 * other) += there.transpose() * gradient;
-    sum.hessian.block<6, 6>(6 * one, 6 * one) += here.transpose() * hessian * here;
-    sum.hessian.block<6, 6>(6 * other, 6 * other) += there.transpose() * hessian * there;
-    const Matrix6d mixed = here.transpose() * hessian * there;
-    sum.hessian.block<6, 6>(6 * one, 6 * other) += mixed;
-    sum.hessian.block<6, 6>(6 * other, 6 * one) += mixed.transpose();
-}
-
-Overlap BodyContact::overlap_of(const Meeting& meeting, const VectorXd& q, double margin) const {
-    const auto& [one, other, foot, stiffness] = meeting;
-    const Eigen::Isometry3d here = steps[one].pose(part(q, one)).place,
-                            there = steps[other].pose(part(q, other)).place;
-    return overlap(*steps[other].start().shape, there, here * foot, steps[one].start().skin + margin);
-}
-
-void BodyContact::add_meetings(const VectorXd& q, Potential& sum) const {
-    const auto place = [&](std::size_t body) { return steps[body].pose(part(q, body)).place; };
-    for (const auto& [one, other, local, k] : meetings) {
-        const Eigen::Isometry3d here = place(one), there = place(other);
-        const Vector3d foot = here * local;
-        const Overlap at = overlap(*steps[other].start().shape, there, foot, steps[one].start().skin);
+    sliding.clear();
+    const VectorXd start = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
+    for (const auto& [one, other, foot] : feet) {
+        const RigidBody& body = started[one];
+        const double coefficient = friction_between(body, collider(other));
+        if (coefficient == 0) continue;
+        const bool given = !is_free(other);
+        const Eigen::Isometry3d here = place(one, start),
+                                there = given ? obstacles[other - steps.size()].motion.at(step.begin)
+                                              : place(other, start);
+        const Overlap at = overlap(*collider(other).shape, there, here * foot, body.skin);
         if (at.depth <= 0) continue;
-        sum.stored += 0.5 * k * at.depth * at.depth;
-        add_between(q, one, other, foot - here.translation(), foot - there.translation(),
-                    -k * at.depth * at.normal, k * at.normal * at.normal.transpose(), sum);
+        const Matrix3d turn = given ? Matrix3d(place(other, start).linear() * there.linear().transpose())
+                                    : Matrix3d::Identity();
+        const Vector3d touching = here * foot - body.skin * at.normal;
+        const double force = body.foot_stiffness(collider(other)) * at.depth;
+        const Friction friction{coefficient * force, smoothing_speed * step.lag};
+        sliding.push_back({one,
+                           other,
+                           here.inverse() * touching,
+                           {there.inverse() * touching, turn * at.normal, friction}});
     }
-    for (const auto& [one, other, foot] : sliding) {
-        const Eigen::Isometry3d here = place(one), there = place(other);
-        const Vector3d slip = foot.tangent * (here * foot.point - there * foot.other);
-        sum.value += foot.friction.value(slip);
-        add_between(q, one, other, here.linear() * foot.point, there.linear() * foot.other,
-                    foot.friction.gradient(slip), foot.friction.hessian(slip, foot.tangent), sum);
+}
+
+const Collider& BodyContact::collider(std::size_t number) const {
+    if (is_free(number)) return started[number];
+    return obstacles[number - steps.size()];
+}
+
+Eigen::Isometry3d BodyContact::place(std::size_t collider, const VectorXd& q) const {
+    if (is_free(collider)) return steps[collider].pose(part(q, collider)).place;
+    return obstacle_places[collider - steps.size()];
+}
+
+void BodyContact::add_between(const VectorXd& q, std::size_t body, std::size_t other, const PointForce& force,
+                              const Vector3d& x, const Vector3d& anchor, Potential& sum) const {
+    const auto motion = [&](std::size_t b, const Vector3d& point) {
+        const BodyPose pose = steps[b].pose(part(q, b));
+        return pose.point_motion(point - pose.place.translation());
+    };
+    const Matrix36d here = motion(body, x);
+    sum.gradient.segment<6>(6 * body) += here.transpose() * force.gradient;
+    sum.hessian.block<6, 6>(6 * body, 6 * body) += here.transpose() * force.hessian * here;
+    if (!is_free(other)) return;
+    const Matrix36d there = -motion(other, anchor);
+    sum.gradient.segment<6>(6 * other) += there.transpose() * force.gradient;
+    sum.hessian.block<6, 6>(6 * other, 6 * other) += there.transpose() * force.hessian * there;
+    const Matrix6d mixed = here.transpose() * force.hessian * there;
+    sum.hessian.block<6, 6>(6 * body, 6 * other) += mixed;
+    sum.hessian.block<6, 6>(6 * other, 6 * body) += mixed.transpose();
+}
+
+Overlap BodyContact::overlap_of(const FootContact& contact, const VectorXd& q, double margin) const {
+    return overlap(*collider(contact.other).shape, place(contact.other, q),
+                   place(contact.body, q) * contact.foot, started[contact.body].skin + margin);
+}
+
+void BodyContact::add_feet(const VectorXd& q, Potential& sum) const {
+    for (const FootContact& contact : feet) {
+        const Overlap at = overlap_of(contact, q);
+        if (at.depth <= 0) continue;
+        const Vector3d x = place(contact.body, q) * contact.foot;
+        const double stiffness = started[contact.body].foot_stiffness(collider(contact.other));
+        const PointForce force = spring(at, stiffness, Curvature::convex);
+        sum.stored += force.value;
+        add_between(q, contact.body, contact.other, force, x, x, sum);
+    }
+    for (const auto& [body, other, foot, point] : sliding) {
+        const Vector3d x = place(body, q) * foot, anchor = place(other, q) * point.anchor;
+        const PointForce force = point.force(x, anchor);
+        sum.value += force.value;
+        add_between(q, body, other, force, x, anchor, sum);
     }
 }
 
@@ -132,7 +145,7 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
     const auto size = static_cast<Eigen::Index>(6 * steps.size());
     sum.gradient = VectorXd::Zero(size);
     sum.hessian = Eigen::MatrixXd::Zero(size, size);
-    add_meetings(q, sum);
+    add_feet(q, sum);
     sum.value += sum.stored;
     for (std::size_t b = 0; b < steps.size(); ++b) {
         sum.bodies.push_back(steps[b].potential(x, part(q, b)));
@@ -152,12 +165,14 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         const auto [kept, gone] = std::minmax(group[one], group[other]);
         std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
     };
-    for (const Meeting& meeting : meetings) {
-        const double size = steps[meeting.other].start().shape->bounds().diagonal().norm();
-        if (overlap_of(meeting, q, ahead ? ahead_of_contact * size : 0).depth > 0)
-            join(meeting.one, meeting.other);
+    for (const FootContact& contact : feet) {
+        if (!is_free(contact.other)) continue;
+        const double size = started[contact.other].shape->bounds().diagonal().norm();
+        if (overlap_of(contact, q, ahead ? ahead_of_contact * size : 0).depth > 0)
+            join(contact.body, contact.other);
     }
-    for (const SlidingMeeting& meeting : sliding) join(meeting.one, meeting.other);
+    for (const SlidingFoot& foot : sliding)
+        if (is_free(foot.other)) join(foot.body, foot.other);
     return group;
 }
 
@@ -283,11 +298,17 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
     solve(x);
     for (std::size_t b = 0; b < steps.size(); ++b) {
         const Touch own = steps[b].touch(x, part(best, b));
-        if (!own.vertices.empty() || !own.obstacles.empty()) touch.bodies.insert(b);
+        if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }
-    for (const Meeting& meeting : meetings)
-        if (overlap_of(meeting, best).depth > 0) touch.bodies.insert({meeting.one, meeting.other});
+    for (const FootContact& contact : feet) {
+        if (overlap_of(contact, best).depth <= 0) continue;
+        touch.bodies.insert(contact.body);
+        if (is_free(contact.other))
+            touch.bodies.insert(contact.other);
+        else
+            touch.obstacles.insert(contact.other - steps.size());
+    }
 }
 
 }  // namespace sherd

@@ -2,7 +2,6 @@
 #include "core/contact/bodies/body_step.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 namespace sherd {
 namespace {
@@ -26,65 +25,28 @@ ContactSurface surface_with(const Sheet& sheet, const RigidBody& body) {
     return ContactSurface(sheet, {{body.surface.get(), body.young, body.friction, {}}}, false);
 }
 
-BodyStep::BodyStep(const Sheet& sheet, const RigidBody& body, const std::vector<Obstacle>& obstacles,
-                   const Vector3d& gravity, const StepContext& step, const BodyOrigin& origin,
-                   const NearPairs* near)
+BodyStep::BodyStep(const Sheet& sheet, const RigidBody& body, const Vector3d& gravity,
+                   const StepContext& step, const BodyOrigin& origin, const NearPairs* near)
     : sheet(sheet),
       body(body),
-      obstacles(obstacles),
       near(near),
       lag(step.lag),
-      end(step.end()),
       origin(origin),
-      inertia(body.inertia_in_space()) {
+      inertia(body.inertia_in_space()),
+      vertices(sheet, body) {
     predicted = origin.pose + lag * origin.velocity;
     predicted.head<3>() += lag * lag * gravity;
-    if (body.friction == 0) return;
-    find_sliding(step);
-    find_sliding_feet(step);
+    find_sliding();
 }
 
-void BodyStep::find_sliding(const StepContext& step) {
+void BodyStep::find_sliding() {
     const BodyPose start = pose(Vector6d::Zero());
-    for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v) {
-        const Vector3d x = sheet.position.col(v);
-        const Overlap at = overlap(*body.shape, start.place, x, 0.5 * sheet.thickness[v]);
-        if (at.depth > 0)
-            sliding.push_back({v,
-                               start.place.inverse() * x,
-                               Matrix3d::Identity() - at.normal * at.normal.transpose(),
-                               {body.friction * stiffness(v) * at.depth, smoothing_speed * step.lag}});
-    }
-    if (!near) return;
+    vertices.begin(start.place, Matrix3d::Identity(), lag,
+                   [&](Index, const Vector3d& x) { return Vector3d(start.place.inverse() * x); });
+    if (!near || body.friction == 0) return;
     const Positions local = seen_from(start, sheet.position), space = start.place * local;
     for (const ContactPair& pair : near->touching(local))
-        sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, step.lag));
-}
-
-void BodyStep::find_sliding_feet(const StepContext& step) {
-    const BodyPose start = pose(Vector6d::Zero());
-    for (const Obstacle& obstacle : obstacles) {
-        if (obstacle.friction == 0) continue;
-        const Eigen::Isometry3d before = obstacle.motion.at(step.begin);
-        const Eigen::Isometry3d carried = obstacle.motion.at(end) * before.inverse();
-        for (const Vector3d& foot : body.feet) {
-            const Overlap at = overlap(*obstacle.shape, before, start.place * foot, body.skin);
-            if (at.depth <= 0) continue;
-            const Vector3d touching = start.place * foot - body.skin * at.normal;
-            const Vector3d normal = carried.linear() * at.normal;
-            const double force = stiffness(obstacle) * at.depth;
-            sliding_feet.push_back(
-                {start.place.inverse() * touching,
-                 carried * touching,
-                 Matrix3d::Identity() - normal * normal.transpose(),
-                 {friction_between(body.friction, obstacle.friction) * force, smoothing_speed * step.lag}});
-        }
-    }
-}
-
-double BodyStep::stiffness(Eigen::Index vertex) const {
-    return column_stiffness(sheet.footprint[vertex], sheet.thickness[vertex], sheet.young[vertex],
-                            body.young);
+        sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, lag));
 }
 
 BodyPose BodyStep::pose(const Vector6d& q) const {
@@ -111,43 +73,18 @@ void BodyStep::add_inertia(const Vector6d& q, BodyPotential& sum) const {
     sum.hessian += mass;
 }
 
-void BodyStep::add_obstacles(const BodyPose& here, BodyPotential& sum) const {
-    for (const Obstacle& obstacle : obstacles) {
-        const double k = stiffness(obstacle);
-        const Eigen::Isometry3d there = obstacle.motion.at(end);
-        for (const Vector3d& foot : body.feet) {
-            const Overlap at = overlap(*obstacle.shape, there, here.place * foot, body.skin);
-            if (at.depth <= 0) continue;
-            const Vector6d slope = here.point_motion(here.place.linear() * foot).transpose() * at.normal;
-            sum.stored += 0.5 * k * at.depth * at.depth;
-            sum.gradient -= k * at.depth * slope;
-            sum.hessian += k * slope * slope.transpose();
-        }
-    }
-    for (const SlidingFoot& foot : sliding_feet) {
-        const Vector3d slip = foot.tangent * (here.place * foot.point - foot.other);
-        const Matrix36d motion = here.point_motion(here.place.linear() * foot.point);
-        sum.value += foot.friction.value(slip);
-        sum.gradient += motion.transpose() * foot.friction.gradient(slip);
-        sum.hessian += motion.transpose() * foot.friction.hessian(slip, foot.tangent) * motion;
-    }
-}
-
 void BodyStep::add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
-    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) {
-        const Overlap at = overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]);
-        if (at.depth <= 0) continue;
-        const double k = stiffness(v);
-        sum.stored += 0.5 * k * at.depth * at.depth;
-        sum.add_vertex(here, v, -k * at.depth * at.normal, k * at.normal * at.normal.transpose(),
-                       x.col(v) - here.place.translation());
-    }
-    for (const Sliding& slider : sliding) {
-        const Vector3d slip = slider.tangent * (x.col(slider.vertex) - here.place * slider.foot);
-        sum.value += slider.friction.value(slip);
-        sum.add_vertex(here, slider.vertex, slider.friction.gradient(slip),
-                       slider.friction.hessian(slip, slider.tangent), here.place.linear() * slider.foot);
-    }
+    const auto feel = [&](Index vertex, const PointForce& force, const Vector3d& at) {
+        sum.add_vertex(here, vertex, force.gradient, force.hessian, at - here.place.translation());
+    };
+    vertices.add_springs(x, here.place, Curvature::convex, [&](Index vertex, const PointForce& force) {
+        sum.stored += force.value;
+        feel(vertex, force, x.col(vertex));
+    });
+    vertices.add_friction(x, here.place, [&](Index vertex, const PointForce& force, const Vector3d& anchor) {
+        sum.value += force.value;
+        feel(vertex, force, anchor);
+    });
 }
 
 void BodyStep::add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
@@ -176,11 +113,9 @@ void BodyStep::add_sliding_pairs(const Positions& x, const BodyPose& here, BodyP
                 moved.col(i) =
                     x.col(vertex - body.surface->size()) - sheet.position.col(vertex - body.surface->size());
         }
-        const Vector3d slip = pair.slip * moved.reshaped();
-        sum.value += pair.friction.value(slip);
-        const Eigen::Matrix<double, 12, 1> slope = pair.slip.transpose() * pair.friction.gradient(slip);
-        sum.add_element(here, pair.vertices, body.surface->size(), points, slope.reshaped(3, 4),
-                        pair.slip.transpose() * pair.friction.hessian(slip, pair.tangent) * pair.slip);
+        sum.value += pair.value(moved);
+        sum.add_element(here, pair.vertices, body.surface->size(), points, pair.gradient(moved),
+                        pair.hessian(moved));
     }
 }
 
@@ -188,7 +123,6 @@ BodyPotential BodyStep::potential(const Positions& x, const Vector6d& q) const {
     const BodyPose here = pose(q);
     BodyPotential sum;
     add_inertia(q, sum);
-    add_obstacles(here, sum);
     add_vertices(x, here, sum);
     if (near) {
         add_pairs(x, here, sum);
@@ -216,15 +150,14 @@ double BodyStep::free_motion(const Positions& x, const Positions& motion, const 
     return near->safe_fraction(start, seen_from(here, x + motion) - start);
 }
 
-void BodyStep::add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& vertices) const {
+void BodyStep::add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const {
     const BodyPose here = pose(q);
     const double margin = ahead_of_contact * body.shape->bounds().diagonal().norm();
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        if (overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v] + margin).depth > 0)
-            vertices.insert(v);
+        if (vertices.overlap(x, v, here.place, margin).depth > 0) found.insert(v);
     std::vector<std::pair<Index, Index>> soon;
     if (near) near->add_contacts(seen_from(here, x), true, soon);
-    for (const auto& [a, b] : soon) vertices.insert({a, b});
+    for (const auto& [a, b] : soon) found.insert({a, b});
 }
 
 RigidBody BodyStep::moved(const Vector6d& q) const {
@@ -243,17 +176,9 @@ RigidBody BodyStep::moved(const Vector6d& q) const {
 Touch BodyStep::touch(const Positions& x, const Vector6d& q) const {
     Touch touch;
     const BodyPose here = pose(q);
-    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        touch.include(v, overlap(*body.shape, here.place, x.col(v), 0.5 * sheet.thickness[v]).depth);
+    vertices.add_touch(x, here.place, touch);
     std::set<const SolidSurface*> itself;
     if (near) near->add_touched(seen_from(here, x), touch.vertices, itself);
-    const auto rests_on = [&](const Obstacle& obstacle) {
-        return std::any_of(body.feet.begin(), body.feet.end(), [&](const Vector3d& foot) {
-            return overlap(*obstacle.shape, obstacle.motion.at(end), here.place * foot, body.skin).depth > 0;
-        });
-    };
-    for (std::size_t o = 0; o < obstacles.size(); ++o)
-        if (rests_on(obstacles[o])) touch.obstacles.insert(o);
     return touch;
 }
 

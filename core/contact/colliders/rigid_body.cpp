@@ -7,9 +7,15 @@
 #include "core/contact/geometry/solids.h"
 
 namespace sherd {
+namespace {
+
+constexpr double steel_young = 2.1e11;  // Pa
+
+}  // namespace
 
 RigidBody rigid_sphere(double radius, double density) {
     RigidBody body;
+    body.young = steel_young;
     body.shape = std::make_shared<SphereShape>(Vector3d::Zero(), radius);
     body.mass = 4.0 / 3 * std::numbers::pi * radius * radius * radius * density;
     body.inertia.setConstant(0.4 * body.mass * radius * radius);
@@ -21,6 +27,7 @@ RigidBody rigid_sphere(double radius, double density) {
 
 RigidBody rigid_box(const Vector3d& size, double density) {
     RigidBody body;
+    body.young = steel_young;
     body.shape = std::make_shared<BoxShape>(Vector3d::Zero(), 0.5 * size);
     body.mass = size.prod() * density;
     const Vector3d squares = size.cwiseAbs2();

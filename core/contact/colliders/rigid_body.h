@@ -2,24 +2,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <memory>
 #include <vector>
 
-#include "core/contact/geometry/shape.h"
-#include "core/contact/geometry/solid_surface.h"
+#include "core/contact/colliders/collider.h"
 
 namespace sherd {
 
-/// A free rigid body.
-struct RigidBody {
-    std::shared_ptr<const Shape> shape;  ///< in the frame of its principal axes, about its centre of mass
-    std::shared_ptr<const SolidSurface> surface = nullptr;  ///< of the shape, in its frame; null: none
-    double mass = 1;                                        ///< kg
-    Vector3d inertia = Vector3d::Ones();                    ///< kg m^2, about the principal axes
-    double young = 2.1e11;                                  ///< Pa
-    double friction = 0;                                    ///< Coulomb coefficient
-    /// What of it meets obstacles: points of its frame with a skin (m) around them, and their stiffness over
-    /// the modulus in contact (m).
+/// A collider that moves freely. Its frame is that of its principal axes, about its centre of mass.
+struct RigidBody : Collider {
+    double mass = 1;                      ///< kg
+    Vector3d inertia = Vector3d::Ones();  ///< kg m^2, about the principal axes
+    /// What of it meets other colliders: points of its frame with a skin (m) around them, and their stiffness
+    /// over the modulus in contact (m).
     std::vector<Vector3d> feet;
     double skin = 0, foot = 0;
 
@@ -34,6 +28,8 @@ struct RigidBody {
         pose.translation() = centre;
         return pose;
     }
+    /// N/m, of a foot against another collider.
+    double foot_stiffness(const Collider& other) const { return foot / (1 / young + 1 / other.young); }
     Matrix3d inertia_in_space() const { return rotation * inertia.asDiagonal() * rotation.transpose(); }
     Vector3d spin() const {  ///< rad/s
         return rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose() * angular_momentum;
@@ -43,7 +39,7 @@ struct RigidBody {
     }
 };
 
-/// A body of a homogeneous sphere or box, at rest; density: kg/m^3, radius, size: m.
+/// A body of a homogeneous sphere or box, as stiff as steel, at rest; density: kg/m^3, radius, size: m.
 RigidBody rigid_sphere(double radius, double density);
 RigidBody rigid_box(const Vector3d& size, double density);
 

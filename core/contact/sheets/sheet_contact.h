@@ -23,7 +23,6 @@ class SheetContact : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::contact; }
-    void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;

@@ -51,6 +51,15 @@ SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double
     return sliding;
 }
 
+PairPositions SlidingPair::gradient(const PairPositions& moved) const {
+    const Eigen::Matrix<double, 12, 1> local = slip.transpose() * friction.gradient(slip * moved.reshaped());
+    return local.reshaped(3, 4);
+}
+
+PairHessian SlidingPair::hessian(const PairPositions& moved) const {
+    return slip.transpose() * friction.hessian(slip * moved.reshaped(), tangent) * slip;
+}
+
 PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
     PairPositions moved;
     for (int v = 0; v < 4; ++v) {
@@ -61,17 +70,6 @@ PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
             moved.col(v) = x.col(vertex - first) - origin.col(vertex);
     }
     return moved;
-}
-
-PairPositions SlidingPairs::gradient(std::size_t i, const PairPositions& moved) const {
-    const Eigen::Matrix<double, 12, 1> local =
-        pairs[i].slip.transpose() * pairs[i].friction.gradient(slip(i, moved));
-    return local.reshaped(3, 4);
-}
-
-PairHessian SlidingPairs::hessian(std::size_t i, const PairPositions& moved, Curvature) const {
-    const SlidingPair& pair = pairs[i];
-    return pair.slip.transpose() * pair.friction.hessian(slip(i, moved), pair.tangent) * pair.slip;
 }
 
 void SheetFriction::begin(const StepContext& step) {

@@ -12,6 +12,11 @@ struct SlidingPair {
     Eigen::Matrix<double, 3, 12> slip;  ///< of the vertices' displacements in the step
     Matrix3d tangent;                   ///< projection to the plane of sliding
     Friction friction;
+
+    // Of the vertices' displacements, [3, 4] m.
+    double value(const PairPositions& moved) const { return friction.value(slip * moved.reshaped()); }
+    PairPositions gradient(const PairPositions& moved) const;
+    PairHessian hessian(const PairPositions& moved) const;
 };
 
 /// The sliding of a pair at x, with the normal force and the closest points it has there. The two points are
@@ -30,15 +35,12 @@ struct SlidingPairs {
     std::size_t size() const { return pairs.size(); }
     std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
     PairPositions gather(std::size_t i, const Positions& x) const;
-    double value(std::size_t i, const PairPositions& moved) const {
-        return pairs[i].friction.value(slip(i, moved));
+    double value(std::size_t i, const PairPositions& moved) const { return pairs[i].value(moved); }
+    PairPositions gradient(std::size_t i, const PairPositions& moved) const {
+        return pairs[i].gradient(moved);
     }
-    PairPositions gradient(std::size_t i, const PairPositions& moved) const;
-    PairHessian hessian(std::size_t i, const PairPositions& moved, Curvature) const;
-
-  private:
-    Vector3d slip(std::size_t i, const PairPositions& moved) const {  ///< m
-        return pairs[i].slip * moved.reshaped();
+    PairHessian hessian(std::size_t i, const PairPositions& moved, Curvature) const {
+        return pairs[i].hessian(moved);
     }
 };
 
@@ -51,6 +53,7 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
         : ElementEnergy({}), sheet(sheet), contact(contact), coefficient(coefficient) {}
     void begin(const StepContext& step) override;
     Task task() const override { return Task::contact; }
+    // Its pairs may change with every step.
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/colliders/obstacle.h"
+#include "core/contact/colliders/collider.h"
 
 namespace sherd {
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/colliders/collider.h"
+#include "core/contact/friction/friction.h"
+#include "core/energy.h"
+
+namespace sherd {
+
+/// What a contact does to a point: its energy, with derivatives by the point's position. What the point
+/// touches feels the opposite force.
+struct PointForce {
+    double value;       ///< J
+    Vector3d gradient;  ///< N
+    Matrix3d hessian;   ///< N/m
+};
+
+/// A spring against overlap; stiffness: N/m.
+inline PointForce spring(const Overlap& at, double stiffness, Curvature curvature) {
+    PointForce force{0.5 * stiffness * at.depth * at.depth, -(stiffness * at.depth * at.normal),
+                     stiffness * (at.normal * at.normal.transpose())};
+    if (curvature == Curvature::exact) force.hessian -= stiffness * at.depth * at.curvature;
+    return force;
+}
+
+/// A point that touched something at the beginning of the step, and rubs on it.
+struct SlidingPoint {
+    Vector3d anchor;  ///< m, where it would be had it stuck, in a frame that whoever holds it knows
+    Vector3d normal;  ///< in space
+    Friction friction;
+
+    /// Of the point that is at x (m); anchor: in space.
+    PointForce force(const Vector3d& x, const Vector3d& anchor) const {
+        const Vector3d way = x - anchor, slip = way - normal * normal.dot(way);
+        const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();
+        return {friction.value(slip), friction.gradient(slip), friction.hessian(slip, tangent)};
+    }
+};
+
+}  // namespace sherd

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/contact/colliders/touch.h"
+#include "core/contact/penalty/point_force.h"
+#include "core/shell/sheet.h"
+
+namespace sherd {
+
+/// Contact of a sheet's vertices with one collider, from half the thickness on; where the collider stands is
+/// for others to know.
+/// The stiffness is a property of the two materials, whatever the mesh and the step: each vertex is a column
+/// of sheet, as high as the sheet is thick and of the vertex's footprint in cross-section, whose Young's
+/// modulus is that of the sheet and the collider in series:  k = footprint / thickness / (1/Y_sheet +
+/// 1/Y_collider). The footprint is the vertex's share of the sheet's area, plus, on the rim, thickness times
+/// its share of the rim: a sheet that lands flat feels a pressure of Y d / t, one that lands on its edge a
+/// line force of Y d, on any mesh. Friction is Coulomb's with the normal forces of the beginning of the step,
+/// on the way slid along the collider, smoothed below a sliding speed of 1 cm/s (a potential in the
+/// displacement of the step, so that Newton's method sees one function).
+class VertexContact {
+  public:
+    /// Both must outlive it.
+    VertexContact(const Sheet& sheet, const Collider& collider) : sheet(sheet), collider(collider) {}
+
+    /// Takes down which vertices touch the collider, which stands at `pose`, at the beginning of the step.
+    /// anchor(vertex, x): of one at x, as SlidingPoint has it. turn: what the collider's turning in the step
+    /// makes of normals. lag: s.
+    template <class Anchor>
+    void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double lag, Anchor anchor) {
+        sliding.clear();
+        if (collider.friction == 0) return;
+        for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v) {
+            const Overlap at = overlap(sheet.position, v, pose);
+            if (at.depth <= 0) continue;
+            const Friction friction{collider.friction * stiffness(v) * at.depth, smoothing_speed * lag};
+            sliding.push_back({v, {anchor(v, Vector3d(sheet.position.col(v))), turn * at.normal, friction}});
+        }
+    }
+    /// Calls add(vertex, force) for each vertex of x [3, V] that is in the collider.
+    template <class Add>
+    void add_springs(const Positions& x, const Eigen::Isometry3d& pose, Curvature curvature, Add add) const {
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+            if (const Overlap at = overlap(x, v, pose); at.depth > 0)
+                add(v, spring(at, stiffness(v), curvature));
+    }
+    /// Calls add(vertex, force, anchor) for each vertex that rubs; frame: from that of the anchors to space.
+    template <class Add>
+    void add_friction(const Positions& x, const Eigen::Isometry3d& frame, Add add) const {
+        for (const auto& [vertex, point] : sliding) {
+            const Vector3d anchor = frame * point.anchor;
+            add(vertex, point.force(x.col(vertex), anchor), anchor);
+        }
+    }
+    void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);
+    }
+    /// margin: m, around the vertex's half of the thickness.
+    Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
+                    double margin = 0) const {
+        return sherd::overlap(*collider.shape, pose, x.col(vertex), 0.5 * sheet.thickness[vertex] + margin);
+    }
+
+  private:
+    struct Sliding {
+        Index vertex;
+        SlidingPoint point;
+    };
+    double stiffness(Index vertex) const {  ///< N/m
+        return column_stiffness(sheet.footprint[vertex], sheet.thickness[vertex], sheet.young[vertex],
+                                collider.young);
+    }
+
+    const Sheet& sheet;
+    const Collider& collider;
+    std::vector<Sliding> sliding;
+};
+
+}  // namespace sherd
