@@ -58,6 +58,7 @@ Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOp
 StepReport Simulation::step() {
     StepReport report;
     report.step = ++steps;
+    if (options.stepper.contact.sheets) release_lips();
     while (!attempt(report)) {
         if (!step_size.halve()) give_up(report);
         ++report.halvings;
@@ -200,8 +201,6 @@ void Simulation::finish(StepReport& report) {
     add_touch(report);
     report.lip_overlap = stepper.lip_overlap();
     report.fragments = fragments.count();
-    // At the end: what is reported is the step as it was solved.
-    if (options.stepper.contact.sheets) release_lips();
 }
 
 void Simulation::add_touch(StepReport& report) {

@@ -66,6 +66,7 @@ class Simulation {
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
     void update_fragments();
+    /// Leaves the lips of cracks that have parted since to the contact of sheets.
     void release_lips();
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
