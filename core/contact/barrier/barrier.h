@@ -30,8 +30,8 @@ struct Barrier {
     }
 
   private:
-    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // 1/2 over the unscaled slope at
-                                                                         // half the range
+    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // 1/2 over the bare slope at range /
+                                                                         // 2
 };
 
 }  // namespace sherd

@@ -14,8 +14,7 @@ struct ContactPair {
     PairKind kind;
     std::array<Index, 4> vertices;  ///< in the order of PairPositions
     double stiffness;               ///< N/m, of the column of sheet between them (see ContactSurface)
-    double touching;                ///< m, activation distance: the barrier acts when the middle surfaces are
-                                    ///< closer
+    double touching;                ///< m, activation distance of the middle surfaces
     EdgeMollifier mollifier;        ///< used by edge-edge pairs only
     double closest = 0.75;          ///< minimum distance, as a share of the activation distance
 

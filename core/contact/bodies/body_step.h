@@ -42,7 +42,7 @@ class BodyStep {
 
   private:
     void find_sliding();
-    /// The body's points and the sheet's vertices, m, in the body's frame; what `near` is asked for.
+    /// Positions of the body's points and the shell's vertices, m, in the body's frame, as `near` takes them.
     Positions seen_from(const BodyPose& pose, const Positions& x) const;
     void add_inertia(const Vector6d& q, BodyPotential& sum) const;
     void add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
@@ -55,9 +55,9 @@ class BodyStep {
     double lag;  ///< s
     BodyOrigin origin;
     Matrix3d inertia;                        ///< kg m^2, in space
-    Vector6d predicted;                      ///< q without contact
-    VertexContact vertices;                  ///< with anchors in the body's frame
-    std::vector<SlidingPair> sliding_pairs;  ///< with the body's points as the first vertices
+    Vector6d predicted;                      ///< q without contact: the inertial prediction
+    VertexContact vertices;                  ///< its anchors are in the body's frame
+    std::vector<SlidingPair> sliding_pairs;  ///< the body's points are their first vertices
 };
 
 }  // namespace sherd

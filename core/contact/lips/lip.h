@@ -31,7 +31,7 @@ PairHessian hessian(const LipStencil& lip, const PairPositions& x, bool convex);
 
 /// The lips of a shell's cracks.
 struct LipElements {
-    const std::vector<LipStencil>* lips;  ///< must outlive it
+    const std::vector<LipStencil>* lips;  ///< must outlive this object
 
     std::size_t size() const { return lips->size(); }
     const std::array<Index, 4>& vertices(std::size_t i) const { return (*lips)[i].vertices; }
