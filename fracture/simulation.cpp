@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Enough between two stages: the strains that matter next are those around the edges that just failed.
+/// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
 
 double mean_edge_length(const Sheet& sheet) {
@@ -200,7 +200,7 @@ void Simulation::finish(StepReport& report) {
     add_touch(report);
     report.lip_overlap = stepper.lip_overlap();
     report.fragments = fragments.count();
-    // At the end: what is reported is the step as it was solved.
+    // Lips are released last, so that the report describes the step as it was solved.
     if (options.stepper.contact.sheets) release_lips();
 }
 

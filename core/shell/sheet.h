@@ -36,8 +36,8 @@ struct Sheet {
     VectorXd mass;            ///< [V] kg, lumped
     VectorXd thickness;       ///< [V] m
     VectorXd young;           ///< [V] Pa
-    VectorXd footprint;       ///< [V] m^2, area of the vertex in contact with an obstacle: see
-                              ///< contact/penalty/obstacle_contact.h
+    VectorXd footprint;       ///< [V] m^2, contact area of the vertex: see
+                              ///< contact/penalty/vertex_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
     std::vector<Index>
         carrier;              ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
@@ -50,10 +50,10 @@ struct Sheet {
     std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
 
     std::vector<Index> edge_hinge;      ///< [E] number of the edge's hinge, -1 when it has none
-    std::vector<double> edge_strength;  ///< [E] strength of the edge's hinge (see fracture/strength.h);
-                                        ///< [E] measure at which its hinge fails; infinite: never
-    std::vector<HingeStencil> hinges;   ///< [H]
-    std::vector<Index> hinge_edge;      ///< [H] edge of each hinge
+    std::vector<double> edge_strength;  ///< [E] measure at which the hinge fails; infinite: never
+
+    std::vector<HingeStencil> hinges;  ///< [H]
+    std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
 
     /// Pairs of vertices that coincide because a crack between them has just opened: elements that contain
     /// one each do not collide in SheetContact.

@@ -64,7 +64,7 @@ class ImplicitStepper {
     bool predict();
     /// Fraction, 0 to 1, of a motion from the beginning of the step that passes through nothing.
     double free_way(const Positions& motion);
-    /// Displacement in the step, m, [3, V], by which scripted vertices and moving obstacles push the shell.
+    /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.
     Positions pushed_along() const;
 
     TimeSpent spent;
