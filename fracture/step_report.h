@@ -25,8 +25,8 @@ struct StepReport {
     Index halvings = 0;           ///< halvings of this step because longer ones could not be solved
     Index stages = 0;             ///< stages of breaking
     bool stage_cap_reached = false;
-    Index contacts = 0;           ///< number of vertices in contact with obstacles
-    double obstacle_overlap = 0;  ///< m, largest depth of a sheet's surface in an obstacle
+    Index contacts = 0;           ///< number of vertices in contact with obstacles or bodies
+    double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body
     double lip_overlap = 0;       ///< m, largest overlap of lips of cracks that have not moved apart yet
     Index fragments = 0;
 

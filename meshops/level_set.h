@@ -11,10 +11,10 @@ namespace sherd {
 /// Approximate number of voxels that write_level_set() fills.
 double expected_voxels(const TriangleSheet& sheet, std::span<const double> thickness, double voxel);
 
-/// Writes an OpenVDB file with the level set `surface` of the thickened sheet: the distance from the sheet
-/// less half the thickness, negative inside, out to three voxels (a level set of the sheet itself would have
-/// no inside). thickness: [T] m, each at least twice the voxel's edge length `voxel` (m), or there would be
-/// holes. The same sheet gives the same bytes. Throws Error (Fault::run) when the file cannot be written.
+/// Writes an OpenVDB file with the thickened sheet as a level set named `surface`: the distance from the
+/// sheet less half the thickness, negative inside, out to three voxels (a level set of the sheet itself would
+/// have no inside). thickness: [T] m, each at least twice the voxel's edge length `voxel` (m), or there would
+/// be holes. The same sheet gives the same bytes. Throws Error (Fault::run) when the file cannot be written.
 void write_level_set(const TriangleSheet& sheet, std::span<const double> thickness, double voxel,
                      const std::filesystem::path& file);
 
