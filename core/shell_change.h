@@ -14,8 +14,7 @@ struct Heir {
         double weight;
     };
     Index element;
-    std::vector<Parent> parents;  ///< their weights sum to 1; an heir without parents starts from zero or
-                                  ///< default values
+    std::vector<Parent> parents;  ///< their weights sum to 1; without any, data start from defaults
 };
 
 /// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed.

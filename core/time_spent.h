@@ -11,8 +11,7 @@ namespace sherd {
 enum class Task {
     other,
     elasticity,     ///< energies of bending, membrane, clamps and symmetry planes
-    contact,        ///< contact and friction: energies, finding pairs, continuous detection, and changes of
-                    ///< the pattern of Newton's matrix by contact
+    contact,        ///< contact and friction: energies, detection, and changes of Newton's pattern by contact
     loads,          ///< energies of loads, wind and damping
     analysis,       ///< analysis of the pattern of Newton's matrix by the linear solver
     factorization,  ///< factorization of the matrix

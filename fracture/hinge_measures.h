@@ -12,8 +12,7 @@ VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x);
 /// The measures by which hinges fail, [H] each, in the order of mechanics().hinges.
 struct HingeMeasures {
     VectorXd bending;  ///< magnitude of the bending strain, 1/m
-    VectorXd strain;   ///< 1/m, tensile strain across the edge at the surface of the sheet where it is
-                       ///< larger, over half the thickness
+    VectorXd strain;   ///< 1/m, tensile strain across the edge, at the surface where it is larger, over t / 2
     VectorXd stress;   ///< Pa, tensile stress across the edge at the surface where it is larger
 
     /// The given measure of a hinge.

@@ -73,9 +73,7 @@ bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
-            if (p == q || are_twins(p, q))
-                continue;  // they share a vertex, or another pair of twins decides
-                           // about them
+            if (p == q || are_twins(p, q)) continue;  // they share a vertex, or are other twins
             if (distance(PairKind::edge_edge, x, {p, v, q, w}) <= thickness) return false;
         }
     return true;

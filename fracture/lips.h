@@ -41,8 +41,7 @@ class Lips {
     bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
     std::vector<Twins> pairs() const;  ///< all pairs of twins, each once, ascending
 
-    std::map<Vertex, std::vector<Vertex>> twins;  ///< twins of each vertex that has any; each pair is stored
-                                                  ///< both ways
+    std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any; pairs are stored both ways
     std::vector<std::array<Edge, 2>> edges;       ///< opened edges: that of one face, and that of the other
 };
 

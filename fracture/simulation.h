@@ -23,8 +23,7 @@ struct SimulationOptions {
     /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<SlidingVertex> sliding;
-    int max_iterations = 50;  ///< of the minimiser, in each solution but those that a stage of breaking
-                              ///< follows
+    int max_iterations = 50;  ///< of the minimiser, except between two stages of breaking
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< stages of staged breaking in one step

@@ -11,8 +11,7 @@
 namespace sherd {
 namespace {
 
-constexpr double nearest = 0.99;  // share of the activation distance; elements that are closer would be flung
-                                  // apart
+constexpr double nearest = 0.99;  // share of the activation distance; closer elements would be flung apart
 
 using FacePair = std::array<Index, 2>;
 

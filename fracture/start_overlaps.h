@@ -11,8 +11,7 @@ namespace sherd {
 /// Two faces that cross or are too close for a first step.
 struct StartOverlap {
     std::array<Index, 2> faces{};        ///< ascending
-    bool crossing = false;               ///< whether they have points in common other than shared vertices
-                                         ///< and edges
+    bool crossing = false;               ///< whether they intersect beyond shared vertices and edges
     double distance = 0;                 ///< m, of their middle surfaces; 0 if they cross
     double needed = 0;                   ///< m, their activation distance; 0 if they cross
     Vector3d normal = Vector3d::Zero();  ///< from the first to the second; 0 if they cross

@@ -9,8 +9,7 @@ namespace sherd {
 
 /// Whether triangles form a body that solvers, boolean operations and printers accept.
 struct BodyCheck {
-    bool manifold = false;  ///< each edge has at most two triangles, with opposite orientation, and each
-                            ///< point a single fan of triangles
+    bool manifold = false;  ///< two triangles an edge at most, oppositely oriented, and one fan a point
     bool closed = false;    ///< the body is manifold and each edge has two triangles
     bool outward = false;   ///< the body is closed and the normals of each outermost component point outwards
     double volume = 0;      ///< m^3, of a closed body

@@ -18,8 +18,7 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr int iterations = 20;          // enough for good angles, too few for the vertices to form long rows
 constexpr double row_height = 0.93;     // edge lengths: side of a square with the area of a vertex
-constexpr double half_row = 0.45;       // edge lengths: width that a line of fixed vertices covers on each
-                                        // side
+constexpr double half_row = 0.45;       // edge lengths: free width on each side of a line of fixed vertices
 constexpr double corner_degrees = 20;   // a profile that turns by more gets vertices on the circle there
 constexpr double narrowest_band = 0.7;  // edge lengths, minimum between two such circles
 

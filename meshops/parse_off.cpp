@@ -16,7 +16,7 @@ constexpr char comment = '#';
 
 /// The header: `[ST][C][N][4][n]OFF [BINARY]`, then the numbers of vertices, faces and edges.
 struct OffHeader {
-    std::size_t coordinates = 3;  ///< 4: homogeneous
+    std::size_t coordinates = 3;  ///< number of coordinates of a vertex; 4: homogeneous
     std::size_t extras = 0;       ///< number of further values of a vertex in a binary file
     bool has_dimension = false;   ///< whether a dimension precedes the numbers of vertices and faces
     bool is_binary = false;
@@ -49,8 +49,8 @@ OffHeader read_keyword(TextLine& line) {
 void require_room(const std::filesystem::path& file, const OffHeader& header, std::size_t available) {
     const std::size_t vertex =
         header.is_binary ? 4 * (header.coordinates + header.extras) : 2 * header.coordinates;
-    const std::size_t face = header.is_binary ? 8 : 2, room = available + 1;  // the last line may have no
-                                                                              // line end
+    const std::size_t face = header.is_binary ? 8 : 2, room = available + 1;  // the last line may lack its
+                                                                              // end
     if (header.vertices <= room / vertex && header.faces <= (room - vertex * header.vertices) / face) return;
     fail_at_end(file, "its header promises " + std::to_string(header.vertices) + " vertices and " +
                           std::to_string(header.faces) + " faces, and " + std::to_string(available) +

@@ -16,8 +16,7 @@ struct PolygonSoup {
     std::filesystem::path file;
     std::vector<Point> points;
     std::vector<std::vector<std::size_t>> polygons;     ///< corners, as indices into `points`
-    std::vector<std::vector<Eigen::Vector2d>> texture;  ///< of each corner; empty for a polygon without any,
-                                                        ///< and if no polygon has any
+    std::vector<std::vector<Eigen::Vector2d>> texture;  ///< of each corner; empty without any
     std::vector<Eigen::Vector3d> axis;      ///< material axis of each polygon; empty if there are none
     std::vector<GroupNames> groups;         ///< of each polygon; empty if the format has no groups
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines

@@ -25,10 +25,9 @@ class Surface {
 /// Vertices on a surface, by parameters, before they are triangulated.
 struct SurfacePoints {
     std::vector<Eigen::Vector2d> parameter;
-    std::size_t hole = 0;                             ///< number of vertices, from the first, that lie around
-                                                      ///< a hole of the chart
-    std::size_t fixed = 0;                            ///< number of vertices, from the first, that do not
-                                                      ///< move
+    std::size_t hole = 0;                             ///< count of the first vertices, around a hole of the
+                                                      ///< chart
+    std::size_t fixed = 0;                            ///< count of the first vertices, which do not move
     std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices that an edge must join
     bool is_closed = false;  ///< whether one more vertex, at the chart's infinity, closes the surface
     Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< position of that vertex, m

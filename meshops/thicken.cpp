@@ -51,8 +51,7 @@ struct Surroundings {
     Vector3d direction = Vector3d::Zero();    ///< normals weighted by angle
     Vector3d area_normal = Vector3d::Zero();  ///< normals weighted by area
     double area = 0, volume = 0;              ///< twice the area, and twice the area times the thickness
-    Vector3d inward = Vector3d::Zero();       ///< sum of unit vectors away from the boundary, in its
-                                              ///< triangles
+    Vector3d inward = Vector3d::Zero();       ///< unit vectors away from the boundary, in its triangles
 
     double thickness() const { return area > 0 ? volume / area : 0; }
     Vector3d offset() const {

@@ -47,8 +47,7 @@ std::vector<std::uint32_t> separate(TriangleSoup& soup);
 /// first. The soup must be the result of separate().
 struct Orientation {
     std::vector<std::size_t> turned;       ///< flipped triangles, ascending
-    std::optional<std::size_t> one_sided;  ///< a triangle of a one-sided component (Moebius strip), if there
-                                           ///< is one
+    std::optional<std::size_t> one_sided;  ///< a triangle of a one-sided component (Moebius strip)
 };
 Orientation orient(TriangleSoup& soup);
 

@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-/// A bending energy quadratic plus cubic in the positions of four vertices,
+/// A bending energy with a quadratic and a cubic part in the positions of four vertices,
 ///     E = 1/2 sum_c x_c^T Q x_c - k [e0, e1, e2] + constant,
-/// equal to the nonlinear hinge (paper, eq. 4) along isometric deformations.
+/// which equals the nonlinear hinge (paper, eq. 4) along isometric deformations.
 struct CubicHinge {
     Eigen::Matrix4d quadratic;  ///< Q, N/m, the same for x, y and z; rows sum to zero
     double cubic = 0;           ///< k, N/m^2

@@ -45,8 +45,7 @@ class MirrorEnergy : public Energy {
     HingePositions mirrored(const MirrorHinge& hinge, const Positions& x) const;
 
     const Sheet& sheet;
-    std::vector<MirrorHinge> at_rest, hinges;  ///< the same hinges with their planes at rest, and at the end
-                                               ///< of the step
+    std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
     std::vector<CubicHinge> bending;           ///< of each mirror hinge
 };
 

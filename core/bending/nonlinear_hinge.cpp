@@ -37,7 +37,7 @@ Flap flap(const HingePositions& x, int apex) {
     return f;
 }
 
-/// cos and sin of theta. The two normals of a flat hinge are opposite, since both flaps start at x0.
+/// cos and sin of theta. The two normals of a flat hinge are opposite, since both triangles start at x0.
 Vector2d turn_of(const std::array<Flap, 2>& flaps) {
     return {-flaps[0].normal.dot(flaps[1].normal), flaps[0].normal.dot(flaps[1].across)};
 }

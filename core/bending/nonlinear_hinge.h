@@ -13,7 +13,8 @@ struct NonlinearHinge {
     Vector2d rest_turn = Vector2d::UnitX();  ///< cos and sin of the rest angle
 };
 
-/// rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity D).
+/// The nonlinear hinge from its rest shape. rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity
+/// D).
 NonlinearHinge nonlinear_hinge(const HingePositions& rest, double stiffness);
 
 /// Energy, J. It and its derivatives are NaN where a triangle has no area.

@@ -18,10 +18,9 @@ struct GustWave {
 struct Wind {
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     std::vector<GustWave> gusts;           ///< added to the velocity
-    double ramp = 0;                       ///< s, time in which velocity and gusts grow from zero; 0: full at
-                                           ///< once
+    double ramp = 0;                       ///< s in which velocity and gusts grow from zero; 0: full at once
     double density = 1.225;                ///< kg/m^3; dry air at sea level and 15 degrees C (ISO 2533)
-    double drag = 1.2;       ///< coefficient of a face across the wind: square plates (Hoerner 1965)
+    double drag = 1.2;       ///< coefficient of a face across the wind: that of square plates (Hoerner 1965)
     double lift = 1.5;       ///< slope of the normal coefficient with the angle to the wind, 1/rad
     double friction = 0.02;  ///< coefficient along the surface, of both sides together
     std::vector<Index> triangles;

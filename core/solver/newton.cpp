@@ -8,8 +8,7 @@ namespace sherd {
 namespace {
 
 constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
-constexpr double flattening = 0.9;            // of the slope, accepted where round-off hides the decrease of
-                                              // the value
+constexpr double flattening = 0.9;            // ratio of slopes accepted where round-off hides the decrease
 constexpr int max_halvings = 40;
 
 /// Shares of the way from the exact Hessian to the convex one that are tried when the exact one is not

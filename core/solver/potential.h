@@ -20,8 +20,7 @@ class Potential {
     void moved_to(const Positions& x);
 
     double value(const Positions& x) const;        ///< J
-    double round_off() const;                      ///< bound on the value's round-off error by cancellation,
-                                                   ///< J
+    double round_off() const;                      ///< J, bound on the value's error by cancellation
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
     /// Zero matrix with the pattern of Hessians at x and nearby.
     BlockMatrix hessian_pattern(const Positions& x) const;

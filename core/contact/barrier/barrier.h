@@ -30,8 +30,7 @@ struct Barrier {
     }
 
   private:
-    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // 1/2 over the bare slope at range /
-                                                                         // 2
+    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // slope(range / 2) is -range / 2
 };
 
 }  // namespace sherd

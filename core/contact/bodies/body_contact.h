@@ -55,7 +55,7 @@ class BodyContact : public Energy {
     /// obstacles.
     struct FootContact {
         std::size_t body, other;
-        Vector3d foot;  ///< m, in the body's frame
+        Vector3d foot;  ///< m, contact point in the body's frame
     };
     /// A contact point that touched another collider at the beginning of the step.
     struct SlidingFoot {
@@ -100,8 +100,7 @@ class BodyContact : public Energy {
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
     std::vector<FootContact> feet;
     std::vector<SlidingFoot> sliding;
-    VectorXd base;  ///< [6 B] poses without overlap of bodies and shell, where the search for the optimal
-                    ///< poses starts
+    VectorXd base;  ///< [6 B] poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

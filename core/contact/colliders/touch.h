@@ -10,8 +10,7 @@ namespace sherd {
 
 /// Which vertices, obstacles and bodies are in contact.
 struct Touch {
-    std::set<Index> vertices;                 ///< vertices of sheets in contact, alone or as part of a
-                                              ///< triangle or an edge
+    std::set<Index> vertices;                 ///< vertices of sheets in contact, or of their elements
     double deepest = 0;                       ///< m, the largest overlap of a vertex
     std::set<std::size_t> obstacles, bodies;  ///< numbers of those that a sheet or a body touches
 

@@ -25,8 +25,7 @@ inline int vertices_of_first(PairKind kind) {
 struct Closest {
     Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< they sum to zero
     Eigen::Matrix<double, 4, 2> directions = Eigen::Matrix<double, 4, 2>::Zero();
-    int freedom = 0;  ///< number of directions used: 0 vertex-vertex, 1 vertex-edge, 2 vertex-face and
-                      ///< edge-edge
+    int freedom = 0;  ///< directions used: 0 vertex-vertex, 1 vertex-edge, 2 vertex-face and edge-edge
 };
 
 /// The closest points of a vertex and a triangle, or of two edges. Elements may be degenerate (needles,
