@@ -43,10 +43,7 @@ class BreakableSheet {
     const Mesh& mesh() const { return crack_mesh.mesh(); }
     const Sheet& mechanics() const { return sheet; }
     Sheet& mechanics() { return sheet; }
-    std::span<const Index> face_sheet() const {
-        return sheet.face_sheet;
-    }  ///< [F] number of the input of
-       ///< each face
+    std::span<const Index> face_sheet() const { return sheet.face_sheet; }  ///< [F] number of the input
     Edge edge_of_hinge(std::size_t hinge) const { return Edge(sheet.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return sheet.edge_hinge[edge]; }

@@ -23,10 +23,7 @@ class Fragments {
     std::span<const Index> of_face() const { return fragment_of_face; }  ///< [F] fragment of each face
     /// [fragments] the fragment that each was a part of at its birth; -1 if it exists from the beginning.
     std::span<const Index> parents() const { return parent; }
-    Index count() const {
-        return static_cast<Index>(parent.size());
-    }  ///< number of fragments so far; none
-       ///< ever ends
+    Index count() const { return static_cast<Index>(parent.size()); }  ///< so far; none ends
 
   private:
     std::vector<Index> fragment_of_face, parent;

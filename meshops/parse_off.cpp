@@ -49,8 +49,7 @@ OffHeader read_keyword(TextLine& line) {
 void require_room(const std::filesystem::path& file, const OffHeader& header, std::size_t available) {
     const std::size_t vertex =
         header.is_binary ? 4 * (header.coordinates + header.extras) : 2 * header.coordinates;
-    const std::size_t face = header.is_binary ? 8 : 2, room = available + 1;  // the last line may lack its
-                                                                              // end
+    const std::size_t face = header.is_binary ? 8 : 2, room = available + 1;  // the last line may have no end
     if (header.vertices <= room / vertex && header.faces <= (room - vertex * header.vertices) / face) return;
     fail_at_end(file, "its header promises " + std::to_string(header.vertices) + " vertices and " +
                           std::to_string(header.faces) + " faces, and " + std::to_string(available) +

@@ -22,12 +22,11 @@ class Surface {
     virtual Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const = 0;
 };
 
-/// Vertices on a surface, by parameters, before they are triangulated.
+/// Vertices on a surface, by parameters, before they are triangulated. `hole` and `fixed` are counts.
 struct SurfacePoints {
     std::vector<Eigen::Vector2d> parameter;
-    std::size_t hole = 0;                             ///< count of the first vertices, around a hole of the
-                                                      ///< chart
-    std::size_t fixed = 0;                            ///< count of the first vertices, which do not move
+    std::size_t hole = 0;                             ///< the first vertices, which lie around a hole
+    std::size_t fixed = 0;                            ///< the first vertices, which do not move
     std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices that an edge must join
     bool is_closed = false;  ///< whether one more vertex, at the chart's infinity, closes the surface
     Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< position of that vertex, m

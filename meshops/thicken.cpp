@@ -103,8 +103,8 @@ struct Sides {
                            : turn < largest_turn &&
                                  (points[a] - points[b]).norm() < together_distance * around[a].thickness();
     }
-    /// Displacement of a point away from the boundary that moves both boundary edges at it back by the crack
-    /// width.
+    /// Displacement of a point away from the boundary that moves both boundary edges at it back by half the
+    /// crack width.
     Vector3d retreat(std::size_t i) const {
         const Vector3d& inward = around[i].inward;
         const double length = std::max(inward.squaredNorm(), 1.0);
