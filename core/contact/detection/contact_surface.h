@@ -21,12 +21,12 @@ struct ContactSolid {
 /// The triangles and edges of sheets and of colliders between which contact acts, with their stiffness and
 /// thickness. Vertices are numbered consecutively, those of the colliders first, then those of the sheets.
 ///
-/// A pair is active when the distance of the middle surfaces is below half the sum of the thicknesses.
-/// Elements of one sheet that are closer than that at rest (edges may be shorter than the thickness) have
-/// three quarters of their rest distance as activation distance, so that the rest shape is free of contact
-/// forces. A collider has no thickness: a sheet touches its surface at half the sheet's thickness, where the
-/// springs of ObstacleContact begin. The activation distance of pairs with it is half of that: the barrier
-/// stops what vertices and springs do not.
+/// A pair is active when the distance of the middle surfaces is below its activation distance, half the sum
+/// of the thicknesses. Between elements of one sheet it is at most three quarters of their distance at rest,
+/// so that the rest shape is free of contact forces (edges may be shorter than the thickness). A collider has
+/// no thickness: a sheet touches its surface at half the sheet's thickness, where the springs of
+/// ObstacleContact begin. The activation distance of pairs with it is half of that: the barrier stops what
+/// vertices and springs do not.
 ///
 /// The stiffness is that of a column of sheet, half of each thickness high, of the two materials in series: k
 /// = area / (t_a / (2 Y_a) + t_b / (2 Y_b)). The area of a vertex is its footprint. The area of two edges is
