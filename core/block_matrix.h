@@ -9,37 +9,38 @@
 
 namespace sherd {
 
-/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column a vertex. Holds the lower triangle in
-/// compressed columns, rows ascending, which is how CHOLMOD reads it. Scalar row of coordinate c of vertex i:
-/// 3 i + c.
+/// Symmetric sparse matrix of 3 x 3 blocks, one block row and column for each vertex. It stores the lower
+/// triangle in compressed columns with ascending rows, as CHOLMOD reads it. Coordinate c of vertex i has
+/// scalar row 3 i + c.
 class BlockMatrix {
   public:
-    /// Zero matrix of `vertices` block rows with the blocks `pairs` (any order, either triangle, repeats
-    /// allowed) and all diagonal blocks. Rows and columns of `fixed` vertices (one flag a vertex) stay those
-    /// of the identity.
-    /// A vertex with guide[v] = k > 0 has the freedom of guides[k - 1], a projection P: its rows and columns
-    /// are projected, and stay those of the identity in the directions that P takes away.
+    /// Zero matrix of `vertices` block rows with the blocks `pairs` (in any order, from either triangle,
+    /// repeated or not) and all diagonal blocks. Rows and columns of `fixed` vertices (one flag for each
+    /// vertex) stay those of the identity.
+    /// A vertex with guide[v] = k > 0 is restricted by the projection P = guides[k - 1]: its rows and columns
+    /// are projected, and are those of the identity in the directions that P removes.
     BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed,
                 std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
 
     void set_zero();
-    /// Whether there is a block at block row i, block column j, or would be were its vertices not fixed.
+    /// Whether block row i, block column j has a block, or would have one if its vertices were not fixed.
     bool has(Index i, Index j) const;
-    /// Adds `block` at block row i, block column j. The caller adds each unordered pair once: (j, i) is
+    /// Adds `block` at block row i, block column j. The caller adds each unordered pair once, since (j, i) is
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
 
     /// Sets the values to (1 - share) `from` + share `to`, both values() of this pattern.
     void blend(std::span<const double> from, std::span<const double> to, double share);
 
-    Index size() const { return static_cast<Index>(column_start.size()) - 1; }  ///< scalar rows
+    Index size() const { return static_cast<Index>(column_start.size()) - 1; }  ///< number of scalar rows
     std::span<const Index> columns() const { return column_start; }             ///< [size + 1]
     std::span<const Index> rows() const { return row; }
     std::span<const double> values() const { return value; }
 
   private:
     bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }
-    /// Number below the diagonal of the block at (row, column), or of the one where it should be inserted.
+    /// Index of the block at (row, column) among those below the diagonal, or of the position where it would
+    /// be inserted.
     Index rank(Index row, Index column) const;
     void add_diagonal(Index vertex, const Matrix3d& block);
 
@@ -51,8 +52,8 @@ class BlockMatrix {
     std::vector<Matrix3d> guides;
 };
 
-/// Adds the symmetric `local` Hessian [3 N, 3 N] of an element on `vertices` [N] (coordinate fastest).
-/// Vertices below zero are none of the matrix's.
+/// Adds the symmetric Hessian `local` [3 N, 3 N] of an element with `vertices` [N] (coordinate fastest).
+/// Vertices with negative numbers are skipped.
 template <std::size_t N>
 void add_element(BlockMatrix& matrix, const std::array<Index, N>& vertices,
                  const Eigen::Matrix<double, 3 * N, 3 * N>& local) {
@@ -62,7 +63,7 @@ void add_element(BlockMatrix& matrix, const std::array<Index, N>& vertices,
                 matrix.add(vertices[a], vertices[b], local.template block<3, 3>(3 * a, 3 * b));
 }
 
-/// Appends the unordered pairs of an element's vertices, but for those below zero.
+/// Appends the unordered pairs of an element's vertices, without those of negative number.
 template <std::size_t N>
 void add_pairs(std::vector<std::pair<Index, Index>>& pairs, const std::array<Index, N>& vertices) {
     for (std::size_t a = 0; a < N; ++a)
@@ -70,7 +71,7 @@ void add_pairs(std::vector<std::pair<Index, Index>>& pairs, const std::array<Ind
             if (vertices[a] >= 0 && vertices[b] >= 0) pairs.emplace_back(vertices[a], vertices[b]);
 }
 
-/// Vertices numbered from `first` on.
+/// Subtracts `first` from the vertices' numbers.
 template <std::size_t N>
 std::array<Index, N> numbered_from(std::array<Index, N> vertices, Index first) {
     for (Index& vertex : vertices) vertex -= first;

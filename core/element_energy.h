@@ -7,14 +7,13 @@
 
 namespace sherd {
 
-// Sums over elements: the one loop that all energies share. `elements` has, for i from 0 to size() - 1,
-//     vertices(i)                  std::array<Index, N>; a vertex below zero is none of the shell's: it is
-//     where
-//                                  it is, and takes no force
+// The sum over elements, one loop for all energies. `elements` has, for i from 0 to size() - 1,
+//     vertices(i)                  std::array<Index, N>; those below zero are not in the shell: they are
+//                                  prescribed and take no force
 //     value(i, local)              J
 //     gradient(i, local)           N, [3, N]
 //     hessian(i, local, curvature) N/m, [3 N, 3 N], symmetric, coordinate fastest
-// where local, [3, N], are the positions (m) of the element's vertices, or what gather(i, x) makes of all.
+// where local, [3, N], are the positions (m) of the element's vertices, or the result of gather(i, x).
 
 template <class Elements>
 auto local_positions(const Elements& elements, std::size_t i, const Positions& x) {
@@ -55,7 +54,7 @@ void add_patterns(const Elements& elements, std::vector<std::pair<Index, Index>>
     for (std::size_t i = 0; i < elements.size(); ++i) add_pairs(pairs, elements.vertices(i));
 }
 
-/// The energy of elements that stay the same for a step at least.
+/// The energy of elements that stay the same for at least a step.
 template <class Elements>
 class ElementEnergy : public Energy {
   public:

@@ -11,40 +11,40 @@
 
 namespace sherd {
 
-/// Which second derivative an energy hands to the minimiser.
+/// The second derivative that an energy gives to the minimiser.
 enum class Curvature {
-    exact,  ///< the Hessian; may be indefinite
-    convex  ///< a positive semidefinite matrix near it, which makes every step one of descent
+    exact,  ///< the Hessian, which may be indefinite
+    convex  ///< a positive semidefinite approximation, with which every step is a descent
 };
 
-/// A potential energy of the vertex positions. Between two calls of begin(), topology_changed() and
-/// moved_to() its answers depend on the positions alone, not on what was asked before.
+/// A potential energy of the vertex positions. Between calls of begin(), topology_changed() and moved_to(),
+/// its answers depend on the positions alone and not on earlier calls.
 struct Energy {
     virtual ~Energy() = default;
-    /// Makes ready for a step, whose beginning the shell's positions and velocities are.
+    /// Prepares for a step, which begins at the shell's positions and velocities.
     virtual void begin(const StepContext& /*step*/) {}
-    /// To be called when the shell has other vertices, hinges or lips, to go on with the same step.
+    /// Must be called when the shell has other vertices, hinges or lips; the same step goes on.
     virtual void topology_changed(const ShellChange& /*change*/, const StepContext& step) { begin(step); }
-    /// To be called when the minimiser has moved to x, from where it will go on.
+    /// Must be called when the minimiser has moved to the iterate x, from which it goes on.
     virtual void moved_to(const Positions& /*x*/) {}
 
-    /// Value in J. x: [3, V] in m.
+    /// Energy, J. x: [3, V] m.
     virtual double value(const Positions& x) const = 0;
-    /// Bound on the round-off error of value(), J, where terms cancel in it.
+    /// Bound on the round-off error of value() by cancellation, J.
     virtual double round_off() const { return 0; }
-    /// Adds dE/dx, in N, to gradient [3, V]; the force is its negative.
+    /// Adds dE/dx, N, to gradient [3, V]; the force is its negative.
     virtual void add_gradient(const Positions& x, Positions& gradient) const = 0;
-    /// Adds d2E/dx2, in N/m.
+    /// Adds d2E/dx2, N/m.
     virtual void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const = 0;
-    /// Appends the pairs of vertices that have a block in the Hessian as long as the shell stays as it is.
+    /// Appends the pairs of vertices that have a block in the Hessian as long as the shell does not change.
     virtual void add_pattern(std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
-    /// Appends those that come and go with the positions: the pairs that have a block at x, and, `ahead`,
-    /// those that are likely to have one soon.
+    /// Appends the pairs that depend on the positions: those with a block at x and, with `ahead`, those that
+    /// are likely to have one soon.
     virtual void add_contacts(const Positions& /*x*/, bool /*ahead*/,
                               std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
-    /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite on the whole way.
+    /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite.
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
-    /// What the time that it takes counts for.
+    /// The task that the energy's computing time is booked on.
     virtual Task task() const { return Task::elasticity; }
 };
 

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-constexpr double parallel = 1e-12;  // sine of the angle below which two axes are one
+constexpr double parallel = 1e-12;  // sine of the angle below which two axes count as the same
 
 Eigen::Quaterniond rotation(const MotionKey& key) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(key.angle, key.axis));

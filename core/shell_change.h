@@ -7,32 +7,32 @@
 
 namespace sherd {
 
-/// An element of a shell that a change made, and those of its kind from before whose data it takes over.
+/// A new element of a shell, and its parents: the elements before the change whose data it inherits.
 struct Heir {
     struct Parent {
         Index element;
         double weight;
     };
     Index element;
-    std::vector<Parent> parents;  ///< weights sum to 1; without any it starts from nothing
+    std::vector<Parent> parents;  ///< their weights sum to 1; without any, data start from defaults
 };
 
-/// What a change of its mesh made of a shell. What was born is appended in this order; hinges are removed.
+/// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed.
 struct ShellChange {
     std::vector<Heir> vertices = {}, edges = {}, faces = {};
-    /// In the order in which they were removed, each numbered as it was then: the last hinge then took the
-    /// number of the one that was removed.
+    /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
+    /// the number of the removed one.
     std::vector<Index> removed_hinges = {};
 };
 
-/// Removes the entry `hinge` of a list as hinges are removed.
+/// Removes the entry `hinge` of a list in the way hinges are removed: the last entry takes its place.
 template <class T>
 void remove_hinge(std::vector<T>& of_hinges, Index hinge) {
     of_hinges[hinge] = of_hinges.back();
     of_hinges.pop_back();
 }
 
-/// Removes from a list with an entry for each hinge what belongs to hinges that a change has removed.
+/// Removes the entries of removed hinges from a list with an entry for each hinge.
 template <class T>
 void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges) {
     for (const Index hinge : change.removed_hinges) remove_hinge(of_hinges, hinge);

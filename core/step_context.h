@@ -10,18 +10,18 @@ namespace sherd {
 /// The displacement (m) and the rotation vector (rad) of a rigid body in a step, or their rates.
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// The origins of a rigid body in a step, see StepContext; its displacement and rotation since the step's
-/// beginning take the place of positions.
+/// The origins of a rigid body in a step (see StepContext); its displacement and rotation since the step's
+/// beginning replace the positions.
 struct BodyOrigin {
     Vector6d pose = Vector6d::Zero();      ///< m, rad
     Vector6d velocity = Vector6d::Zero();  ///< m/s, rad/s
 };
 
-/// One implicit time step as energies see it. Its time scheme says what a velocity at the step's end is, as a
-/// function of the positions x there:
+/// One implicit time step as energies see it. The time scheme defines the velocity at the step's end as a
+/// function of the positions x there,
 ///     v(x) = (x - origin) / lag,
-/// and what an acceleration is, (v(x) - velocity_origin) / lag. For implicit Euler the origins are positions
-/// and velocities at the beginning, and the lag is the step's length.
+/// and the acceleration, (v(x) - velocity_origin) / lag. For implicit Euler the origins are the positions and
+/// velocities at the beginning, and the lag is the step's length.
 struct StepContext {
     double begin = 0;           ///< s
     double length = 0;          ///< s
@@ -31,10 +31,11 @@ struct StepContext {
     std::vector<BodyOrigin> bodies;
 
     double end() const { return begin + length; }  ///< s
-    /// m/s at the end of the step; x: [3, V] m.
+    /// Velocity at the end of the step, m/s. x: [3, V] m.
     Positions velocity(const Positions& x) const { return (x - origin) / lag; }
-    /// Where a vertex that is at `from` at the beginning of the step would have to be at its end to move with
-    /// what a scripted motion carries from there to `to`, m. For implicit Euler that is `to`.
+    /// The position, m, at the end of the step of a vertex that sticks to something in scripted motion: the
+    /// vertex is at `from` at the beginning of the step, and the motion takes this point to `to`. For
+    /// implicit Euler the position is `to`.
     Vector3d at_rest_on(Index vertex, const Vector3d& from, const Vector3d& to) const {
         return to + (origin.col(vertex) - from) + (lag / length - 1) * (to - from);
     }

@@ -7,24 +7,23 @@
 
 namespace sherd {
 
-/// What the time of a run goes into.
+/// The tasks on which the computing time of a run is booked.
 enum class Task {
     other,
     elasticity,     ///< energies of bending, membrane, clamps and symmetry planes
-    contact,        ///< all of contact and friction: energies, finding pairs, continuous detection, and the
-                    ///< pattern of Newton's matrix where it is contact that changes it
+    contact,        ///< contact and friction: energies, detection, and changes of Newton's pattern by contact
     loads,          ///< energies of loads, wind and damping
-    analysis,       ///< of the pattern of Newton's matrix, by the linear solver
-    factorization,  ///< of the matrix
-    solution,       ///< with its factor
-    breaking        ///< judging hinges, opening the mesh
+    analysis,       ///< analysis of the pattern of Newton's matrix by the linear solver
+    factorization,  ///< factorization of the matrix
+    solution,       ///< solution with the factor
+    breaking        ///< judging hinges and opening the mesh
 };
 
-/// How much wall time tasks have taken, each moment counted for one of them. For people to read: no result
-/// may depend on it.
+/// The wall time of each task; every moment is counted once. It is informative only: no result may depend on
+/// it.
 class TimeSpent {
   public:
-    /// s
+    /// Time spent on a task, s.
     double on(Task task) const { return std::chrono::duration<double>(spent[index(task)]).count(); }
 
   private:
@@ -45,7 +44,7 @@ class TimeSpent {
     Clock::time_point since = Clock::now();
 };
 
-/// As long as it lives time is spent on its task, and not on the one that it interrupts.
+/// While it exists, time is booked on its task instead of the task that it interrupts.
 class Stopwatch {
   public:
     Stopwatch(TimeSpent& time, Task task) : time(time), interrupted(time.change(task)) {}

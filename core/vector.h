@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// One column a vertex: positions (m), velocities (m/s), forces (N).
+/// One column for each vertex: positions (m), velocities (m/s) or forces (N).
 using Positions = Eigen::Matrix3Xd;
 
 /// The columns of `vertices` [N]: [3, N].
@@ -25,7 +25,7 @@ Eigen::Matrix<double, 3, static_cast<int>(N)> columns(const Positions& all,
     return local;
 }
 
-/// The matrix of v x.
+/// The matrix of the map x -> v x x.
 inline Matrix3d cross_matrix(const Vector3d& v) {
     Matrix3d matrix;
     matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;

@@ -47,8 +47,8 @@ Mesh joined(const std::vector<SheetInput>& inputs) {
     return all;
 }
 
-/// The first material axis of every face of all sheets, [F]; zero, an angle of nought, where it does not
-/// matter.
+/// The first material axis of every face of all sheets, [F]; where it does not matter it is zero, which
+/// stands for an angle of zero.
 std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
     std::vector<Vector3d> all;
     for (const SheetInput& input : inputs) {
@@ -240,7 +240,7 @@ void BreakableSheet::share_masses(const TopologyChange& change) {
         sheet.mass[number(vertex)] = rest_mass(vertex);
         sheet.footprint[number(vertex)] = footprint_per_mass * sheet.mass[number(vertex)];
     };
-    Vertex shared;  // whose copies are being given their parts; they stand one after the other
+    Vertex shared;  // the original vertex whose copies are being processed; they are consecutive
     double footprint_per_mass = 0;
     for (const Born<Vertex>& copy : change.vertices) {
         if (copy.parent() != shared) {

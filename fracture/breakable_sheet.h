@@ -11,32 +11,32 @@
 
 namespace sherd {
 
-/// Pinned vertices that move together, from where they are placed.
+/// Pinned vertices with one scripted motion, relative to their rest positions.
 struct MovingPin {
     std::vector<Index> vertices;
     Motion motion;
 };
 
-/// One sheet of a simulation as it starts.
+/// The input of a simulation for one sheet.
 struct SheetInput {
-    Mesh mesh;  ///< at rest, where it starts, m
+    Mesh mesh;  ///< m, the rest shape at the place where the sheet starts
     Material material;
     std::vector<Vector3d>
-        axes;  ///< [F] first material axis of each face, in its plane; may be empty when no direction differs
-    Strength strength;                     ///< by default it does not break
+        axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
+    Strength strength;                     ///< by default the sheet does not break
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
-    std::vector<Index> pinned;             ///< vertices that stay where they are, or are carried
-    std::vector<MovingPin> moving_pins;    ///< of pinned vertices; none has two of them
+    std::vector<Index> pinned;             ///< vertices that are fixed or scripted
+    std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for each
 };
 
-/// All sheets of a simulation: their mesh and their mechanics, kept in step. A crack removes hinges and
+/// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and
 /// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
 class BreakableSheet {
   public:
-    /// inputs: at least one. Throws Error when a material's constants are inadmissible, when material or
-    /// strength have directions and there is no axis for each face, or when the strength's factors are not as
-    /// many as the edges.
+    /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
+    /// depend on the direction and an axis is missing for a face, or if the number of the strength's factors
+    /// differs from the number of edges.
     explicit BreakableSheet(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -45,30 +45,30 @@ class BreakableSheet {
     Sheet& mechanics() { return sheet; }
     std::span<const Index> face_sheet() const { return sheet.face_sheet; }  ///< [F] number of the input
     Edge edge_of_hinge(std::size_t hinge) const { return Edge(sheet.hinge_edge[hinge]); }
-    /// Number of the edge's hinge in mechanics().hinges, -1 when it has none.
+    /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return sheet.edge_hinge[edge]; }
-    /// What the hinge of `edge` withstands, in the unit of its sheet's measure; infinite when it cannot fail.
+    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail.
     double strength(Edge edge) const { return sheet.edge_strength[edge]; }
-    /// By what the hinge of `edge` is judged.
+    /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
-    std::span<const double> face_areas() const { return sheet.face_area; }  ///< [F] at rest, m^2
+    std::span<const double> face_areas() const { return sheet.face_area; }  ///< [F] m^2, at rest
 
-    /// What a crack changed, in the mesh and in the mechanics.
+    /// What a crack changed in the mesh and in the mechanics.
     struct Change {
         CrackMesh::Change cracks;
         ShellChange shell;
     };
-    /// Lets the hinges of `edges` fail, opens the mesh and carries all data over. Vertices are appended.
+    /// Makes the hinges of `edges` fail, opens the mesh and updates all data. New vertices are appended.
     Change fail(std::span<const Edge> edges);
 
-    /// Leaves the lips of cracks that have moved apart to SheetContact. Whether there were any.
+    /// Passes the lips of cracks that have moved apart on to SheetContact. Returns whether there were any.
     bool release_lips();
 
   private:
     void add_vertices(const SheetInput& input, Index body, Index first_vertex);
-    /// Tells the lips which vertices of one sheet lie at the same place from the beginning.
+    /// Registers with the lips which vertices of one sheet coincide at the start.
     void add_coincident_vertices();
     void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
     void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);

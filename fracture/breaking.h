@@ -8,22 +8,22 @@ namespace sherd {
 
 /// Which overloaded hinges fail, and when.
 enum class BreakingRule {
-    staged,  ///< in each stage the most overloaded within two rings; then the time step is solved again
-    paper    ///< all of them at the end of the time step (paper, section 6)
+    staged,  ///< the most overloaded within two rings fail in each stage; then the step is solved again
+    paper    ///< all overloaded hinges fail at the end of the step (paper, section 6)
 };
 
-/// What the hinge of `edge` bears over what it withstands; above 1 it is overloaded. Without a hinge: 0.
-/// crack_tips: whether a hinge that would continue a crack, whose tip concentrates strain more than a mesh of
-/// this coarseness can show, withstands less.
+/// Overload of the hinge of `edge`: its measure over its strength. The hinge is overloaded above 1; the
+/// overload is 0 without a hinge. crack_tips: whether the strength is reduced for a hinge that would continue
+/// a crack, because the crack tip concentrates strain more than the mesh resolves.
 double overload(const BreakableSheet& sheet, const HingeMeasures& measures, Edge edge, bool crack_tips);
 
-/// The edges that fail in one stage of staged breaking: those that are overloaded, and the most so within two
-/// rings around them. Breaking all overloaded hinges at once, as the paper does, turns the surroundings of a
-/// contact to dust: the strain around a new crack must be judged anew. Ascending; a tie goes to the lower
-/// edge.
+/// The edges that fail in one stage of staged breaking: those that are overloaded, and more so than all
+/// others within two rings around them. If all overloaded hinges broke at once, as in the paper, the
+/// surroundings of a contact would turn to dust: the strain around a new crack must be evaluated again. The
+/// edges are ascending; of equal ones the lowest fails.
 std::vector<Edge> most_overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures);
 
-/// All edges that are overloaded, with no regard to crack tips: the paper's rule. Ascending.
+/// All overloaded edges, ascending, without regard to crack tips: the paper's rule.
 std::vector<Edge> overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures);
 
 }  // namespace sherd

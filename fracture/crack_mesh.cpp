@@ -19,7 +19,7 @@ CrackMesh::CrackMesh(Mesh mesh) : halfedges(std::move(mesh)) {
 }
 
 bool CrackMesh::is_tip(Vertex vertex) const {
-    Edge crack;  // none yet
+    Edge crack;  // none so far
     for (const Halfedge h : halfedges.halfedges_around_target(halfedges.halfedge(vertex))) {
         const Edge edge = halfedges.edge(h);
         if (states[edge] == EdgeState::interior) continue;

@@ -9,31 +9,31 @@
 
 namespace sherd {
 
-/// A mesh whose edges fail and open: the state machine of the paper's appendix B, with no physics.
-/// Two corners of one original vertex are the same vertex if and only if one can walk between them around
-/// that vertex crossing interior edges only; a failed edge is open if and only if its two sides differ at one
-/// end.
+/// A mesh whose edges fail and open: the state machine of the paper's appendix B, without physics. Two
+/// corners of one original vertex share a vertex if and only if they are connected around it across interior
+/// edges only. A failed edge is open if and only if its two sides have different vertices at one end.
 class CrackMesh {
   public:
     explicit CrackMesh(Mesh mesh);
 
     const Mesh& mesh() const { return halfedges; }
     EdgeState state(Edge edge) const { return states[edge]; }
-    /// Ancestry: the vertex of the uncut mesh that `vertex` is, or is a copy of; and the same of an edge.
+    /// The vertex of the uncut mesh that `vertex` is, or is a copy of; edges likewise.
     Vertex original(Vertex vertex) const { return vertex_origin[vertex]; }
     Edge original(Edge edge) const { return edge_origin[edge]; }
-    /// Whether a crack ends at `vertex`, inside the sheet: a single failed edge leads there.
+    /// Whether a crack ends at `vertex` inside the sheet: exactly one failed edge leads there.
     bool is_tip(Vertex vertex) const;
 
-    /// What the failure of some edges did.
+    /// What the failure of some edges changed.
     struct Change {
-        std::vector<int> boundary_vertices;  ///< of each failed edge: 0, 1, 2 for the paper's B0, B1, B2
+        std::vector<int> boundary_vertices;  ///< of each failed edge: 0, 1 or 2 for the paper's B0, B1 or B2
         TopologyChange topology;
     };
 
-    /// Lets `edges` fail at once and opens the mesh where it can. B0, B1, B2 count each edge's end points
-    /// that lie on another failed or boundary edge, with all of `edges` failed, before any of them opens; so
-    /// nothing depends on their order. Throws Error naming the edge when one is not interior or given twice.
+    /// Makes `edges` fail at once and opens the mesh where possible. B0, B1 and B2 count the ends of each
+    /// edge that lie on another failed or boundary edge, with all of `edges` failed and none of them open
+    /// yet, so that nothing depends on their order. Throws Error naming the edge if one is not interior or is
+    /// given twice.
     Change fail(std::span<const Edge> edges);
 
   private:

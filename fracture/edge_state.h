@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// State of an edge (paper, appendix B); it only ever advances.
+/// State of an edge (paper, appendix B). It only advances.
 enum class EdgeState : std::uint8_t {
-    interior = 0,            ///< carries a hinge
-    fractured_interior = 1,  ///< failed, but still closed: its two faces share both end points
+    interior = 0,            ///< has a hinge
+    fractured_interior = 1,  ///< failed but closed: its two faces share both end points
     boundary = 2             ///< open, or on the boundary from the start
 };
 

@@ -8,18 +8,17 @@
 
 namespace sherd {
 
-/// An edge whose hinge failed. Edge and vertex numbers are those of the mesh at that moment; they stay valid
-/// for good.
+/// An edge whose hinge failed. Edge and vertex numbers are those of the mesh at that moment and stay valid.
 struct EdgeFailure {
     double time = 0;  ///< s, end of the step in which it failed
     std::int64_t step = 0;
     Index stage = 0;  ///< stage of the step's staged breaking, from 0
     Index edge = 0;
     std::array<Index, 2> vertices{};  ///< end points
-    Index boundary_vertices = 0;      ///< 0, 1, 2: the paper's B0, B1, B2 when it failed
-    double strain = 0;                ///< surface strain over half the thickness (1/m)
-    double stress = 0;                ///< surface stress (Pa)
-    double overload = 0;              ///< its measure over its strength, above 1
+    Index boundary_vertices = 0;      ///< 0, 1 or 2 for the paper's B0, B1 or B2 when it failed
+    double strain = 0;                ///< 1/m, surface strain over half the thickness
+    double stress = 0;                ///< Pa, surface stress
+    double overload = 0;              ///< measure over strength, above 1
 };
 
 /// A failed edge that opened: `edge` stays with one face, `created` is the new edge of the other face.
@@ -38,15 +37,15 @@ struct VertexSplit {
     Index created = 0;
 };
 
-/// A new piece. Those that are there from the beginning have no event.
+/// A new fragment. Those that exist from the beginning have no event.
 struct FragmentBirth {
     double time = 0;
     std::int64_t step = 0;
     Index fragment = 0;
-    Index parent = 0;  ///< the piece that it was a part of, which goes on under its old number
+    Index parent = 0;  ///< the fragment that it was a part of, which keeps its number
 };
 
-/// What cracked, in order.
+/// The events of fracture, in order.
 struct CrackEvents {
     std::vector<EdgeFailure> failures;
     std::vector<EdgeOpening> openings;
@@ -54,7 +53,7 @@ struct CrackEvents {
     std::vector<FragmentBirth> births;
 };
 
-/// Sets the time of the events of the step `step`, the last ones.
+/// Sets the time (s) of the events of step `step`, which are the last ones.
 void set_time(CrackEvents& events, std::int64_t step, double time);
 
 /// Appends later events.

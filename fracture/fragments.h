@@ -9,21 +9,21 @@
 
 namespace sherd {
 
-/// The pieces of a mesh, with numbers that last: when a piece falls apart, its largest part by area keeps the
-/// number (of equal ones that with the lowest face), and the others get new numbers, in the order of their
-/// first faces.
+/// The fragments of a mesh, with lasting numbers: when a fragment falls apart, its largest part by area keeps
+/// the number (of equal parts the one with the lowest face), and the others get new numbers in the order of
+/// their first faces.
 class Fragments {
   public:
-    /// areas: [F]. The pieces of the unbroken mesh are numbered in the order of their first faces.
+    /// areas: [F] m^2. The fragments of the unbroken mesh are numbered in the order of their first faces.
     Fragments(const Mesh& mesh, std::span<const double> areas);
 
-    /// To be called when the mesh has been opened.
+    /// Must be called when the mesh was opened.
     void update(const Mesh& mesh, std::span<const double> areas);
 
-    std::span<const Index> of_face() const { return fragment_of_face; }  ///< [F]
-    /// [fragments] the piece that each was a part of when it was born; -1: it was there from the beginning.
+    std::span<const Index> of_face() const { return fragment_of_face; }  ///< [F] fragment of each face
+    /// [fragments] the fragment that each was a part of at its birth; -1 if it exists from the beginning.
     std::span<const Index> parents() const { return parent; }
-    Index count() const { return static_cast<Index>(parent.size()); }  ///< none ever ends
+    Index count() const { return static_cast<Index>(parent.size()); }  ///< so far; none ends
 
   private:
     std::vector<Index> fragment_of_face, parent;

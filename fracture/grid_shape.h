@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// A solid that is sampled on a grid.
+/// A solid given by signed distances on a grid.
 struct GridShape : Shape {
     SignedDistanceGrid grid;
 

@@ -9,13 +9,13 @@ namespace {
 /// A hinge's two faces and the outward normal of its edge in each, in the faces' rest frames.
 struct HingeSides {
     std::array<Face, 2> faces;
-    std::array<Vector2d, 2> normals;  ///< 1/m: one over the height on the edge
+    std::array<Vector2d, 2> normals;  ///< 1/m: of length one over the height of the face on the edge
 };
 
-/// Strain of a face and what it costs, as (00, 11, 2 * 01) and (00, 11, 01) in the face's rest frame.
+/// Green strain of a face and its change of curvature, as (00, 11, 2 * 01) in the face's rest frame.
 struct FaceStrain {
     Vector3d green = Vector3d::Zero();
-    Vector3d curvature = Vector3d::Zero();  ///< 1/m, its change
+    Vector3d curvature = Vector3d::Zero();  ///< 1/m
 };
 
 HingeSides sides_of(const BreakableSheet& sheet, std::size_t hinge) {
@@ -33,12 +33,12 @@ HingeSides sides_of(const BreakableSheet& sheet, std::size_t hinge) {
     return sides;
 }
 
-/// What to multiply a strain (00, 11, 2 * 01) with to get its part across an edge of unit normal n.
+/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of unit normal n.
 Vector3d across(const Vector2d& n) {
     return {n.x() * n.x(), n.y() * n.y(), n.x() * n.y()};
 }
 
-/// The bending that a hinge's turn (1/m, times the height on its edge) means for a face.
+/// Curvature, 1/m, that a hinge adds to a face. turn: change of its angle, rad; normal: see HingeSides.
 Vector3d curvature_of(double turn, const Vector2d& normal) {
     const Vector3d part = turn / normal.norm() * across(normal);
     return {part[0], part[1], 2 * part[2]};

@@ -5,26 +5,25 @@
 
 namespace sherd {
 
-/// Bending strain of each hinge (paper, appendix B), signed, 1/m, in the order of the mechanics' hinges. x:
-/// [3, V] m.
+/// Bending strain of each hinge (paper, appendix B), signed, 1/m, in the order of mechanics().hinges. x: [3,
+/// V] m.
 VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x);
 
-/// What strains the hinges, in the order of the mechanics' hinges, [H] each.
+/// The measures by which hinges fail, [H] each, in the order of mechanics().hinges.
 struct HingeMeasures {
     VectorXd bending;  ///< magnitude of the bending strain, 1/m
-    VectorXd strain;   ///< tensile strain across the edge at the more stretched surface of the sheet, divided
-                       ///< by half the thickness, 1/m
-    VectorXd stress;   ///< tensile stress across the edge at the surface where it is larger, Pa
+    VectorXd strain;   ///< 1/m, tensile strain across the edge, at the surface where it is larger, over t / 2
+    VectorXd stress;   ///< Pa, tensile stress across the edge at the surface where it is larger
 
-    /// The one that the hinge's sheet is judged by.
+    /// The given measure of a hinge.
     double of(Measure measure, Index hinge) const;
 };
 
-/// Strain and stress are means over the edge's two faces of what their Green strain, plus half the thickness
-/// times their change of curvature, amounts to across the edge; stress by the membrane's plane-stress
-/// elasticity. A face's curvature comes from the change of its hinges' angles. In pure bending `strain` is a
-/// curvature, like the paper's measure; unlike that, it sees in-plane stretch, and the bending of a face as a
-/// whole. x: [3, V] m.
+/// Computes strain and stress of all hinges. They are means over the edge's two faces of the component across
+/// the edge of their Green strain plus half the thickness times their change of curvature; the stress follows
+/// with the membrane's plane-stress elasticity. A face's change of curvature follows from the changes of its
+/// hinges' angles. In pure bending `strain` is a curvature, like the paper's measure; unlike the paper's, it
+/// includes in-plane stretch, and the bending of a face as a whole. x: [3, V] m.
 HingeMeasures hinge_measures(const BreakableSheet& sheet, const Positions& x);
 
 }  // namespace sherd

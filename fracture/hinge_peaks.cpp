@@ -10,7 +10,7 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 }  // namespace
 
 void HingePeaks::judge(const BreakableSheet& sheet, const HingeMeasures& measures) {
-    // Edges that are appended are sides of cracks, which have no hinge.
+    // Edges that were appended are sides of cracks, which have no hinge.
     if (peaks.strain.size() == 0)
         for (VectorXd HingeMeasures::*member : all)
             peaks.*member = VectorXd::Zero(static_cast<Index>(sheet.mesh().number_of_edges()));

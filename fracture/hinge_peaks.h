@@ -5,16 +5,15 @@
 
 namespace sherd {
 
-/// The largest that each hinge has borne at the end of a step, before anything broke in it.
+/// The largest measures of each hinge so far, as they are in each step before anything breaks in it.
 class HingePeaks {
   public:
-    /// Takes down what the hinges bear in the step that is being solved, instead of what was taken down of an
-    /// earlier attempt at it.
+    /// Records the measures in the step that is being solved. They replace those of an earlier attempt at it.
     void judge(const BreakableSheet& sheet, const HingeMeasures& measures);
-    /// That step is done.
+    /// Makes the recorded measures final, when the step is finished.
     void finish_step();
 
-    /// [E] in the order of the unbroken mesh's edges, whatever has failed since; 0 where there was no hinge.
+    /// [E] in the order of the unbroken mesh's edges, failed ones included; 0 where there was no hinge.
     const HingeMeasures& of_edges() const { return peaks; }
 
   private:

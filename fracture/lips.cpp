@@ -12,7 +12,7 @@ Index number(Vertex vertex) {
     return static_cast<Index>(vertex);
 }
 
-/// The halfedge of a boundary edge that its face has.
+/// The halfedge of a boundary edge that belongs to its face.
 Halfedge inner(const Mesh& mesh, Edge edge) {
     const Halfedge h = mesh.halfedge(edge);
     return mesh.is_border(h) ? mesh.opposite(h) : h;
@@ -24,7 +24,7 @@ double distance(PairKind kind, const Positions& x, const std::array<Vertex, 4>& 
     return std::sqrt(squared_distance(closest_points(kind, local), local));
 }
 
-/// The distance of a vertex to the nearest face around another.
+/// Distance, m, of `vertex` to the nearest of the faces around `other`.
 double distance_to_faces(const Mesh& mesh, const Positions& x, Vertex vertex, Vertex other) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(other)))
@@ -73,7 +73,7 @@ bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
-            if (p == q || are_twins(p, q)) continue;  // they hang together there, or are judged there
+            if (p == q || are_twins(p, q)) continue;  // they share a vertex, or are other twins
             if (distance(PairKind::edge_edge, x, {p, v, q, w}) <= thickness) return false;
         }
     return true;
@@ -83,7 +83,7 @@ bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
     bool any = false;
     for (const Twins& pair : pairs()) {
         if (!apart(mesh, sheet, x, pair)) continue;
-        // At once, so that the next pair judges the elements that they share with it.
+        // The pair is erased at once, so that the next pair takes the elements that they share into account.
         std::erase(twins[pair[0]], pair[1]);
         std::erase(twins[pair[1]], pair[0]);
         any = true;

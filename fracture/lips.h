@@ -10,27 +10,27 @@
 
 namespace sherd {
 
-/// The lips of cracks from their opening until they are as far apart as the sheet is thick.
+/// The lips of cracks, from their opening until they are as far apart as the sheet is thick.
 ///
-/// Vertices that a crack has split are twins: they lie at the same place, where the barrier of SheetContact
-/// is infinite, so elements with one each do not see each other there. Until they are released LipContact
-/// holds the two edges of an opened crack apart; from then on, for good, SheetContact does.
+/// Vertices that a crack has split are twins: they coincide, and the barrier of SheetContact is infinite
+/// there, so elements with one twin each do not collide. Until they are released LipContact keeps the two
+/// edges of an opened crack apart; from then on SheetContact does, for good.
 class Lips {
   public:
-    /// Vertices that lie at the same place from the beginning, as along a seam that is not joined: twins
+    /// Registers vertices that coincide from the beginning, as along a seam that is not joined, as twins
     /// without lips.
     void lie_together(Vertex a, Vertex b);
 
-    /// To be called when the mesh has been opened.
+    /// Must be called when the mesh was opened.
     void open(const TopologyChange& change);
 
-    /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick, but for
-    /// those that hang together elsewhere. Whether there were any.
+    /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick;
+    /// elements that still share a vertex or have other twins do not count. Returns whether there were any.
     bool release(const Mesh& mesh, const Sheet& sheet, const Positions& x);
 
-    /// Sets sheet.twins and sheet.lips. A lip resists overlap like a column of sheet of its own length and
-    /// thickness in section and as long as it is thick: Y / 2 times overlap is the force on a metre of crack,
-    /// on any mesh.
+    /// Sets sheet.twins and sheet.lips. A lip resists overlap like a column of sheet whose cross-section is
+    /// the lip's length times the thickness and whose length is the thickness: the force per metre of crack
+    /// is Y / 2 times the overlap, on any mesh.
     void write(const Mesh& mesh, Sheet& sheet) const;
 
   private:
@@ -39,10 +39,10 @@ class Lips {
     bool are_twins(Vertex a, Vertex b) const;
     bool apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const;
     bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
-    std::vector<Twins> pairs() const;  ///< each once, ascending
+    std::vector<Twins> pairs() const;  ///< all pairs of twins, each once, ascending
 
-    std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any, both ways round
-    std::vector<std::array<Edge, 2>> edges;       ///< opened ones: that of one face, and that of the other
+    std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any; pairs are stored both ways
+    std::vector<std::array<Edge, 2>> edges;       ///< opened edges: that of one face, and that of the other
 };
 
 }  // namespace sherd

@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-/// Enough between two stages: the strains that matter next are those around the edges that just failed.
+/// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
 
 double mean_edge_length(const Sheet& sheet) {

@@ -12,21 +12,21 @@
 
 namespace sherd {
 
-/// A vertex, numbered over all inputs, that moves only in the directions that `freedom` projects to.
+/// A vertex, numbered over all inputs, that moves only in the directions on which `freedom` projects.
 struct SlidingVertex {
     Index vertex = 0;
     Matrix3d freedom;
 };
 
 struct SimulationOptions {
-    /// Loads, winds and mirrors are on the triangles of all sheets, numbered in the order of the inputs. A
-    /// step that cannot be solved is halved. The tolerance is that below.
+    /// Loads, winds and mirrors refer to the triangles of all sheets, numbered in the order of the inputs. A
+    /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<SlidingVertex> sliding;
-    int max_iterations = 50;  ///< of the minimiser, between two stages
-    double tolerance = 1e-6;  ///< largest last correction, in mean edge lengths
+    int max_iterations = 50;  ///< of the minimiser, except between two stages of breaking
+    double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
-    int max_stages = 100;  ///< of staged breaking in one step
+    int max_stages = 100;  ///< stages of staged breaking in one step
 };
 
 /// Sheets that move, bend and break.
@@ -34,32 +34,34 @@ class Simulation {
   public:
     /// inputs: at least one.
     Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options);
-    Simulation(const Simulation&) = delete;  // the stepper refers to the sheet
+    Simulation(const Simulation&) = delete;  // the stepper refers to the shell
 
-    /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
-    /// again until none is over its strength (or, by the paper's rule, break all overloaded ones at its end).
-    /// A step that cannot be solved is halved and tried again; what broke in it was judged on a solution, and
-    /// stays broken. Throws std::runtime_error when the smallest step cannot be solved.
+    /// Advances by one time step: solves it, compares the hinges with their strengths, breaks the most
+    /// overloaded ones and solves the same step again until no hinge is overloaded (or, by the paper's rule,
+    /// breaks all overloaded hinges at the end). A step that cannot be solved is halved and tried again;
+    /// hinges that broke in it stay broken, since they failed in a solution. Throws std::runtime_error when
+    /// the smallest step cannot be solved.
     StepReport step();
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
     const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
     const HingePeaks& peaks() const { return hinge_peaks; }
-    /// [O] and [B]: whether anything has touched the obstacle, or the body, at the end of a step so far.
+    /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
+    /// far.
     const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
     const std::vector<char>& touched_bodies() const { return bodies_touched; }
-    /// The crack events since the last call.
+    /// Returns the crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s
-    /// Where the wall time of all steps went.
+    /// The wall time of all steps by task.
     const TimeSpent& time_spent() const { return stepper.time_spent(); }
 
   private:
     [[noreturn]] void give_up(const StepReport& report) const;
-    /// Solves a step from its beginning, with what breaks in it; whether it could be solved.
+    /// Solves a step from its beginning, including its breaking. Returns whether it could be solved.
     bool attempt(StepReport& report);
-    /// Breaks and solves again until nothing is overloaded; returns the last solution's result.
+    /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, HingeMeasures measures);
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);

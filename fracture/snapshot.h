@@ -10,8 +10,8 @@
 
 namespace sherd {
 
-/// The whole sheet at one moment, as plain arrays: what a recording stores of a frame. Vertices, edges and
-/// faces are only ever appended from one snapshot of a run to the next (faces not even that).
+/// The shell at one moment, as plain arrays: what a recording stores of a frame. From one snapshot of a run
+/// to the next vertices and edges are only appended; faces stay the same.
 struct Snapshot {
     std::int64_t step = 0;
     double time = 0;  ///< s
@@ -19,20 +19,20 @@ struct Snapshot {
     Positions position;           ///< [3, V] m
     Positions velocity;           ///< [3, V] m/s
     VectorXd mass;                ///< [V] kg
-    std::vector<Index> original;  ///< [V] vertex of the unbroken mesh that this one came from
+    std::vector<Index> original;  ///< [V] vertex of the unbroken mesh that this one is, or is a copy of
 
     std::vector<std::array<Index, 3>> faces;  ///< [F]
-    std::vector<Index> face_fragment;         ///< [F]
+    std::vector<Index> face_fragment;         ///< [F] number of each face's fragment
     std::vector<Index> face_sheet;            ///< [F] number of the sheet in the scene
 
-    std::vector<std::array<Index, 2>> edges;  ///< [E]
+    std::vector<std::array<Index, 2>> edges;  ///< [E] end points
     std::vector<EdgeState> edge_state;        ///< [E]
-    std::vector<double> edge_strain;          ///< [E] 1/m, signed; zero where there is no hinge
+    std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
 };
 
 class BreakableSheet;
 
-/// The sheet as it stands; step and time are left to the caller. face_fragment: [F].
+/// Takes a snapshot of the current state; the caller sets step and time. face_fragment: [F].
 Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_fragment);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-constexpr double nearest = 0.99;  // of the distance from which elements push; less would fling them apart
+constexpr double nearest = 0.99;  // share of the activation distance; closer elements would be flung apart
 
 using FacePair = std::array<Index, 2>;
 
@@ -19,7 +19,7 @@ FacePair ascending(Face a, Face b) {
     return {static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b))};
 }
 
-/// Whether a vertex of one is a twin of a vertex of the other, as along a seam that is not joined.
+/// Whether a vertex of one face is a twin of a vertex of the other, as along a seam that is not joined.
 bool at_seam(const Sheet& sheet, const FacePair& faces) {
     for (const Index p : sheet.triangles[faces[0]].vertices)
         for (const Index q : sheet.triangles[faces[1]].vertices)
@@ -37,7 +37,7 @@ FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
 }
 
 StartOverlap overlap_of(const Mesh& mesh, const ContactPair& pair, const PairPositions& x) {
-    const Vector3d apart = x * closest_points(pair.kind, x).weights;  // from the second to the first
+    const Vector3d apart = x * closest_points(pair.kind, x).weights;  // from the second element to the first
     const double distance = apart.norm();
     const Vector3d normal = distance > 0 ? Vector3d(-apart / distance) : Vector3d(Vector3d::Zero());
     const auto [first, second] = faces_of(mesh, pair);

@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// Two faces that no step can begin with.
+/// Two faces that cross or are too close for a first step.
 struct StartOverlap {
     std::array<Index, 2> faces{};        ///< ascending
-    bool crossing = false;               ///< they have points in common that they do not share as neighbours
-    double distance = 0;                 ///< m, of their middle surfaces; 0 where they cross
-    double needed = 0;                   ///< m, from which on they would push; 0 where they cross
-    Vector3d normal = Vector3d::Zero();  ///< from the first to the second; 0 where they cross
+    bool crossing = false;               ///< whether they intersect beyond shared vertices and edges
+    double distance = 0;                 ///< m, of their middle surfaces; 0 if they cross
+    double needed = 0;                   ///< m, their activation distance; 0 if they cross
+    Vector3d normal = Vector3d::Zero();  ///< from the first to the second; 0 if they cross
 };
 
-/// All of them but for faces of one sheet that have vertices at the same place, as along a seam that is not
-/// joined; those that cross first (by exact predicates), then those that SheetContact
-/// would push apart from the beginning, by more than a hundredth of their distance; ascending by their faces,
-/// each pair once.
+/// Finds all such pairs, each once: first those that cross (by exact predicates), then those that are closer
+/// than 0.99 of their activation distance in SheetContact, which would push them apart at the start. Both are
+/// ascending by their faces. Faces of one sheet with coincident vertices, as along a seam that is not joined,
+/// do not count.
 std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet);
 
 }  // namespace sherd

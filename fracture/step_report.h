@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// What one time step did and where the system stands at its end.
+/// What one time step did, and the state at its end.
 struct StepReport {
     std::int64_t step = 0;  ///< number of the step, from 1
     double time = 0;        ///< s, at its end
@@ -16,28 +16,29 @@ struct StepReport {
     double kinetic = 0;                            ///< J
     double bending = 0;                            ///< J
     double membrane = 0;                           ///< J
-    double gravity = 0;                            ///< J, potential, zero at the origin
-    double contact = 0;                            ///< J
+    double gravity = 0;                            ///< J, potential energy, zero at the origin
+    double contact = 0;                            ///< J, elastic energy of the contacts
     Vector3d linear_momentum = Vector3d::Zero();   ///< kg m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the origin
 
-    Index newton_iterations = 0;  ///< over all stages, and attempts at longer steps
-    Index halvings = 0;           ///< of this step, because longer ones could not be solved
+    Index newton_iterations = 0;  ///< iterations over all stages, and attempts at longer steps
+    Index halvings = 0;           ///< halvings of this step because longer ones could not be solved
     Index stages = 0;             ///< stages of breaking
     bool stage_cap_reached = false;
-    Index contacts = 0;           ///< vertices in contact with obstacles
-    double obstacle_overlap = 0;  ///< m, how deep the deepest one's surface is in an obstacle
-    double lip_overlap = 0;       ///< m, largest of the lips of cracks that have not moved apart yet
+    Index contacts = 0;           ///< number of vertices in contact with obstacles or bodies
+    double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body
+    double lip_overlap = 0;       ///< m, largest overlap of lips of cracks that have not moved apart yet
     Index fragments = 0;
 
-    // Largest of the unbroken hinges before anything broke in this step: see HingeMeasures.
+    // These are the largest values over the unbroken hinges, before anything broke in this step: see
+    // HingeMeasures.
     double peak_strain = 0;          ///< 1/m, surface strain over half the thickness
     double peak_stress = 0;          ///< Pa, surface stress
-    double peak_bending_strain = 0;  ///< 1/m, the paper's
+    double peak_bending_strain = 0;  ///< 1/m, the paper's measure
     double peak_overload = 0;        ///< measure over strength; 0 where nothing can break
 };
 
-/// Makes the peaks of `peaks` at least those of `step`.
+/// Raises the peaks of `peaks` to those of `step`.
 inline void raise_peaks(StepReport& peaks, const StepReport& step) {
     for (double StepReport::*peak : {&StepReport::peak_strain, &StepReport::peak_stress,
                                      &StepReport::peak_bending_strain, &StepReport::peak_overload})

@@ -5,8 +5,8 @@
 
 namespace sherd {
 
-/// The length of time steps: the nominal one, halved when a step cannot be solved, doubled again when some
-/// have been. Steps never reach over a multiple of the nominal one.
+/// The length of time steps: it is the nominal one, is halved when a step cannot be solved, and is doubled
+/// again after some successful steps. No step crosses a multiple of the nominal length.
 class StepSize {
   public:
     static constexpr int most_halvings = 10;  ///< the smallest step is 1/1024 of the nominal one
@@ -14,27 +14,27 @@ class StepSize {
     /// nominal: s.
     explicit StepSize(double nominal) : nominal(nominal) {}
 
-    double size() const { return seconds(ticks()); }  ///< s, of the next step
-    double time() const { return seconds(done); }     ///< s, at the end of the last one
+    double size() const { return seconds(ticks()); }  ///< s, length of the next step
+    double time() const { return seconds(done); }     ///< s, end of the last step
 
-    /// The next step becomes half as long; false when it is the smallest already.
+    /// Halves the next step. Returns false when it has the smallest length already.
     bool halve();
-    /// The next step is done.
+    /// Must be called when the next step is finished.
     void advance();
 
   private:
-    static constexpr int enough = 4;  // steps in a row that succeed before a longer one is tried
+    static constexpr int enough = 4;  // steps in succession that succeed before a longer one is tried
 
     std::int64_t ticks() const { return std::int64_t{1} << (most_halvings - halvings); }
-    /// Exactly nominal times an integer where whole steps have been done.
+    /// Exactly an integer times the nominal length after whole steps.
     double seconds(std::int64_t count) const {
         return static_cast<double>(count) * nominal / (1 << most_halvings);
     }
 
     double nominal;
-    std::int64_t done = 0;  ///< in smallest steps
+    std::int64_t done = 0;  ///< in units of the smallest step
     int halvings = 0;       ///< of the next step
-    int successes = 0;      ///< since the last change
+    int successes = 0;      ///< steps since the last change of length
 };
 
 }  // namespace sherd

@@ -36,7 +36,7 @@ std::vector<double> weibull_factors(const Mesh& mesh, const Weibull& weibull) {
     const double power = 1 / weibull.modulus, mean = std::tgamma(1 + power);
     std::vector<double> factors;
     for (const Edge edge : mesh.edges()) {
-        const double least = 0x1p-53;  // a strength of nought would fail unloaded
+        const double least = 0x1p-53;  // a hinge of strength zero would fail without load
         const double survival = 1 - std::max(least, random.uniform());
         factors.push_back(std::pow(-std::log(survival), power) / mean);
         if (weibull.area > 0) factors.back() *= std::pow(weibull.area / hinge_area(mesh, edge), power);

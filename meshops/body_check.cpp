@@ -11,7 +11,7 @@ namespace sherd {
 
 namespace {
 
-/// False when the triangles do not fit together as a manifold.
+/// Fills the mesh. Returns false if the triangles do not form a manifold.
 bool fill(Mesh& mesh, const TriangleSheet& body) {
     for (const auto& p : body.points) mesh.add_vertex(Point(p.x(), p.y(), p.z()));
     for (const auto& [a, b, c] : body.triangles)
@@ -30,7 +30,7 @@ BodyCheck check_body(const TriangleSheet& body) {
         check.intersections.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b)});
     if (!(check.closed = CGAL::is_closed(mesh))) return check;
     check.volume = processing::volume(mesh);
-    // Bodies that intersect themselves bound no volume in the strict sense.
+    // A body that intersects itself bounds no volume in the strict sense.
     check.outward = check.intersections.empty() ? processing::does_bound_a_volume(mesh) && check.volume > 0
                                                 : check.volume > 0;
     return check;

@@ -7,13 +7,13 @@
 
 namespace sherd {
 
-/// Whether triangles are a body that solvers, boolean operations and printers take.
+/// Whether triangles form a body that solvers, boolean operations and printers accept.
 struct BodyCheck {
-    bool manifold = false;  ///< each edge has two triangles at most, in opposite senses, each point one fan
-    bool closed = false;    ///< and each edge has two
-    bool outward = false;   ///< and each component that no other one holds has its outside outside
+    bool manifold = false;  ///< two triangles an edge at most, oppositely oriented, and one fan a point
+    bool closed = false;    ///< the body is manifold and each edge has two triangles
+    bool outward = false;   ///< the body is closed and the normals of each outermost component point outwards
     double volume = 0;      ///< m^3, of a closed body
-    std::vector<std::array<std::size_t, 2>> intersections;  ///< pairs of triangles, touching ones, too
+    std::vector<std::array<std::size_t, 2>> intersections;  ///< pairs of triangles that intersect or touch
 };
 
 BodyCheck check_body(const TriangleSheet& body);

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Component number of each face, indexed by face; faces are in one component when they share an edge.
+/// The component number of each face. Faces are in one component when they are connected through edges.
 /// Components are numbered in the order of their first face.
 struct Components {
     std::vector<std::int32_t> of_face;

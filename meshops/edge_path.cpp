@@ -44,8 +44,8 @@ double distance_to_segment(const Vector3d& point, const Vector3d& start, const V
     return (point - start - t * along).norm();
 }
 
-/// Halfedges from `goal` back to `start`, each with its source nearer to the start; empty when there is no
-/// way. `cost` of an edge is positive.
+/// Halfedges of the cheapest path from `goal` back to `start`; the source of each is nearer to the start.
+/// Empty if there is no path. `cost` of an edge must be positive.
 template <class Cost>
 std::vector<Halfedge> cheapest_way_back(const Mesh& mesh, Vertex start, Vertex goal, const Cost& cost) {
     struct Arrival {

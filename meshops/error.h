@@ -6,11 +6,11 @@
 
 namespace sherd {
 
-/// What a failure means for the caller: bad input (exit code 2) or a run that failed (exit code 1).
+/// The cause of a failure: bad input (exit code 2) or a run that failed (exit code 1).
 enum class Fault { input, run };
 
-/// The one exception type of Sherd. The message says what is wrong, where (file:line, key or element) and
-/// what to do about it; main turns it into a line on stderr.
+/// The only exception type of Sherd. The message says what is wrong, where (file:line, key or element) and
+/// what to do about it; main prints it as a line on stderr.
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& message, Fault fault = Fault::input)
@@ -19,7 +19,7 @@ class Error : public std::runtime_error {
     Fault fault;
 };
 
-/// Calls `work`; its errors get "where: " in front of what they say.
+/// Calls `work` and puts "where: " in front of the messages of its errors.
 template <class Work>
 auto with_context(const std::string& where, const Work& work) {
     try {

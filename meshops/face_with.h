@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// A face that has all of these vertices, which are one, two or three; none if there is none.
+/// A face that has all of the given one, two or three vertices; the null face if there is none.
 inline Face face_with(const Mesh& mesh, std::span<const std::int32_t> vertices) {
     for (const Face face : mesh.faces_around_target(mesh.halfedge(Vertex(vertices.front())))) {
         if (face == Mesh::null_face()) continue;

@@ -16,11 +16,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
-constexpr int iterations = 20;  // enough for good angles, too few for the vertices to fall into long rows
-constexpr double row_height = 0.93;     // edge lengths: square cells of the area a vertex has
-constexpr double half_row = 0.45;       // edge lengths: what a line of fixed vertices takes up on either side
-constexpr double corner_degrees = 20;   // a profile that turns by more has vertices on the circle there
-constexpr double narrowest_band = 0.7;  // edge lengths, between two such circles
+constexpr int iterations = 20;          // enough for good angles, too few for the vertices to form long rows
+constexpr double row_height = 0.93;     // edge lengths: side of a square with the area of a vertex
+constexpr double half_row = 0.45;       // edge lengths: free width on each side of a line of fixed vertices
+constexpr double corner_degrees = 20;   // a profile that turns by more gets vertices on the circle there
+constexpr double narrowest_band = 0.7;  // edge lengths, minimum between two such circles
 
 std::string text(double number) {
     std::ostringstream stream;
@@ -57,10 +57,10 @@ std::size_t pieces(double length, double edge_length) {
     return static_cast<std::size_t>(std::max(1L, std::lround(length / edge_length)));
 }
 
-/// Vertices to add to `boundary` vertices so that triangles of the target size cover `area`, by Euler's
-/// formula. `characteristic`: of the piece of surface, 0 for a ring, 1 for a disc, 2 for a sphere.
+/// Number of vertices to add to `boundary` vertices so that triangles of the target size cover `area` (m^2),
+/// by Euler's formula. `characteristic`: of the surface, 0 for a ring, 1 for a disc, 2 for a sphere.
 std::size_t free_vertices(double area, double edge_length, std::size_t boundary, int characteristic) {
-    // Irregular triangles of a given mean edge length are a little smaller than equilateral ones.
+    // Irregular triangles of a given mean edge length are slightly smaller than equilateral ones.
     constexpr double crowding = 1.025;
     const double faces = crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
     const double inner = (faces - static_cast<double>(boundary)) / 2 + characteristic;
@@ -74,7 +74,7 @@ class Rectangle final : public Surface {
     Vector2d project(const Vector3d& point, const Vector2d&) const override { return point.head<2>(); }
 };
 
-/// Evenly spaced points round the rectangle, counterclockwise from the origin.
+/// Evenly spaced points around the rectangle, counterclockwise from the origin.
 std::vector<Vector2d> outline(const Vector2d& size, double edge_length) {
     const std::size_t nx = pieces(size.x(), edge_length), ny = pieces(size.y(), edge_length);
     const auto part = [](std::size_t i, std::size_t n) { return double(i) / double(n); };
@@ -106,7 +106,7 @@ SurfacePoints spread(const Vector2d& size, const GenerateOptions& options) {
     return points;
 }
 
-/// Grid of nx by ny cells cut along parallel diagonals; a closed one joins its last column to its first.
+/// Grid of nx by ny cells with parallel diagonals; in a closed grid the last column is joined to the first.
 template <typename Position>
 Mesh grid(std::size_t nx, std::size_t ny, bool is_closed, Position position) {
     Mesh mesh;
@@ -147,7 +147,7 @@ void check_profile(std::span<const Vector2d> profile) {
         fail("its profile lies on the axis");
 }
 
-/// The largest edge length that fits: five edges round every neck and rim, one along the profile.
+/// The largest possible edge length: five edges fit around every neck and rim, and one along the profile.
 double largest_edge_length(std::span<const Vector2d> profile, double length) {
     double largest = length;
     for (std::size_t i = 0; i < profile.size(); ++i) {
@@ -161,8 +161,8 @@ double largest_edge_length(std::span<const Vector2d> profile, double length) {
     return largest;
 }
 
-/// Arc lengths of the circles that get vertices of their own: both ends, and the corners not too near to
-/// another.
+/// Arc lengths of the circles with fixed vertices: both ends, and corners that are not too close to another
+/// circle.
 std::vector<double> fixed_circles(const Revolution& surface, double edge_length) {
     std::vector<double> circles{0};
     for (const double corner : surface.corners(corner_degrees)) {
@@ -174,7 +174,7 @@ std::vector<double> fixed_circles(const Revolution& surface, double edge_length)
     return circles;
 }
 
-/// Spreads points over a surface of revolution: circles of fixed vertices, and rows between them.
+/// Distributes points over a surface of revolution: circles of fixed vertices, and rows between them.
 class RevolutionSpread {
   public:
     RevolutionSpread(const Revolution& surface, const GenerateOptions& options)
@@ -193,7 +193,7 @@ class RevolutionSpread {
     }
 
   private:
-    /// Number of its vertices; 1 for a point of the axis.
+    /// Adds a circle and returns the number of its vertices; 1 on the axis.
     std::size_t add_circle(double along, bool is_rim) {
         const double radius = surface.radius(along);
         if (radius == 0 && along > 0) {
@@ -242,11 +242,11 @@ class RevolutionSpread {
     double edge_length;
     Random random;
     SurfacePoints points;
-    std::vector<std::size_t> counts;  ///< vertices of each circle
+    std::vector<std::size_t> counts;  ///< number of vertices of each circle
 };
 
 Mesh revolve(std::span<const Vector2d> profile, const GenerateOptions& options) {
-    // A vertex never moves by more than its edges in one go.
+    // A vertex never moves by more than its edges in one iteration.
     const Revolution surface(profile, 2 * options.edge_length);
     require_edge_length(options, largest_edge_length(profile, surface.length()));
     constexpr double largest_range = 300;
@@ -294,7 +294,7 @@ Mesh generate_sphere(double radius, const GenerateOptions& options) {
     require_positive(radius, "radius");
     require_delaunay(options, "sphere");
     require_edge_length(options, radius);
-    // A polygon so fine that putting the vertices onto the sphere at the end does not show.
+    // The polygon is so fine that moving the vertices onto the sphere at the end has no visible effect.
     const auto count = std::size_t(std::ceil(pi / std::sqrt(1e-3 * options.edge_length / radius)));
     std::vector<Vector2d> profile{{0, radius}};
     for (std::size_t i = 1; i < count; ++i) {

@@ -17,7 +17,7 @@ namespace sherd {
 
 namespace {
 
-/// In voxels, what a level set knows of its outside.
+/// Width of the band outside the surface, in voxels.
 constexpr float band = 3;
 constexpr const char* grid_name = "surface";
 
@@ -45,7 +45,8 @@ openvdb::FloatGrid::Ptr level_set_of(const std::vector<openvdb::Vec3s>& points, 
     return grid;
 }
 
-/// OpenVDB gives each file a random name, behind its magic number, three version numbers and a flag.
+/// Replaces the random name that OpenVDB gives each file; it follows the magic number, three version numbers
+/// and a flag.
 void replace_random_name(const std::filesystem::path& file) {
     constexpr std::streamoff place = 8 + 3 * 4 + 1;
     std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
@@ -53,7 +54,7 @@ void replace_random_name(const std::filesystem::path& file) {
     stream << "00000000-0000-4000-8000-000000000000" << std::flush;
 }
 
-/// OpenVDB does not notice a full disk: whether the file can be read shows whether it is complete.
+/// Reads the file to check that it is complete, since OpenVDB does not notice a full disk.
 void check_complete(const std::filesystem::path& file) {
     try {
         sample_float_grid(file, grid_name, {});

@@ -10,9 +10,9 @@
 
 namespace sherd {
 
-/// The halfedge mesh: an oriented 2-manifold of triangles, with boundary, of any number of components.
-/// Vertices, edges and faces are only ever appended while a mesh is cracked open, so an index stays valid for
-/// good.
+/// The halfedge mesh: an oriented 2-manifold of triangles, with or without boundary, of any number of
+/// components. Vertices, edges and faces are only appended when a crack opens a mesh, so that indices stay
+/// valid.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -29,7 +29,7 @@ using FaceTexture = std::array<Eigen::Vector2d, 3>;
 namespace property {
 inline constexpr const char* texture = "f:texture";  ///< FaceTexture of each face
 inline constexpr const char* file_vertex =
-    "v:file_vertex";  ///< std::uint32_t, 0-based number in the file read
+    "v:file_vertex";  ///< std::uint32_t, number of the vertex in the file read, from 0
 }  // namespace property
 
 }  // namespace sherd

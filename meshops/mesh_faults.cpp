@@ -18,7 +18,7 @@ std::array<Side, 3> sides(const std::array<std::uint32_t, 3>& triangle) {
             Side{std::min(c, a), std::max(c, a)}};
 }
 
-/// Triangles without area, and those beside them.
+/// Triangles of zero area, and their neighbours.
 std::vector<std::size_t> around_zero_area(const TriangleSoup& soup) {
     std::vector<std::size_t> around = zero_area_triangles(soup);
     std::set<Side> flat;
@@ -46,7 +46,7 @@ FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join) {
     mesh.faults.assign(soup.triangles.size(), TriangleFault::none);
     for (const std::size_t t : around_zero_area(soup)) mesh.faults[t] = TriangleFault::zero_area;
     for (const std::size_t t : repeated_triangles(soup)) mesh.faults[t] = TriangleFault::repeated;
-    // Triangles without area and repeated ones make their edges look non-manifold: they are dropped first.
+    // Triangles of zero area and repeated ones make their edges look non-manifold, so they are dropped first.
     TriangleSoup rest = soup;
     std::vector<std::size_t> kept(soup.triangles.size());
     std::iota(kept.begin(), kept.end(), std::size_t{0});

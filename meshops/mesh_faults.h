@@ -8,17 +8,18 @@
 
 namespace sherd {
 
-/// Why read_mesh() refuses a triangle of a file unless it is repaired; of several the last one counts.
+/// Why read_mesh() refuses a triangle of a file unless it is repaired. If several apply, the last one counts.
 enum class TriangleFault { none, zero_area, repeated, non_manifold };
 
-/// The triangles of a mesh file, as they stand there, and what is wrong with them.
+/// The triangles of a mesh file as they are, and their faults.
 struct FaultyMesh {
     TriangleSheet sheet;
     std::vector<TriangleFault> faults;  ///< of each triangle
 };
 
-/// A triangle of zero area cannot be seen: its neighbours over an edge have its fault, too. Throws Error like
-/// read_mesh() when the file cannot be read at all. join: points at exactly the same place first.
+/// Finds the faults of a mesh file. Since a triangle of zero area cannot be seen, its neighbours across edges
+/// get its fault, too. join: whether points at exactly the same place are joined first. Throws Error like
+/// read_mesh() if the file cannot be read at all.
 FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join);
 
 }  // namespace sherd

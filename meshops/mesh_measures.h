@@ -15,7 +15,7 @@ inline Eigen::Vector3d position(const Mesh& mesh, Vertex v) {
 Eigen::Vector3d centroid(const Mesh& mesh, Face face);  ///< m
 double face_area(const Mesh& mesh, Face face);          ///< m^2
 
-/// Sizes of a mesh with at least one face, in m and m^2.
+/// Sizes of a mesh with at least one face: area in m^2, lengths in m.
 struct MeshMeasures {
     double area = 0;
     double smallest_edge = 0, mean_edge = 0, largest_edge = 0;

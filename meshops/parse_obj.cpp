@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// Reads one OBJ text line by line.
+/// Reads an OBJ text line by line.
 class ObjParser {
   public:
     ObjParser(const std::filesystem::path& file, std::string_view text) : text(text) { soup.file = file; }
@@ -25,7 +25,7 @@ class ObjParser {
         line_number += lines_taken;
         lines_taken = 1;
         std::size_t end = text.find('\n');
-        // A backslash continues a line: blank out both it and the line's end by gluing the pieces together.
+        // A backslash continues a line: the pieces are joined without it and the line's end.
         joined_line.clear();
         while (end != std::string_view::npos && is_continued(text.substr(0, end))) {
             joined_line += text.substr(0, text.find_last_of('\\', end));
@@ -73,7 +73,7 @@ class ObjParser {
         return rest;
     }
 
-    /// Of a face that stands here.
+    /// The groups of a face at the current line.
     GroupNames present_groups() {
         if (groups.empty() && object.empty()) return nullptr;
         if (!face_groups) {
@@ -97,7 +97,7 @@ class ObjParser {
             if (i >= texture_points.size()) words.fail("names a texture point that is not there", corner);
             texture.push_back(texture_points[i]);
         }
-        // Half a face with texture coordinates is of no use to anybody.
+        // Texture coordinates at some corners only are useless.
         if (texture.size() != polygon.size()) texture.clear();
         has_texture = has_texture || !texture.empty();
         soup.polygons.push_back(std::move(polygon));
@@ -106,8 +106,8 @@ class ObjParser {
         soup.groups.push_back(present_groups());
     }
 
-    /// The 0-based index at the front of `numbers`, which is moved on. OBJ counts from 1, and from -1
-    /// backwards from what has been read so far (`count`). A positive one may name what is still to come.
+    /// The 0-based index at the front of `numbers`, which is advanced. OBJ counts from 1, and backwards from
+    /// -1 at the last item so far (of `count`). A positive index may refer to a later item.
     static std::size_t index(const TextLine& words, std::string_view& numbers, std::string_view corner,
                              std::size_t count) {
         std::int64_t value = 0;
@@ -127,13 +127,13 @@ class ObjParser {
     PolygonSoup soup;
     std::vector<Eigen::Vector2d> texture_points;
     bool has_texture = false;
-    std::vector<std::string> groups;  ///< of the last `g` line
-    std::string object;               ///< of the last `o` line
-    GroupNames face_groups;           ///< both, once a face has asked for them
-    std::string_view text;            ///< what is still to be read
-    std::string joined_line;          ///< holds a line that goes on over several
-    std::size_t line_number = 1;      ///< of the present line, 1-based
-    std::size_t lines_taken = 0;      ///< by the present line
+    std::vector<std::string> groups;  ///< names of the last `g` line
+    std::string object;               ///< name of the last `o` line
+    GroupNames face_groups;           ///< groups and object; created when a face needs them
+    std::string_view text;            ///< the text not read yet
+    std::string joined_line;          ///< holds a line that continues over several
+    std::size_t line_number = 1;      ///< of the current line, from 1
+    std::size_t lines_taken = 0;      ///< number of lines of the text that the current line consists of
 };
 
 }  // namespace

@@ -6,19 +6,19 @@
 #include "meshops/raw_bytes.h"
 #include "meshops/text_line.h"
 
-// Read here and not by CGAL, whose reader looks for colours and texture coordinates beyond the end of a line
-// that has fewer numbers than the header's keyword promises, and makes room for whatever a face's number of
+// CGAL's reader is not used: it searches colours and texture coordinates beyond the end of a line that has
+// fewer numbers than the header's keyword announces, and allocates as much memory as a face's number of
 // corners says.
 namespace sherd {
 namespace {
 
 constexpr char comment = '#';
 
-/// `[ST][C][N][4][n]OFF [BINARY]`, numbers of vertices, faces and edges.
+/// The header: `[ST][C][N][4][n]OFF [BINARY]`, then the numbers of vertices, faces and edges.
 struct OffHeader {
-    std::size_t coordinates = 3;  ///< 4: homogeneous
-    std::size_t extras = 0;       ///< further numbers of a vertex, as a binary file has them
-    bool has_dimension = false;   ///< that stands before the numbers of vertices and faces
+    std::size_t coordinates = 3;  ///< number of coordinates of a vertex; 4: homogeneous
+    std::size_t extras = 0;       ///< number of further values of a vertex in a binary file
+    bool has_dimension = false;   ///< whether a dimension precedes the numbers of vertices and faces
     bool is_binary = false;
     std::size_t vertices = 0, faces = 0;
 };
@@ -62,7 +62,7 @@ void require_dimension(const std::filesystem::path& file, const OffHeader& heade
                     " coordinates for each vertex; a sheet needs 3");
 }
 
-/// The words of a text, whatever lines they stand in.
+/// The words of a text, regardless of lines.
 class OffText {
   public:
     OffText(const std::filesystem::path& file, std::string_view text) : file(file), lines(file, text) {}
@@ -74,7 +74,7 @@ class OffText {
         if (header.has_dimension) require_dimension(file, header, next_count());
         header.vertices = next_count();
         header.faces = next_count();
-        next_count();  // edges
+        next_count();  // the number of edges is not used
         require_room(file, header, lines.remaining().size());
         for (std::size_t i = 0; i < header.vertices; ++i) read_vertex(header, i);
         for (std::size_t i = 0; i < header.faces; ++i) read_face(i);
@@ -87,7 +87,7 @@ class OffText {
         if (!line) fail_at_end(file, where);
     }
 
-    /// A whole number that is not negative.
+    /// Reads a nonnegative integer.
     std::size_t next_integer(const char* what) {
         const TextLine before = *line;
         const double value = line->next_number();
@@ -130,7 +130,7 @@ class OffText {
     PolygonSoup soup;
 };
 
-/// Big-endian integers and floats behind the line that says so.
+/// Big-endian integers and floats after the header line.
 class OffBytes {
   public:
     OffBytes(const std::filesystem::path& file, OffHeader header, std::string_view bytes)
@@ -142,7 +142,7 @@ class OffBytes {
         if (header.has_dimension) require_dimension(file, header, next<std::uint32_t>());
         header.vertices = next<std::uint32_t>();
         header.faces = next<std::uint32_t>();
-        next<std::uint32_t>();  // edges
+        next<std::uint32_t>();  // the number of edges is not used
         require_room(file, header, bytes.size());
         for (std::size_t i = 0; i < header.vertices; ++i) {
             const double x = next<float>(), y = next<float>(), z = next<float>();
@@ -154,7 +154,7 @@ class OffBytes {
             std::vector<std::size_t>& polygon = soup.polygons.emplace_back();
             for (auto left = next<std::uint32_t>(); left > 0; --left)
                 polygon.push_back(static_cast<std::size_t>(std::int64_t{next<std::int32_t>()}));
-            for (auto left = next<std::uint32_t>(); left > 0; --left) next<float>();  // colour
+            for (auto left = next<std::uint32_t>(); left > 0; --left) next<float>();  // skips the colour
         }
         return soup;
     }

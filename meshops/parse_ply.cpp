@@ -9,8 +9,8 @@
 #include "meshops/raw_bytes.h"
 #include "meshops/text_line.h"
 
-// Read here and not by CGAL, whose reader goes astray on a header that is not as it should be (a property
-// before any element, coordinates that are integers), and makes room for whatever a list's count says.
+// CGAL's reader is not used: it fails on malformed headers (a property before any element, integer
+// coordinates), and allocates as much memory as a list's count says.
 namespace sherd {
 namespace {
 
@@ -48,8 +48,8 @@ double binary_value(PlyType type, const char* bytes, std::endian order) {
     }
 }
 
-/// The rows behind a header, one after the other, each a list of values for each property (a single value is
-/// a list of one). A double holds every number of PLY exactly.
+/// The rows after a header, in order. Each has a list of values for each property (a single value is a list
+/// of one). A double holds every number of PLY exactly.
 class PlyRows {
   public:
     PlyRows(const std::filesystem::path& file, std::string_view content, const PlyHeader& header)
@@ -61,7 +61,7 @@ class PlyRows {
         while (lines.number() < header.lines) lines.next();
     }
 
-    /// Valid until the next call.
+    /// Reads the next row of an element. The result is valid until the next call.
     const std::vector<std::vector<double>>& next(const PlyElement& of, std::size_t number) {
         element = &of;
         row = number;
@@ -76,7 +76,7 @@ class PlyRows {
             line->fail("is one value too many: " + place() + " is complete before it", line->next_word());
         return values;
     }
-    std::size_t line_number() const { return first_line; }  ///< where the row begins; 0 in a binary file
+    std::size_t line_number() const { return first_line; }  ///< line where the row begins; 0 in a binary file
 
   private:
     std::string place() const { return element->name + " " + std::to_string(row); }
@@ -133,9 +133,9 @@ class PlyRows {
     const std::filesystem::path& file;
     PlyFormat format;
     std::size_t text_size;
-    TextLines lines;               ///< of a text, what is to come
-    std::optional<TextLine> line;  ///< of a text, what is left of the present line
-    std::string_view bytes;        ///< of a binary file, what is to come
+    TextLines lines;               ///< of a text, the lines not read yet
+    std::optional<TextLine> line;  ///< of a text, the rest of the current line
+    std::string_view bytes;        ///< of a binary file, the bytes not read yet
     const PlyElement* element = nullptr;
     std::size_t row = 0, first_line = 0;
     std::vector<std::vector<double>> values;
@@ -160,7 +160,8 @@ void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) 
 
 std::vector<std::size_t> corners(const std::vector<double>& values) {
     std::vector<std::size_t> polygon;
-    // A negative number is told as it is by who looks for corners that are not there.
+    // A negative number stays recognisable for check_polygon_soup(), which reports it as an index out of
+    // range.
     for (const double value : values)
         polygon.push_back(static_cast<std::size_t>(static_cast<std::int64_t>(value)));
     return polygon;

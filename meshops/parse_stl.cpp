@@ -7,12 +7,13 @@
 #include "meshops/raw_bytes.h"
 #include "meshops/text_line.h"
 
-// Read here and not by CGAL, whose reader takes a NaN for a point it has seen before, and a short text it
-// does not understand for an empty binary file.
+// CGAL's reader is not used: it takes NaN for a point that it has seen before, and a short text that it does
+// not understand for an empty binary file.
 namespace sherd {
 namespace {
 
-/// Header of 80 bytes, number of triangles, then for each 12 floats (normal, corners) and 2 bytes.
+/// A binary file has a header of 80 bytes and the number of triangles, then for each triangle 12 floats
+/// (normal, corners) and 2 bytes.
 PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view text) {
     constexpr std::size_t header = 84, record = 50;
     const std::size_t count =
@@ -30,7 +31,7 @@ PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view
             const char* bytes = text.data() + header + record * i + 12 * (corner + 1);
             const auto coordinate = [&](int k) {
                 const float value = number_at<float>(bytes + 4 * k, std::endian::little);
-                // The format numbers no vertices: say whose corner it is.
+                // The format has no numbered vertices, so the message names the face and its corner.
                 if (!std::isfinite(value))
                     throw Error(file.string() + ": face " + std::to_string(i) + ": coordinate " + "xyz"[k] +
                                 " of its corner " + std::to_string(corner) + " is NaN or infinite");
@@ -43,7 +44,7 @@ PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view
     return soup;
 }
 
-/// Keeps of the points those in use, in order.
+/// Removes the points that no polygon uses; the others keep their order.
 void drop_unused_points(PolygonSoup& soup) {
     std::vector<std::size_t> number(soup.points.size(), 0);
     for (const auto& polygon : soup.polygons) {
@@ -62,7 +63,7 @@ void drop_unused_points(PolygonSoup& soup) {
     }
 }
 
-/// Lines `vertex x y z`, three between each `facet` and `endfacet`; `endsolid` at the end.
+/// A text has lines `vertex x y z`, three between each `facet` and `endfacet`, and ends with `endsolid`.
 PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view text) {
     PolygonSoup soup;
     soup.file = file;
@@ -91,7 +92,7 @@ PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view t
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text) {
     const bool is_text = text.starts_with("solid") && !is_binary(text);
     PolygonSoup soup = is_text ? parse_text_stl(file, text) : parse_binary_stl(file, text);
-    // Before joining, which needs coordinates that compare.
+    // The check comes before joining, which compares coordinates and so requires that they are numbers.
     check_polygon_soup(soup);
     join_duplicate_points(soup);
     drop_unused_points(soup);

@@ -10,28 +10,28 @@
 
 namespace sherd {
 
-/// The types of numbers that a PLY file may hold; each has two names, such as `uchar` and `uint8`.
+/// The number types of PLY files. Each has two names, such as `uchar` and `uint8`.
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 std::size_t bytes_of(PlyType type);
 std::string_view name_of(PlyType type);
 bool is_integer(PlyType type);
 
-/// `property TYPE NAME`, or `property list COUNT TYPE NAME`.
+/// A line `property TYPE NAME` or `property list COUNT TYPE NAME`.
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> count;  ///< type of a list's number of values; none: a single value
+    std::optional<PlyType> count;  ///< type of a list's length; none: a single value
 };
 
-/// `element NAME ROWS` with its properties: each row has a value, or a list of them, for each.
+/// An element `element NAME ROWS` with its properties: each row has a value or a list for each of them.
 struct PlyElement {
     std::string name;
     std::size_t rows = 0;
     std::vector<PlyProperty> properties;
-    std::size_t line = 0;  ///< 1-based
+    std::size_t line = 0;  ///< number of its line, from 1
 
-    /// Number of the property of one of these names; none if it has none.
+    /// Number of the property that has one of these names; none if there is none.
     std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
 };
 
@@ -41,16 +41,16 @@ enum class PlyFormat { text, little_endian, big_endian };
 struct PlyHeader {
     PlyFormat format = PlyFormat::text;
     std::vector<PlyElement> elements;
-    std::size_t lines = 0;  ///< that it takes
-    std::size_t bytes = 0;  ///< where the first row begins
+    std::size_t lines = 0;  ///< number of its lines
+    std::size_t bytes = 0;  ///< offset of the first row
 };
 
-/// Reads the header at the start of a file's content. Throws Error with file, line and what to do on whatever
-/// is not understood, and when the file is too small for the rows that it promises: nobody has to make room
-/// for what is not there.
+/// Reads the header at the start of a file's content. Throws Error with file, line and what to do about it if
+/// anything is not understood, and if the file is too small for the rows that the header announces, so that
+/// memory is only allocated for data that exist.
 PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view content);
 
-/// The fewest bytes (characters, in a text) that so many values of a type take.
+/// The minimum number of bytes (characters, in a text) of `values` values of a type.
 std::size_t least_bytes(PlyFormat format, PlyType type, std::size_t values);
 
 }  // namespace sherd

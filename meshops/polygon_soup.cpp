@@ -42,7 +42,7 @@ void check_polygon_soup(const PolygonSoup& soup) {
     for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
         for (const std::size_t corner : soup.polygons[i]) {
             if (corner >= soup.points.size()) {
-                // Files hold signed numbers: show -1 as what it is.
+                // The file holds signed numbers, so -1 is shown as -1.
                 throw Error(place_of_polygon(soup, i) + ": index out of range: there is no vertex " +
                             std::to_string(static_cast<std::ptrdiff_t>(corner)) + ", the file has " +
                             std::to_string(soup.points.size()) + " (numbered from 0)");

@@ -5,12 +5,12 @@
 
 namespace sherd {
 
-/// Random numbers that are the same with every standard library, which std::uniform_real_distribution's
-/// are not.
+/// Random numbers that are the same with every standard library, in contrast to those of
+/// std::uniform_real_distribution.
 class Random {
   public:
     explicit Random(unsigned seed) : engine(seed) {}
-    /// Uniform in [0, 1).
+    /// A uniformly distributed number in [0, 1).
     double uniform() { return static_cast<double>(engine() >> 11) * 0x1p-53; }
 
   private:

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// The number that starts at `bytes`, stored in this order of bytes.
+/// The number whose bytes start at `bytes`, in the given byte order.
 template <class Number>
 Number number_at(const char* bytes, std::endian order) {
     std::array<char, sizeof(Number)> raw;

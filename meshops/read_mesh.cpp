@@ -12,13 +12,13 @@
 namespace sherd {
 namespace {
 
-/// "1 face was", "3 faces were": the start of a warning.
+/// The start of a warning: "1 face was" or "3 faces were".
 std::string counted(std::size_t count, const std::string& noun) {
     const std::string plural = noun.ends_with("x") ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s";
     return std::to_string(count) + " " + (count == 1 ? noun + " was" : plural + " were");
 }
 
-/// One reading of one file: the steps from polygons to a mesh, and what they have to say.
+/// The reading of one file: the steps from polygons to a mesh, and their warnings.
 struct Reading {
     const PolygonSoup& polygons;
     TriangleSoup soup;
@@ -36,9 +36,10 @@ struct Reading {
         const auto& [a, b, c] = soup.triangles[triangle];
         return vertex(a) + ", " + vertex(b) + " and " + vertex(c) + " at " + middle(soup.triangles[triangle]);
     }
-    /// "(0.1, 0.02, 0.03)", the mean of points, in the file's unit.
+    /// The mean of points as "(0.1, 0.02, 0.03)", in the file's unit.
     std::string middle(std::span<const std::uint32_t> points) const;
-    /// "; REPAIR drops such triangles", if there is a way to ask for it.
+    /// Advice such as "; `repair = true` on the mesh drops such triangles", or to mend the file if repair
+    /// cannot be requested.
     std::string advice(const std::string& what) const {
         return options.repair_advice.empty() ? "; mend it in the program that made it"
                                              : "; " + std::string(options.repair_advice) + " " + what;

@@ -26,8 +26,8 @@ using Triangulation =
     throw Error("the mesh cannot be generated: edge_length is too large for the shape");
 }
 
-/// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number behind the
-/// last.
+/// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number after the
+/// last vertex.
 std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& points) {
     const std::size_t count = points.parameter.size();
     std::vector<std::pair<Point2, std::size_t>> chart;
@@ -60,7 +60,7 @@ std::vector<Vector3d> positions(const Surface& surface, const SurfacePoints& poi
     return result;
 }
 
-/// Smallest of all angles (radians).
+/// The smallest of all angles, rad.
 double smallest_angle(const std::vector<Vector3d>& place, const std::vector<Corners>& triangles) {
     double smallest = std::numbers::pi;
     for (const Corners& corners : triangles) {
@@ -73,8 +73,8 @@ double smallest_angle(const std::vector<Vector3d>& place, const std::vector<Corn
     return smallest;
 }
 
-/// Where the Voronoi cells of the three corners meet: the circumcentre, or what is nearest to it inside an
-/// obtuse triangle, the middle of the longest side (which keeps a point's cell among its neighbours).
+/// The common point of the Voronoi cells of three corners: the circumcentre or, in an obtuse triangle, the
+/// point nearest to it, the middle of the longest side (which keeps a vertex's cell among its neighbours).
 Vector3d cell_corner(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Vector3d u = b - a, v = c - a, n = u.cross(v);
     if (u.dot(v) <= 0) return (b + c) / 2;
@@ -83,7 +83,7 @@ Vector3d cell_corner(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     return a + (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2 * n.squaredNorm());
 }
 
-/// Moves each free point to the centroid of its Voronoi cell, summed up triangle by triangle (Lloyd).
+/// Moves each free point to the centroid of its Voronoi cell, which is summed over triangles (Lloyd).
 void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& place,
                        const std::vector<Corners>& triangles, SurfacePoints& points) {
     std::vector<Vector3d> moment(place.size(), Vector3d::Zero());
@@ -91,7 +91,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
     for (const Corners& corners : triangles) {
         const auto &a = place[corners[0]], &b = place[corners[1]], &c = place[corners[2]];
         const Vector3d meeting = cell_corner(a, b, c);
-        // Each half of a side spans a piece of a cell with the cells' common corner.
+        // With the cells' common corner, each half of a side spans a part of a cell.
         for (int side = 0; side < 3; ++side) {
             const std::size_t i = corners[side], j = corners[(side + 1) % 3];
             const Vector3d middle = (place[i] + place[j]) / 2;
@@ -122,7 +122,7 @@ Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& trian
 }  // namespace
 
 Mesh relax(const Surface& surface, SurfacePoints points, int iterations) {
-    // Now and then a thin triangle is left somewhere: then it goes on, for as long again at most.
+    // Occasionally a thin triangle remains: then the iteration continues, at most for as long again.
     constexpr double good_angle = 25 * std::numbers::pi / 180;
     for (int i = 0;; ++i) {
         const auto place = positions(surface, points);

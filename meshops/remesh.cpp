@@ -17,7 +17,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using IsFeature = Mesh::Property_map<Edge, bool>;
 using IsCorner = Mesh::Property_map<Vertex, bool>;
 
-/// Vertices, edges and faces alone: no properties, no gaps.
+/// A copy of vertices, edges and faces, without properties and gaps in the numbers.
 Mesh bare_copy(const Mesh& mesh) {
     Mesh copy;
     std::vector<Vertex> vertex(mesh.num_vertices());
@@ -33,7 +33,7 @@ Mesh bare_copy(const Mesh& mesh) {
     return copy;
 }
 
-/// Degrees between the normals of the two faces of an inner edge.
+/// Angle between the normals of the two faces of an inner edge, degrees.
 double bend_degrees(const Mesh& mesh, Edge edge) {
     const Halfedge h = mesh.halfedge(edge), g = mesh.opposite(h);
     const auto point = [&](Halfedge i) { return mesh.point(mesh.target(i)); };
@@ -52,7 +52,7 @@ IsFeature mark_features(Mesh& mesh, double feature_degrees) {
     return is_feature;
 }
 
-/// A corner is where feature lines begin, end, branch, or turn by more than `feature_degrees`.
+/// Marks corners: vertices where feature lines begin, end, branch, or turn by more than `feature_degrees`.
 IsCorner mark_corners(Mesh& mesh, const IsFeature& is_feature, double feature_degrees) {
     auto is_corner = mesh.add_property_map<Vertex, bool>("v:is_corner", false).first;
     const double limit = std::cos(feature_degrees * std::numbers::pi / 180);

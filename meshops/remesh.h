@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-/// Isotropic remeshing to `edge_length` (m): new vertices stay on the input surface, boundaries and edges
-/// sharper than `feature_degrees` keep their shape. Texture coordinates are lost. Returns a new mesh; throws
-/// Error when edge_length is not positive.
+/// Remeshes isotropically to `edge_length` (m): new vertices stay on the input surface, boundaries and edges
+/// sharper than `feature_degrees` keep their shape. Texture coordinates are lost. Throws Error if edge_length
+/// is not positive.
 Mesh remesh(const Mesh& mesh, double edge_length, double feature_degrees = 40);
 
 }  // namespace sherd

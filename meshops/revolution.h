@@ -8,13 +8,13 @@
 
 namespace sherd {
 
-/// The surface a polyline of (r, z) points sweeps about the z axis. Parameters: arc length along the profile
-/// (m) and angle about the axis (radians). The chart has polar coordinates (exp u, angle) with du = ds / r,
-/// which is conformal; an end of the profile on the axis is its origin (the first) or its infinity (the
-/// last).
+/// The surface that a polyline of (r, z) points sweeps about the z axis. Its parameters are the arc length
+/// along the profile (m) and the angle about the axis (rad). The chart has the polar coordinates (exp u,
+/// angle) with du = ds / r, which is conformal; an end of the profile on the axis is its origin (first end)
+/// or its infinity (last end).
 class Revolution final : public Surface {
   public:
-    /// `reach` (m): how far along the profile `project` looks.
+    /// reach: m; distance along the profile in which `project` searches.
     Revolution(std::span<const Eigen::Vector2d> profile, double reach);
 
     Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override;
@@ -25,9 +25,9 @@ class Revolution final : public Surface {
     double radius(double along) const { return at(along).x(); }
     bool starts_on_axis() const { return profile.front().x() == 0; }
     bool ends_on_axis() const { return profile.back().x() == 0; }
-    /// Area between two arc lengths (m^2).
+    /// Area between two arc lengths, m^2.
     double area(double from, double to) const;
-    /// Arc lengths of the profile's inner points where it turns by more than `degrees`.
+    /// Arc lengths (m) of the profile's inner points where it turns by more than `degrees`.
     std::vector<double> corners(double degrees) const;
     /// Range of u over the points that are not on the axis.
     double chart_range() const;
@@ -37,8 +37,8 @@ class Revolution final : public Surface {
     Eigen::Vector2d at(double along) const;
 
     std::vector<Eigen::Vector2d> profile;
-    std::vector<double> distance;    ///< arc length of each profile point
-    std::vector<double> log_radius;  ///< u of each profile point; points on the axis: not used
+    std::vector<double> distance;    ///< m, arc length of each profile point
+    std::vector<double> log_radius;  ///< u of each profile point; unused for points on the axis
     double reach;
 };
 

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Pairs of faces that have more in common than the vertices and edges they share, in ascending order, by
-/// exact predicates; faces that only touch count, too.
+/// Pairs of faces that have more in common than shared vertices and edges, in ascending order, by exact
+/// predicates; faces that only touch are included.
 std::vector<std::array<Face, 2>> self_intersections(const Mesh& mesh);
 
 }  // namespace sherd

@@ -21,16 +21,16 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double most_voxels = 1e8;  // 0.4 GB
-constexpr double layer_beyond = 3;   // voxels, that the spline looks at past the last point it is asked for
+constexpr double layer_beyond = 3;   // voxels that the spline uses beyond the farthest point of evaluation
 
-/// Triangles and quadrilaterals as OpenVDB takes them, in m.
+/// Triangles and quadrilaterals in OpenVDB's types, m.
 struct Polygons {
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec3I> triangles;
     std::vector<openvdb::Vec4I> quads;
 };
 
-/// Weights of the three nearest of a row of voxels, and their first and second derivatives.
+/// Spline weights of the three nearest voxels in a row, with their first and second derivatives.
 struct SplineWeights {
     int first;
     std::array<double, 3> value, slope, bend{1, -2, 1};
@@ -42,7 +42,7 @@ struct SplineWeights {
     }
 };
 
-/// The parts as one text, numbers with three digits.
+/// Concatenates the parts to a text; numbers get three digits.
 template <class... Parts>
 std::string text(const Parts&... parts) {
     std::ostringstream out;
@@ -68,7 +68,7 @@ using TransformPointer = openvdb::math::Transform::Ptr;
 
 openvdb::FloatGrid::Ptr distances(const Polygons& polygons, const TransformPointer& transform, double reach) {
     const double voxel = transform->voxelSize().x();
-    // In several threads, which of two triangles that are equally near is kept would be a matter of luck.
+    // With several threads, chance would decide which of two equally near triangles is kept.
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     const auto layer = static_cast<float>(std::ceil(reach / voxel) + layer_beyond);
     return openvdb::tools::meshToSignedDistanceField<openvdb::FloatGrid>(
@@ -76,7 +76,7 @@ openvdb::FloatGrid::Ptr distances(const Polygons& polygons, const TransformPoint
         std::numeric_limits<float>::max());
 }
 
-/// Puts the distances that a level set holds where it holds some: all but its background.
+/// Copies the distances of a level set to the grid, except those equal to its background.
 void take_values(const openvdb::FloatGrid& level_set, double scale, openvdb::FloatGrid& grid) {
     auto voxels = grid.getAccessor();
     for (auto value = level_set.cbeginValueOn(); value; ++value)
@@ -88,7 +88,7 @@ Vector3d eigen(const openvdb::Vec3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// From space to numbers of voxels.
+/// Transforms positions to voxel indices.
 Eigen::Affine3d to_index(const openvdb::math::Transform& transform) {
     Eigen::Affine3d map = Eigen::Affine3d::Identity();
     map.translation() = eigen(transform.worldToIndex({0, 0, 0}));
@@ -120,7 +120,7 @@ Polygons polygons_of(const openvdb::FloatGrid& level_set, double scale) {
     return polygons;
 }
 
-/// m^3, of a mesh that is closed, or nearly so.
+/// Volume enclosed by a closed, or nearly closed, mesh, m^3.
 double enclosed_volume(const Mesh& mesh) {
     const MeshMeasures extent = measure(mesh);
     const Vector3d middle = (extent.lower + extent.upper) / 2;
@@ -170,8 +170,8 @@ struct SignedDistanceGrid::State {
           voxel(transform->voxelSize().x()),
           to_index(sherd::to_index(*transform)),
           surface(surface_of(polygons)) {
-        // By a voxel more than the surface, which single precision does not put where the distances do: where
-        // the box ends forces would have a step.
+        // The margin is a voxel because the surface, in single precision, deviates from the distances: forces
+        // would jump where the box ends.
         const Vector3d margin = Vector3d::Constant(voxel);
         for (const Vector3d& p : surface.points) box.extend(p - margin).extend(p + margin);
     }

@@ -11,15 +11,16 @@
 
 namespace sherd {
 
-/// The closed surface that a grid stands for.
+/// The closed surface of the solid that a grid describes.
 struct GridSurface {
     std::vector<Eigen::Vector3d> points;                 ///< m
-    std::vector<std::array<std::int32_t, 3>> triangles;  ///< outward
+    std::vector<std::array<std::int32_t, 3>> triangles;  ///< oriented outward
 };
 
-/// A solid as signed distances at the centres of cubic voxels (an OpenVDB grid), which fill it and a layer
-/// around it. Between them distances are a quadratic spline, so that its gradient is continuous; it rounds
-/// edges by about a tenth of a voxel, and makes a surface of radius R thinner by voxel^2 / (4 R).
+/// A solid as signed distances at the centres of cubic voxels (an OpenVDB grid), which fill the solid and a
+/// layer around it. Between the centres distances are a quadratic spline, whose gradient is continuous. The
+/// spline rounds edges by about a tenth of a voxel and makes a surface of radius R thinner by voxel^2 / (4
+/// R).
 class SignedDistanceGrid {
   public:
     struct Sample {
@@ -28,23 +29,23 @@ class SignedDistanceGrid {
         Eigen::Matrix3d hessian;  ///< 1/m
     };
 
-    /// voxel, reach: m, size of the voxels and least height of the layer. Throws Error when there would be
-    /// too many voxels, or when the mesh encloses nothing: a hole wider than a voxel or two lets the outside
-    /// in.
+    /// Samples the solid in a mesh. voxel, reach: m, size of the voxels and minimum height of the layer.
+    /// Throws Error if there would be too many voxels, or if the mesh encloses nothing: a hole wider than a
+    /// voxel or two lets the outside in.
     static SignedDistanceGrid of_mesh(const Mesh& mesh, double voxel, double reach);
-    /// The level set `name` of an OpenVDB file (empty: the only one), in its own world space times `scale`.
-    /// Its voxels are taken as they are; beyond the layer that it has, inward to the middle and outward as
-    /// far as `reach`, distances from its surface are added. Of voxels that are not cubic only the surface is
-    /// kept, with the distances made anew. Throws Error naming the file when it is missing, damaged or no
-    /// OpenVDB file, has no such grid, or one that is no level set.
+    /// Reads the level set `name` of an OpenVDB file (empty: the only one), in its own world space times
+    /// `scale`. Its voxels are used unchanged; beyond the layer that it has, distances from its surface are
+    /// added, inward to the middle and outward up to `reach` (m). If the voxels are not cubic, only the
+    /// surface is kept and the distances are computed anew. Throws Error naming the file if it is missing,
+    /// damaged or no OpenVDB file, if it has no such grid, or if the grid is no level set.
     static SignedDistanceGrid of_level_set(const std::filesystem::path& file, const std::string& name,
                                            double scale, double reach);
 
     Sample sample(const Eigen::Vector3d& point) const;
-    Eigen::Vector3d lower() const;  ///< m, corner of a box that holds the solid
+    Eigen::Vector3d lower() const;  ///< m, corner of a box that contains the solid
     Eigen::Vector3d upper() const;
     double voxel() const;  ///< m
-    /// m^3, of the voxels inside.
+    /// Volume of the voxels inside, m^3.
     double volume() const;
     const GridSurface& surface() const;
 

@@ -6,10 +6,10 @@
 namespace sherd {
 namespace {
 
-/// A run of faces around a vertex between two cut or boundary edges.
+/// The faces around a vertex between two successive cut or boundary edges.
 struct Sector {
-    Face first;   ///< the face after the edge where it begins
-    Face lowest;  ///< names the sector, whatever the order of walking
+    Face first;   ///< the face after the edge where the sector begins
+    Face lowest;  ///< identifies the sector, independently of the order of traversal
 };
 
 /// The halfedge of the face that points to the vertex.
@@ -19,7 +19,7 @@ Halfedge corner(const Mesh& mesh, Face face, Vertex vertex) {
     return h;
 }
 
-/// Around a vertex, from a halfedge that points to it to the one in the next face.
+/// The next halfedge around a vertex: from one that points to it to the one in the next face.
 Halfedge turn(const Mesh& mesh, Halfedge h) {
     return mesh.opposite(mesh.next(h));
 }
@@ -43,8 +43,8 @@ std::vector<Sector> sectors(const Mesh& mesh, Vertex vertex, const std::function
     return found;
 }
 
-/// Gives the face on the second side of an edge a new edge, and leaves both with a border on their outside.
-/// The borders' neighbours are linked by join_borders().
+/// Gives the face on the second side of an edge a new edge, and makes the outer sides of both edges borders.
+/// join_borders() links the borders' neighbours.
 Edge detach(Mesh& mesh, Edge edge) {
     const Halfedge kept = mesh.halfedge(edge, 0), left = mesh.halfedge(edge, 1);
     const Halfedge created = mesh.add_edge();
@@ -60,7 +60,7 @@ Edge detach(Mesh& mesh, Edge edge) {
     return mesh.edge(created);
 }
 
-/// Makes `vertex` the vertex of all corners of a sector, whose two outer edges are borders, and links these.
+/// Assigns `vertex` to all corners of a sector, whose two outer edges are borders, and links these borders.
 void join_borders(Mesh& mesh, const Sector& sector, Vertex old, Vertex vertex, std::vector<Face>& faces) {
     Halfedge h = corner(mesh, sector.first, old);
     const Halfedge out = mesh.opposite(h);
@@ -77,14 +77,14 @@ void join_borders(Mesh& mesh, const Sector& sector, Vertex old, Vertex vertex, s
 }
 
 Vertex copy_vertex(Mesh& mesh, Vertex vertex) {
-    const Point point = mesh.point(vertex);  // not by reference: adding a vertex may move all points
+    const Point point = mesh.point(vertex);  // a copy, since adding a vertex may move all points
     const Vertex copy = mesh.add_vertex(point);
     auto [number, found] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
     if (found) number[copy] = number[vertex];
     return copy;
 }
 
-/// The cut edges around a vertex that falls apart.
+/// Adds the cut edges around a vertex that is split.
 void add_opened_edges(const Mesh& mesh, Vertex vertex, const std::function<bool(Edge)>& is_cut,
                       std::vector<Edge>& edges) {
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex)))

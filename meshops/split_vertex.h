@@ -8,13 +8,13 @@
 
 namespace sherd {
 
-/// Opens the mesh at `vertices` along the edges for which `is_cut`: two corners of one of these vertices stay
-/// the same vertex if and only if one can walk between them through faces around it without crossing a cut
-/// edge or the boundary. A cut edge opens if and only if its two sides come to differ at one end. The part
-/// around a vertex that holds the lowest face keeps its number, so the outcome does not depend on the order
-/// of `vertices`. A vertex at the far end of an edge that opens must be uncut otherwise, or be one of
-/// `vertices`: both ends of every newly cut edge always suffice. Time: proportional to the fans of these
-/// vertices.
+/// Opens the mesh at `vertices` along the edges for which `is_cut` is true: two corners at one of these
+/// vertices still share it if and only if they are connected through faces around it without crossing a cut
+/// edge or the boundary. A cut edge opens if and only if its two sides get different vertices at one end. The
+/// faces around a vertex that remain connected with its lowest face keep the vertex, so that the result does
+/// not depend on the order of `vertices`. A vertex at the far end of an edge that opens must have no other
+/// cut edge, or be one of `vertices`; it is always enough to pass both ends of every newly cut edge. The time
+/// is proportional to the number of faces around these vertices.
 TopologyChange split_vertices(Mesh& mesh, std::span<const Vertex> vertices,
                               const std::function<bool(Edge)>& is_cut);
 

@@ -20,7 +20,7 @@ void append_vector(std::string& bytes, const Eigen::Vector3d& vector) {
 }  // namespace
 
 std::string stl_bytes(const TriangleSheet& sheet) {
-    // Readers take a file that starts with "solid" for text.
+    // The header must not start with "solid": readers would take the file for a text.
     std::string bytes = "binary STL of sherd, metres";
     bytes.resize(80);
     append_bytes(bytes, static_cast<std::uint32_t>(sheet.triangles.size()));

@@ -8,7 +8,7 @@
 namespace sherd {
 
 /// The content of a binary STL file of the sheet's triangles, in their order, with their normals. STL has
-/// single precision and no vertices: whoever reads it joins points that coincide, closed cracks too.
+/// single precision and no shared vertices: readers join coincident points, also across closed cracks.
 std::string stl_bytes(const TriangleSheet& sheet);
 
 }  // namespace sherd

@@ -10,32 +10,31 @@
 
 namespace sherd {
 
-/// A surface that a mesh is spread over: two parameters, a place in space for each pair of them, and a flat
-/// chart, counterclockwise seen from where the normals point to. The chart is conformal (it keeps circles
-/// round as long as they are small), so that Delaunay triangles of the chart are Delaunay triangles of the
-/// surface.
+/// A surface to be meshed: a place in space for each pair of two parameters, and a flat chart, oriented
+/// counterclockwise seen from the side that the normals point to. The chart is conformal (small circles stay
+/// circles), so that Delaunay triangles of the chart are approximately Delaunay triangles of the surface.
 class Surface {
   public:
     virtual ~Surface() = default;
     virtual Eigen::Vector3d position(const Eigen::Vector2d& parameter) const = 0;
     virtual Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const = 0;
-    /// Parameter of the place on the surface that is nearest to `point`, looked for around `near`.
+    /// Parameters of the point on the surface nearest to `point`, searched around `near`.
     virtual Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const = 0;
 };
 
-/// Vertices on a surface, by parameter, before there are triangles.
+/// Vertices on a surface, by parameters, before they are triangulated. `hole` and `fixed` are counts.
 struct SurfacePoints {
     std::vector<Eigen::Vector2d> parameter;
-    std::size_t hole = 0;                             ///< the first so many lie round a hole of the chart
-    std::size_t fixed = 0;                            ///< the first so many stay where they are
-    std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices to be joined by an edge
-    bool is_closed = false;  ///< whether one more vertex closes the surface, at the infinity of the chart
-    Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< its place
+    std::size_t hole = 0;                             ///< the first vertices, which lie around a hole
+    std::size_t fixed = 0;                            ///< the first vertices, which do not move
+    std::vector<std::array<std::size_t, 2>> creases;  ///< pairs of fixed vertices that an edge must join
+    bool is_closed = false;  ///< whether one more vertex, at the chart's infinity, closes the surface
+    Eigen::Vector3d closing_point = Eigen::Vector3d::Zero();  ///< position of that vertex, m
 };
 
-/// Spreads the points that are not fixed evenly, by moving each to the centroid of its surroundings
-/// `iterations` times over (twice that while there are thin triangles), and returns their Delaunay mesh.
-/// Throws Error when the points are too few for the shape. The closing vertex comes last.
+/// Distributes the free points evenly, moving each to the centroid of its Voronoi cell `iterations` times (up
+/// to twice as often while there are thin triangles), and returns their Delaunay mesh, with the closing
+/// vertex last. Throws Error if there are too few points for the shape.
 Mesh relax(const Surface& surface, SurfacePoints points, int iterations);
 
 }  // namespace sherd

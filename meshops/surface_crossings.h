@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Faces of a mesh that have a point in common with a surface of triangles, ascending, by exact predicates;
-/// that they only touch counts, too. points: [P] m; triangles: of points; those without area do not count.
+/// Faces of a mesh that intersect or touch a triangle surface, ascending, by exact predicates. points: [P] m;
+/// triangles: numbers of points; those without area are ignored.
 std::vector<Face> surface_crossings(const Mesh& mesh, std::span<const Eigen::Vector3d> points,
                                     std::span<const std::array<std::int32_t, 3>> triangles);
 

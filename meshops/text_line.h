@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// The words of a line of a text file, one after the other. Failures throw Error with file and line.
+/// The words of a line of a text file, in order. Failures throw Error with file and line.
 class TextLine {
   public:
-    /// `number`: of the line, 1-based. `file` and `text` have to outlive the words.
+    /// number: of the line, from 1. `file` and `text` must outlive the words.
     TextLine(const std::filesystem::path& file, std::size_t number, std::string_view text)
         : file(&file), number(number), rest(text) {}
 
-    /// Empty at the end of the line.
+    /// Returns the next word; empty at the end of the line.
     std::string_view next_word();
-    /// A real number; one too large for a double is infinite.
+    /// Reads a real number; it is infinite if it is too large for a double. Throws Error if there is none.
     double next_number();
     bool is_at_end() const;
-    /// "file:line: `word` what".
+    /// Throws Error with the message "file:line: `word` what".
     [[noreturn]] void fail(const std::string& what, std::string_view word) const;
 
   private:
@@ -29,18 +29,19 @@ class TextLine {
     std::string_view rest;
 };
 
-/// The lines of a text file, one after the other.
+/// The lines of a text file, in order.
 class TextLines {
   public:
-    /// `file` and `text` have to outlive the lines.
+    /// `file` and `text` must outlive the lines.
     TextLines(const std::filesystem::path& file, std::string_view text) : file(&file), rest(text) {}
 
-    /// None at the end of the file.
+    /// Returns the next line; none at the end of the file.
     std::optional<TextLine> next();
-    /// The next one that has a word before a `comment` sign, up to it; '\0': there are no comments.
+    /// Returns the next line that has a word before a `comment` sign, up to that sign; '\0': there are no
+    /// comments.
     std::optional<TextLine> next_with_words(char comment = '\0');
-    std::size_t number() const { return count; }         ///< of the line given last, 1-based
-    std::string_view remaining() const { return rest; }  ///< behind the line given last
+    std::size_t number() const { return count; }         ///< of the last line returned, from 1
+    std::string_view remaining() const { return rest; }  ///< text behind the last line returned
 
   private:
     std::string_view next_text();

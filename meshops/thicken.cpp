@@ -12,23 +12,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A fold sharper than 120 degrees gets thinner instead of a spike.
+/// Bound on offset over half thickness: a fold sharper than 120 degrees gets thinner instead of a spike.
 constexpr double largest_stretch = 2;
 constexpr double largest_turn = std::numbers::pi / 9, largest_turn_touching = std::numbers::pi / 2;
-/// In thicknesses: how far sides of a crack that stand off alike are apart, and what is left between them.
+/// In thicknesses: the distance up to which sides of a crack are offset alike, and the gap left between them.
 constexpr double together_distance = 0.5, crack_width = 0.01;
 
 double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// A side of a triangle that no other one shares.
+/// A side of a triangle that no other triangle shares.
 struct BoundaryEdge {
     std::int32_t from, to;
     std::size_t triangle;
 };
 
-/// In the order of their triangles.
+/// The boundary edges, in the order of their triangles.
 std::vector<BoundaryEdge> boundary_edges(const TriangleSheet& sheet) {
     std::vector<std::array<std::int32_t, 2>> sides;
     for (const auto& [a, b, c] : sheet.triangles) {
@@ -46,11 +46,11 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleSheet& sheet) {
     return boundary;
 }
 
-/// The triangles around a point, summed up.
+/// Sums over the triangles around a point.
 struct Surroundings {
     Vector3d direction = Vector3d::Zero();    ///< normals weighted by angle
     Vector3d area_normal = Vector3d::Zero();  ///< normals weighted by area
-    double area = 0, volume = 0;              ///< twice the area; that times the thickness
+    double area = 0, volume = 0;              ///< twice the area, and twice the area times the thickness
     Vector3d inward = Vector3d::Zero();       ///< unit vectors away from the boundary, in its triangles
 
     double thickness() const { return area > 0 ? volume / area : 0; }
@@ -89,7 +89,7 @@ std::vector<Surroundings> surroundings(const TriangleSheet& sheet, std::span<con
     return around;
 }
 
-/// Points with what is around them.
+/// Points with the sums over their triangles.
 struct Sides {
     std::vector<Vector3d> points;
     std::vector<Surroundings> around;
@@ -103,7 +103,8 @@ struct Sides {
                            : turn < largest_turn &&
                                  (points[a] - points[b]).norm() < together_distance * around[a].thickness();
     }
-    /// By how much a point moves away from its boundary, so that two edges that meet there do.
+    /// Displacement of a point away from the boundary that moves both boundary edges at it back by half the
+    /// crack width.
     Vector3d retreat(std::size_t i) const {
         const Vector3d& inward = around[i].inward;
         const double length = std::max(inward.squaredNorm(), 1.0);
@@ -111,7 +112,7 @@ struct Sides {
     }
 };
 
-/// Of the points of one origin, lets those that are together stand off in the same direction.
+/// Gives those points of one origin that are together a common offset direction.
 void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     while (points.size() > 1) {
         const std::size_t first = points.front();
@@ -125,7 +126,7 @@ void align(std::vector<std::size_t> points, const Sides& before, Sides& sides) {
     }
 }
 
-/// Moves those back that touch another one.
+/// Moves back the points that touch another one.
 void part(std::span<const std::size_t> points, const Sides& before, Sides& sides) {
     for (const std::size_t i : points) {
         const bool touches =
@@ -163,7 +164,7 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
     for (int side = 0; side < 2; ++side)
         for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.push_back(t);
     for (const auto& [from, to, triangle] : boundary) {
-        // Both sides of a crack are cut along the same diagonal: theirs would cross.
+        // The strips of both sides of a crack use the same diagonal; different ones would intersect.
         const bool rising = origin.empty() || origin[to] < origin[from];
         body.triangles.push_back({to, from, rising ? from + points : to + points});
         body.triangles.push_back({rising ? to : from, from + points, to + points});

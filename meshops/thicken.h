@@ -7,20 +7,20 @@
 
 namespace sherd {
 
-/// The sheet as a closed body with its outside to the outside: point i becomes i (the side that the normals
-/// point to) and P + i (the other), triangle t becomes t and, turned over, T + t, and two triangles for each
-/// boundary edge follow; each connected part is a body of its own. Group and quality go with the triangles;
-/// texture, axes and named groups do not. thickness: [T] m.
+/// Thickens the sheet to a closed body, oriented outward: point i becomes i (on the side that the normals
+/// point to) and P + i (on the other), triangle t becomes t and, with opposite orientation, T + t, followed
+/// by two triangles for each boundary edge. Each connected part becomes a body of its own. Triangles keep
+/// group and quality, but neither texture, axes nor named groups. thickness: [T] m.
 ///
-/// The sides stand off along the normal weighted by angle, so far that the distances from the triangles
-/// around the point, weighted by area, are half the thickness in the mean (at a fold the offset is longer
-/// than that, but at most twice as long): the volume is area times thickness but for terms of curvature
-/// squared.
+/// Points are offset along the normal weighted by angle, so far that the area-weighted mean of the distances
+/// from the triangles around the point is half the thickness (at a fold the offset is longer, up to twice):
+/// the volume is area times thickness up to terms of curvature squared.
 ///
-/// origin: [P] or empty; points of the same origin were one before a crack passed. While they are closer than
-/// half the thickness and have turned by less than 20 degrees they stand off in the same direction. While
-/// they are closer than 1 % of the thickness they do so up to 90 degrees, and each moves back from the crack
-/// by half of that: the sides of a closed crack neither touch nor cut into each other.
+/// origin: [P] or empty; points with the same origin were one vertex before a crack split it. While they are
+/// closer than half the thickness and their normals differ by less than 20 degrees, they are offset in the
+/// same direction. While they are closer than 1 % of the thickness this holds up to 90 degrees, and each
+/// moves back from the crack by half of that distance, so that the sides of a closed crack neither touch nor
+/// intersect.
 TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thickness,
                         std::span<const std::int32_t> origin = {});
 

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// An element of a mesh that a change made, and those of its kind from before whose data it takes over.
+/// A new element of a mesh, and its parents: the elements before the change whose data it inherits.
 template <class Element>
 struct Born {
     struct Parent {
@@ -15,7 +15,7 @@ struct Born {
         double weight;
     };
     Element element;
-    /// Weights sum to 1. A copy has one parent; an edge that was born inside a face has none.
+    /// Their weights sum to 1. A copy has one parent; an edge that is created inside a face has none.
     std::vector<Parent> parents;
 
     bool is_copy() const { return parents.size() == 1; }
@@ -29,10 +29,10 @@ Born<Element> copy_of(Element parent, Element created) {
     return {created, {{parent, 1}}};
 }
 
-/// What a change made of a mesh. Nothing is renumbered: what was born is appended, in this order.
+/// A change of a mesh. Nothing is renumbered; new elements are appended in the order given here.
 struct TopologyChange {
-    /// An edge that lies where another one does, since the faces on its two sides have come apart: `edge`
-    /// stays with one of them, `created` is the other's.
+    /// A new edge that coincides with an old one, since the faces on its two sides have been separated:
+    /// `edge` stays with one of them, `created` belongs to the other.
     struct OpenedEdge {
         Edge edge, created;
     };
@@ -40,7 +40,7 @@ struct TopologyChange {
     std::vector<Born<Edge>> edges;
     std::vector<Born<Face>> faces;
     std::vector<OpenedEdge> opened;  ///< each `created` is one of `edges`
-    std::vector<Face> changed;  ///< from before, with a corner or a side that was born; ascending, each once
+    std::vector<Face> changed;       ///< old faces with a new corner or side; ascending, each once
 };
 
 }  // namespace sherd

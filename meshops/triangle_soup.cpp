@@ -10,18 +10,18 @@
 namespace sherd {
 namespace {
 
-/// A side of a triangle, its points in ascending order.
+/// A side of a triangle, with its points in ascending order.
 struct Side {
     std::uint32_t low, high;
     std::size_t triangle;
-    int corner;      ///< where it starts
+    int corner;      ///< the corner where it starts
     bool is_rising;  ///< whether it starts at `low`
 
     auto edge() const { return std::tuple(low, high); }
     auto key() const { return std::tuple(low, high, triangle, corner); }
 };
 
-/// Calls visit(sides) for each edge, its sides in the order of the triangles.
+/// Calls visit(sides) for each edge, with its sides in the order of the triangles.
 template <typename Visit>
 void for_each_edge(const TriangleSoup& soup, Visit visit) {
     std::vector<Side> sides;
@@ -39,7 +39,7 @@ void for_each_edge(const TriangleSoup& soup, Visit visit) {
     }
 }
 
-/// Disjoint sets of numbers; the lowest number stands for its set.
+/// Disjoint sets of numbers; each set is represented by its lowest number.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent(count) {
@@ -64,7 +64,7 @@ std::uint32_t double_point(TriangleSoup& soup, std::uint32_t point) {
     return static_cast<std::uint32_t>(soup.points.size() - 1);
 }
 
-/// Corners (3 t + corner) that go round a point over edges of two triangles are in one set.
+/// Sets of corners (3 t + corner) at a point that are connected across edges of exactly two triangles.
 DisjointSets fans(const TriangleSoup& soup) {
     DisjointSets sets(3 * soup.triangles.size());
     for_each_edge(soup, [&](std::span<const Side> sides) {
@@ -78,7 +78,7 @@ DisjointSets fans(const TriangleSoup& soup) {
     return sets;
 }
 
-/// Gives each fan but the first at a point a point of its own. Returns the points doubled.
+/// Gives each fan but the first at a point a point of its own. Returns the points that were duplicated.
 std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
     DisjointSets sets = fans(soup);
     constexpr std::uint32_t none = -1;
@@ -100,7 +100,8 @@ std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
     return doubled;
 }
 
-/// Cuts loose, of each edge of three or more triangles, all but the first two.
+/// Detaches all but the first two triangles of each edge with three or more. Returns the points that were
+/// duplicated.
 std::vector<std::uint32_t> detach_surplus(TriangleSoup& soup) {
     std::vector<std::size_t> surplus;
     for (const auto& edge : non_manifold_edges(soup)) {
@@ -118,7 +119,7 @@ std::vector<std::uint32_t> detach_surplus(TriangleSoup& soup) {
     return doubled;
 }
 
-/// A neighbour over an edge of two triangles.
+/// A neighbour across an edge of two triangles.
 struct Neighbour {
     std::size_t triangle;
     bool agrees;
@@ -143,7 +144,7 @@ void turn_over(TriangleSoup& soup, std::size_t triangle) {
 }  // namespace
 
 std::vector<std::size_t> zero_area_triangles(const TriangleSoup& soup) {
-    // Below this height, as a part of the longest side, the corners are collinear but for round-off.
+    // Corners are collinear up to round-off if the height is below this share of the longest side.
     constexpr double least_height = 1e-12;
     std::vector<std::size_t> result;
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
@@ -204,7 +205,7 @@ std::vector<std::uint32_t> separate(TriangleSoup& soup) {
     std::vector<std::uint32_t> doubled;
     while (true) {
         auto now = separate_fans(soup);
-        // What still meets in such an edge is joined all round both of its ends.
+        // Triangles that still share such an edge are connected all around both of its ends.
         if (now.empty()) now = detach_surplus(soup);
         if (now.empty()) break;
         doubled.insert(doubled.end(), now.begin(), now.end());

@@ -9,24 +9,24 @@
 
 namespace sherd {
 
-/// Triangles on their way from a file to a Mesh. Three points a triangle, no other promise: any number of
+/// Triangles between file and Mesh. Each has three points; nothing else is guaranteed: any number of
 /// triangles may meet at an edge, in any orientation.
 struct TriangleSoup {
     std::vector<Point> points;
-    std::vector<std::uint32_t> file_vertex;  ///< of each point, its number in the file
+    std::vector<std::uint32_t> file_vertex;  ///< number of each point in the file
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<FaceTexture> texture;  ///< of each triangle; none: empty
-    std::vector<std::size_t> polygon;  ///< of each triangle, the polygon of the file it is part of
+    std::vector<FaceTexture> texture;  ///< of each triangle; empty if there is none
+    std::vector<std::size_t> polygon;  ///< of each triangle, the polygon of the file that it is part of
 };
 
-/// Cuts the polygons into triangles, a polygon's triangles together, triangles as they are. Throws Error when
-/// a polygon crosses or touches itself. A triangle without texture coordinates beside others that have some
-/// gets (0, 0).
+/// Cuts polygons into triangles; those of a polygon follow each other, and triangles stay as they are. Throws
+/// Error if a polygon crosses or touches itself. Triangles without texture coordinates get (0, 0) if others
+/// have some.
 TriangleSoup triangulate(const PolygonSoup& soup);
 
-/// Triangles whose area is zero to round-off: repeated or collinear corners. In order.
+/// Triangles whose area is zero up to round-off, with repeated or collinear corners, ascending.
 std::vector<std::size_t> zero_area_triangles(const TriangleSoup& soup);
-/// Triangles on the same three points as an earlier one. In order.
+/// Triangles with the same three points as an earlier one, ascending.
 std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup);
 void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascending);
 
@@ -37,16 +37,17 @@ struct NonManifoldEdge {
 };
 std::vector<NonManifoldEdge> non_manifold_edges(const TriangleSoup& soup);
 
-/// Makes points of their own for what meets in a point or a non-manifold edge without being joined by an edge
-/// of two triangles, so that every edge has at most two triangles and every point one fan of them. Returns
-/// the points that were doubled, ascending.
+/// Duplicates points so that every edge has at most two triangles and every point one fan of them: parts that
+/// share a point or a non-manifold edge, but are not connected by edges of two triangles, get points of their
+/// own. Returns the points that were duplicated, ascending.
 std::vector<std::uint32_t> separate(TriangleSoup& soup);
 
-/// Turns triangles over until neighbours agree; of each component the smaller part is turned (on a tie, the
-/// part without its first triangle), the first corner stays the first. Expects a soup that is separated.
+/// Result of orient(), which flips triangles until neighbours agree. In each component the smaller part is
+/// flipped (of equal parts the one without the first triangle); the first corner of a triangle stays the
+/// first. The soup must be the result of separate().
 struct Orientation {
-    std::vector<std::size_t> turned;       ///< triangles, ascending
-    std::optional<std::size_t> one_sided;  ///< a triangle of a component that has one side only (Moebius)
+    std::vector<std::size_t> turned;       ///< flipped triangles, ascending
+    std::optional<std::size_t> one_sided;  ///< a triangle of a one-sided component (Moebius strip)
 };
 Orientation orient(TriangleSoup& soup);
 

@@ -13,17 +13,17 @@
 namespace sherd {
 namespace {
 
-using Corners = std::array<std::size_t, 3>;  // of a triangle, as numbers of the polygon's corners
+using Corners = std::array<std::size_t, 3>;  // of a triangle, as indices of the polygon's corners
 using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 
-/// The polygon seen along the axis nearest to its normal, counterclockwise. Dropping a coordinate, other than
-/// turning the polygon into a plane, keeps collinear corners exactly collinear.
+/// The polygon, counterclockwise, projected along the coordinate axis nearest to its normal. In contrast to a
+/// rotation into a plane, dropping a coordinate keeps collinear corners exactly collinear.
 std::vector<Point2> flatten(const std::vector<Point>& polygon) {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // Newell
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // by Newell's method
     const auto vector = [](const Point& p) { return Eigen::Vector3d(p.x(), p.y(), p.z()); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Eigen::Vector3d a = vector(polygon[i]) - vector(polygon[0]);
@@ -39,7 +39,8 @@ std::vector<Point2> flatten(const std::vector<Point>& polygon) {
     return result;
 }
 
-/// The two triangles of a quadrilateral: across the shorter diagonal that lies inside. Empty: it has none.
+/// The two triangles of a quadrilateral, split along the shorter diagonal that lies inside; empty if there is
+/// none.
 std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, const std::vector<Point2>& flat) {
     const auto is_inside = [&](std::size_t a) {
         const std::size_t b = (a + 1) % 4, c = a + 2, d = (a + 3) % 4;
@@ -53,7 +54,8 @@ std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, cons
     return {};
 }
 
-/// Faces of the triangulation inside the polygon: an odd number of its sides away from the outside.
+/// The triangulation's faces inside the polygon: those reached from outside across an odd number of its
+/// sides.
 std::vector<Triangulation::Face_handle> inner_faces(const Triangulation& triangulation) {
     std::map<Triangulation::Face_handle, bool> is_inner{{triangulation.infinite_face(), false}};
     std::vector<Triangulation::Face_handle> order{triangulation.infinite_face()};
@@ -69,7 +71,7 @@ std::vector<Triangulation::Face_handle> inner_faces(const Triangulation& triangu
     return order;
 }
 
-/// Constrained Delaunay triangles of a polygon of five or more corners. Empty: it crosses itself.
+/// Constrained Delaunay triangles of a polygon of five or more corners; empty if it crosses itself.
 std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
     Triangulation triangulation;
     std::vector<Triangulation::Vertex_handle> corner;
@@ -82,7 +84,7 @@ std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
         triangulation.insert_constraint(corner[i], corner[(i + 1) % corner.size()]);
     }
     std::vector<Corners> result;
-    // Sides that cross have got a vertex more, where they do.
+    // Sides that cross get an additional vertex there.
     if (triangulation.number_of_vertices() != flat.size()) return result;
     for (const auto face : inner_faces(triangulation)) {
         Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
@@ -100,7 +102,7 @@ std::vector<Corners> fan(std::size_t corners) {
     return result;
 }
 
-/// Empty: the polygon crosses or touches itself.
+/// The triangles of a polygon; empty if it crosses or touches itself.
 std::vector<Corners> triangulate_simple(const std::vector<Point>& points) {
     if (points.size() <= 3) return fan(points.size());
     const auto is_on_line = [&](const Point& p) { return CGAL::collinear(points[0], points[1], p); };
@@ -119,7 +121,8 @@ std::vector<Corners> triangulate_polygon(const PolygonSoup& soup, std::size_t nu
     for (std::size_t i = 0; i < count; ++i) {
         const Point &here = soup.points[polygon[i]], &next = soup.points[polygon[(i + 1) % count]];
         if (here == next) {
-            // A corner written twice is a side of no length, with a triangle of no area, to be told of later.
+            // A repeated corner gives a side of length zero, with a triangle of zero area that is reported
+            // later.
             result.push_back({(i + count - 1) % count, i, (i + 1) % count});
         } else {
             kept.push_back(i);

@@ -19,7 +19,7 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw Error("cannot read the grids: " + std::generic_category().message(errno));
     openvdb::initialize();
-    // OpenVDB looks at what it has read only now and then: a file cut short would give random values.
+    // OpenVDB rarely checks its reads: a truncated file would give random values.
     stream.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     try {
         const bool delay_loading = false;

@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// The float grid `name` of an OpenVDB file; an empty name stands for the only one. Throws Error naming the
-/// file when it is missing, damaged or no OpenVDB file, or has no such grid.
+/// Reads the float grid `name` of an OpenVDB file; an empty name stands for the only one. Throws Error naming
+/// the file if it is missing, damaged or no OpenVDB file, or has no such grid.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace sherd

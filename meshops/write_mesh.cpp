@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The shortest text that reads back as the same number.
+/// Appends the shortest text that reads back as the same number.
 void append(std::string& text, double value) {
     char digits[32];
     text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
@@ -34,14 +34,14 @@ void append_all(std::string& text, const Values&... values) {
     (append(text, values), ...);
 }
 
-/// What of an OBJ file goes on from one object to the next: numbers, and the groups that faces are in.
+/// The state that is carried from one object of an OBJ file to the next: counts, and the current groups.
 struct ObjState {
     std::size_t points = 0, texture = 0;
     GroupNames names;
 };
 
-/// The lines that put the following faces into these groups and into none else. Only an object's name may be
-/// of several words; `has_objects` says that there are such among the names.
+/// Appends the lines that put the following faces into exactly these groups. Only an object's name may have
+/// several words; `has_objects` tells whether any of the names has.
 void append_named_groups(std::string& text, const GroupNames& names, bool has_objects) {
     std::string group = "g", object = "o";
     if (names)
@@ -58,7 +58,7 @@ bool has_objects(const TriangleSheet& sheet) {
     });
 }
 
-/// One object, complete in itself: its points, its texture points, its faces.
+/// Appends one complete object: its points, texture points and faces.
 void append_object(std::string& text, const TriangleSheet& sheet, const std::vector<std::size_t>& triangles,
                    const std::vector<std::size_t>& points, ObjState& state) {
     std::vector<std::size_t> point_number(sheet.points.size());
@@ -234,7 +234,7 @@ std::string lower_extension(const fs::path& file) {
 
 TriangleSheet triangle_sheet(const Mesh& mesh) {
     TriangleSheet sheet;
-    // A mesh with removed elements has gaps in its numbers: count anew.
+    // A mesh with removed elements has gaps in its numbers, so they are counted anew.
     std::vector<std::int32_t> number(mesh.num_vertices());
     for (const Vertex v : mesh.vertices()) {
         number[v.idx()] = static_cast<std::int32_t>(sheet.points.size());

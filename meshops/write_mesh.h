@@ -14,34 +14,34 @@ namespace sherd {
 /// Red, green and blue.
 using Colour = std::array<std::uint8_t, 3>;
 
-/// Plain triangles, ready to be written: what an export needs of a recorded frame or of a Mesh.
+/// Triangles ready to be written, as exported from a recorded frame or a Mesh.
 struct TriangleSheet {
     std::vector<Eigen::Vector3d> points;
     std::vector<std::array<std::int32_t, 3>> triangles;
-    std::vector<std::int32_t> group;       ///< object of each triangle; empty: one object
-    std::vector<std::string> group_names;  ///< name of each object
-    std::vector<GroupNames> named_groups;  ///< per triangle, as in the file read (OBJ); empty: none
-    std::vector<Eigen::Vector3d> axis;     ///< per triangle, first material axis (PLY); empty: none
-    std::vector<FaceTexture> texture;      ///< per triangle; empty: none
-    std::vector<double> quality;           ///< per triangle scalar (PLY); empty: none
-    std::vector<Colour> colour;            ///< per triangle (PLY); empty: none
-    std::vector<Colour> point_colour;      ///< per point (PLY); empty: none
+    std::vector<std::int32_t> group;       ///< number of each triangle's group; empty: one group
+    std::vector<std::string> group_names;  ///< name of each group
+    std::vector<GroupNames> named_groups;  ///< of each triangle, as in the file read (OBJ); empty: none
+    std::vector<Eigen::Vector3d> axis;     ///< of each triangle, first material axis (PLY); empty: none
+    std::vector<FaceTexture> texture;      ///< of each triangle; empty: none
+    std::vector<double> quality;           ///< of each triangle, a scalar (PLY); empty: none
+    std::vector<Colour> colour;            ///< of each triangle (PLY); empty: none
+    std::vector<Colour> point_colour;      ///< of each point (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
-/// Whether write_mesh() knows the file's extension: .obj, .ply or .off, in capitals or not.
+/// Whether write_mesh() supports the file's extension: .obj, .ply or .off, in any case.
 bool can_write_mesh(const std::filesystem::path& file);
 
-/// The content of a mesh file called `file`, by its extension OBJ (an `o` for each group, or `g` and `o`
-/// lines for the named groups), binary PLY (property `fragment` for the group) or OFF (points and triangles
-/// alone). Vertices and triangles keep their order (in OBJ the triangles of a group stand together, in order;
-/// those of named groups stay where they are). Throws Error (Fault::run) on an unknown extension and a sheet
-/// that does not fit together.
+/// The content of a mesh file called `file`, in the format of its extension: OBJ (an `o` line for each group,
+/// or `g` and `o` lines for the named groups), binary PLY (property `fragment` for the group) or OFF (points
+/// and triangles only). Vertices and triangles keep their order, except that OBJ lists the triangles group by
+/// group if there are no named groups. Throws Error (Fault::run) on an unknown extension, and if the arrays
+/// of the sheet do not fit together.
 std::string mesh_bytes(const TriangleSheet& sheet, const std::filesystem::path& file);
 
-/// Writes mesh_bytes() to `file`, which appears under its name only when it is complete. Throws Error
-/// (Fault::run) when it cannot be written.
+/// Writes mesh_bytes() to `file`, which gets its name only when it is complete. Throws Error (Fault::run) if
+/// it cannot be written.
 void write_mesh(const TriangleSheet& sheet, const std::filesystem::path& file);
 
 }  // namespace sherd

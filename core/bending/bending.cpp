@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// The force of one model with the Jacobian of another.
+/// The force of one bending model with the Jacobian of another.
 class PairedBending : public Energy {
   public:
     PairedBending(std::unique_ptr<Energy> force, std::unique_ptr<Energy> jacobian)
@@ -32,7 +32,7 @@ class PairedBending : public Energy {
     std::unique_ptr<Energy> force, jacobian;
 };
 
-/// The cubic model with the constant part of its Jacobian, or all of it.
+/// A cubic model with its whole Jacobian, or only the constant part of it.
 std::unique_ptr<Energy> cubic_energy(const Sheet& sheet, BendingModel model, BendingJacobian jacobian) {
     const bool cubic_part = jacobian == BendingJacobian::cubic;
     if (model == BendingModel::cubic_2007)

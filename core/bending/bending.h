@@ -8,33 +8,33 @@
 
 namespace sherd {
 
-/// The bending energy of a hinge (paper, sections 3 and 4).
+/// The bending energy of hinges (paper, sections 3 and 4).
 enum class BendingModel {
     cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
     cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
     nonlinear    ///< nonlinear hinge (NH)
 };
 
-/// The second derivative of bending that Newton's method gets. Only the energy says where the step ends; this
-/// says how many iterations it takes to get there.
+/// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
+/// the solution, which only the energy determines.
 enum class BendingJacobian {
-    constant,  ///< Q of the cubic shell, the paper's CC
-    cubic,     ///< of the cubic shell (appendix A), the paper's CS
-    nonlinear  ///< of the nonlinear hinge, the paper's NH
+    constant,  ///< the constant Q of the cubic shell, the paper's CC
+    cubic,     ///< that of the cubic shell (appendix A), the paper's CS
+    nonlinear  ///< that of the nonlinear hinge, the paper's NH
 };
 
-/// A pairing of force and Jacobian. The paper's are (NH, NH), (NH, CS), (NH, CC), (CS, CS) and (CS, CC).
+/// A pair of force model and Jacobian. The paper's are (NH, NH), (NH, CS), (NH, CC), (CS, CS) and (CS, CC).
 struct BendingOptions {
     BendingModel model = BendingModel::cubic;
     BendingJacobian jacobian = BendingJacobian::cubic;
 };
 
-/// The derivative of the model's own force.
+/// The Jacobian of the model's own force.
 BendingJacobian exact_jacobian(BendingModel model);
 
-/// Bending energy of all hinges of a shell, from its rest shape. The shell must outlive it, and tell it of
-/// its changes by topology_changed(). Curvature::exact gives the chosen Jacobian; Curvature::convex the
-/// positive semidefinite part of the nonlinear one, or the Q of the cubic hinge in equilibrium.
+/// Bending energy of all hinges of a shell, from its rest shape. The shell must outlive it, and its changes
+/// must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian; Curvature::convex gives
+/// the positive semidefinite part of the nonlinear one, or the Q of the cubic hinge in equilibrium.
 std::unique_ptr<Energy> bending_energy(const Sheet& sheet, const BendingOptions& options = {});
 
 }  // namespace sherd

@@ -8,8 +8,8 @@ namespace sherd {
 
 /// The cubic hinges of a shell, in equilibrium at rest.
 struct CubicHinges : HingeElements<CubicHinge> {
-    /// rest: [3, V] m; scale: times the hinges' stiffness; cubic_part: whether the Hessian has the cubic
-    /// part, which is not definite (the paper's CS), or is Q alone (CC).
+    /// rest: [3, V] m; scale: factor on the hinges' stiffness; cubic_part: whether the Hessian includes the
+    /// cubic part, which is indefinite (the paper's CS), or is Q alone (CC).
     CubicHinges(const std::vector<HingeStencil>& stencils, const Positions& rest, double scale = 1,
                 bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
@@ -17,7 +17,8 @@ struct CubicHinges : HingeElements<CubicHinge> {
     bool cubic_part;
 };
 
-/// The hinges as the paper prints them. Their convex neighbours are the hinges in equilibrium.
+/// The cubic hinges of eq. 7 as printed in the paper. Their convex Hessian is that of the hinges in
+/// equilibrium.
 struct CubicHinges2007 : HingeElements<CubicHinge> {
     CubicHinges2007(const std::vector<HingeStencil>& stencils, const Positions& rest, bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;

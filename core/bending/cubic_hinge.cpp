@@ -12,7 +12,7 @@ namespace {
 /// Pairs of vertices joined by the five edges of the stencil.
 constexpr int stencil_edges[5][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}};
 
-/// Positions from x0: the energy is translation invariant, and small numbers keep its digits.
+/// Positions relative to x0: the energy is translation invariant, and small numbers lose fewer digits.
 HingePositions relative(const HingePositions& x) {
     return x.colwise() - Vector3d(x.col(0));
 }
@@ -31,7 +31,7 @@ HingePositions triple_gradient(const HingePositions& r) {
     return g;
 }
 
-/// Without the constant.
+/// The hinge of eq. 7 without the constant.
 CubicHinge eq_7(const RestHinge& rest, double stiffness) {
     const auto [c01, c03, c02, c04] =
         std::array{rest.cotangents[0], rest.cotangents[1], rest.cotangents[2], rest.cotangents[3]};
@@ -107,8 +107,8 @@ HingeHessian hessian(const CubicHinge& hinge, const HingePositions& x, bool cubi
         h.block<3, 3>(3 * a, 3 * b) -= hinge.cubic * block;
         h.block<3, 3>(3 * b, 3 * a) -= hinge.cubic * block.transpose();
     };
-    // d(r2 x r3)/dr2 = -[r3], d(r2 x r3)/dr3 = [r2], and cyclically; x0's blocks follow from translation
-    // invariance.
+    // d(r2 x r3)/dr2 = -[r3] and d(r2 x r3)/dr3 = [r2], and cyclically; the blocks of x0 follow from
+    // translation invariance.
     const Matrix3d d12 = -cross_matrix(r.col(3)), d13 = cross_matrix(r.col(2)), d23 = -cross_matrix(r.col(1));
     add(1, 2, d12);
     add(1, 3, d13);

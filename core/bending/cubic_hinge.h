@@ -5,28 +5,28 @@
 
 namespace sherd {
 
-/// A bending energy quadratic plus cubic in the positions of four vertices,
+/// A bending energy with a quadratic and a cubic part in the positions of four vertices,
 ///     E = 1/2 sum_c x_c^T Q x_c - k [e0, e1, e2] + constant,
-/// equal to the nonlinear hinge (paper, eq. 4) along isometric deformations.
+/// which equals the nonlinear hinge (paper, eq. 4) along isometric deformations.
 struct CubicHinge {
     Eigen::Matrix4d quadratic;  ///< Q, N/m, the same for x, y and z; rows sum to zero
     double cubic = 0;           ///< k, N/m^2
     double constant = 0;        ///< J, makes E = 0 at rest
 };
 
-/// The paper's eq. 7, with the factor that its printed k lacks. It has a force at rest wherever the rest
-/// angle is not zero, and Q is negative semidefinite where that is past a right angle. rest: m; stiffness:
-/// lambda in N m.
+/// The hinge of the paper's eq. 7, with the factor that its printed k lacks. It has a force at rest unless
+/// the rest angle is zero, and Q is negative semidefinite for rest angles beyond a right angle. rest: m;
+/// stiffness: lambda in N m.
 CubicHinge cubic_hinge_2007(const HingePositions& rest, double stiffness);
 
-/// The cubic hinge in equilibrium at rest: eq. 7 less the multiples of the five squared edge lengths that
-/// cancel its force at rest. They vanish under isometry and only change Q, which becomes positive
-/// semidefinite. rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity D).
+/// The cubic hinge in equilibrium at rest: eq. 7 less multiples of the squares of the five edge lengths that
+/// cancel its force at rest. The correction is constant under isometry and changes only Q, which becomes
+/// positive semidefinite. rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity D).
 CubicHinge cubic_hinge(const HingePositions& rest, double stiffness);
 
-/// Value, J.
+/// Energy, J.
 double value(const CubicHinge& hinge, const HingePositions& x);
-/// Bound on the round-off error of the value, J.
+/// Bound on the round-off error of the energy, J.
 double round_off(const CubicHinge& hinge);
 /// dE/dx, N, [3, 4].
 HingePositions gradient(const CubicHinge& hinge, const HingePositions& x);

@@ -8,7 +8,8 @@
 
 namespace sherd {
 
-// What is declared for a kind of hinge, found where the kind is known.
+// These call the overloads declared for a kind of hinge, from within structs that have members of the same
+// names.
 template <class Hinge>
 double value_of(const Hinge& hinge, const HingePositions& x) {
     return value(hinge, x);
@@ -22,13 +23,12 @@ double round_off_of(const Hinge& hinge) {
     return round_off(hinge);
 }
 
-/// Hinges that know nothing of each other, elements of one kind: `Hinge` has value(), gradient() and
-/// round_off().
+/// Uncoupled hinges as elements of one kind: `Hinge` has value(), gradient() and round_off().
 template <class Hinge>
 struct HingeElements {
-    /// The shell's; must outlive it, and keeps the vertices.
+    /// The shell's stencils, which must outlive this object; they hold the vertices.
     const std::vector<HingeStencil>* stencils;
-    std::vector<Hinge> hinges;  ///< of the stencils
+    std::vector<Hinge> hinges;  ///< one for each stencil
 
     std::size_t size() const { return hinges.size(); }
     const std::array<Index, 4>& vertices(std::size_t i) const { return (*stencils)[i].vertices; }
@@ -44,7 +44,7 @@ struct HingeElements {
     void follow(const ShellChange& change) { follow_hinges(change, hinges); }
 };
 
-/// Bending energy of hinges that know nothing of each other.
+/// Bending energy of uncoupled hinges.
 template <class Hinges>
 class HingeEnergy : public ElementEnergy<Hinges> {
   public:

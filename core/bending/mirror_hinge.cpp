@@ -15,7 +15,7 @@ HingePositions with_image(const TrianglePositions& x, const Vector3d& normal, do
     return local;
 }
 
-/// The hinge with its plane where `pose` takes it.
+/// The hinge with its plane moved by `pose`.
 MirrorHinge moved(MirrorHinge hinge, const Eigen::Isometry3d& pose) {
     const Vector3d point = pose * Vector3d(hinge.offset * hinge.normal);
     hinge.normal = pose.linear() * hinge.normal;

@@ -9,31 +9,31 @@
 
 namespace sherd {
 
-/// The hinge between a triangle and its image in a plane through one of its sides; half of its energy is the
-/// triangle's. It makes the sheet go on beyond the side like its mirror image, so that it can move but not
+/// The hinge between a triangle and its mirror image in a plane through one of its sides; half of its energy
+/// is counted. It continues the sheet beyond the side as its mirror image, so that the sheet can move but not
 /// tilt there: with the side's ends fixed this is a clamp, with the ends sliding in the plane a symmetry
 /// plane. It does not break.
 struct MirrorHinge {
     TriangleSide side;
-    Vector3d normal;    ///< of the plane, unit length; at rest the plane has the side in it
+    Vector3d normal;    ///< unit normal of the plane, which contains the side at rest
     double offset;      ///< m, normal . x of the plane's points
     double stiffness;   ///< lambda, N m
-    Index carrier = 0;  ///< 0, or the number, from 1, of the motion that carries the plane
+    Index carrier = 0;  ///< 0, or the number, from 1, of the scripted motion of the plane
 };
 
-/// The hinge that holds the sheet's rest tangent across a side whose ends are fixed, or carried by one
-/// motion, which then carries the tangent, too. stiffness: lambda, N m.
+/// The hinge that clamps a side: it keeps the sheet's rest tangent across it. The side's ends must be fixed,
+/// or follow one scripted motion, which then moves the tangent, too. stiffness: lambda, N m.
 MirrorHinge clamp_hinge(const Sheet& sheet, const TriangleSide& side, double stiffness);
 
 /// The hinge across a symmetry plane through the side. normal: unit length. stiffness: lambda, N m.
 MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const Vector3d& normal,
                            double stiffness);
 
-/// Bending energy of all mirror hinges, which are cubic ones; their planes stand where they are at the end of
-/// the step.
+/// Bending energy of all mirror hinges, as cubic hinges; their planes stand where they are at the end of the
+/// step.
 class MirrorEnergy : public Energy {
   public:
-    /// The sheet must outlive it.
+    /// The shell must outlive this object.
     MirrorEnergy(const Sheet& sheet, std::vector<MirrorHinge> hinges);
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;
@@ -45,8 +45,8 @@ class MirrorEnergy : public Energy {
     HingePositions mirrored(const MirrorHinge& hinge, const Positions& x) const;
 
     const Sheet& sheet;
-    std::vector<MirrorHinge> at_rest, hinges;  ///< the same, with the planes at rest and where they are now
-    std::vector<CubicHinge> bending;           ///< of each
+    std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
+    std::vector<CubicHinge> bending;           ///< of each mirror hinge
 };
 
 }  // namespace sherd

@@ -12,15 +12,15 @@ namespace {
 
 using HingeVector = Eigen::Matrix<double, 12, 1>;
 
-/// A triangle (x0, x1, apex) of the hinge, in the orthonormal frame of the common edge. A motion dx of its
-/// vertices moves the apex by sum_i from_foot[i] dx_i away from the material point of the edge below it.
+/// A triangle (x0, x1, apex) of the hinge, with the orthonormal frame of the common edge. Displacements dx of
+/// its vertices move the apex by sum_i from_foot[i] dx_i relative to the material point of the edge below it.
 struct Flap {
     Vector3d along;      ///< unit vector of the edge
     Vector3d across;     ///< unit vector in the triangle, from the edge to the apex
     Vector3d normal;     ///< along x across
     Vector3d from_foot;  ///< weights of x0, x1, apex
-    double length;       ///< of the edge, m
-    double height;       ///< of the apex over the edge, m
+    double length;       ///< m, of the edge
+    double height;       ///< m, of the apex over the edge
 };
 
 Flap flap(const HingePositions& x, int apex) {
@@ -37,7 +37,7 @@ Flap flap(const HingePositions& x, int apex) {
     return f;
 }
 
-/// cos and sin of theta. The two normals of a flat hinge are opposite, since both flaps start at x0.
+/// cos and sin of theta. The two normals of a flat hinge are opposite, since both triangles start at x0.
 Vector2d turn_of(const std::array<Flap, 2>& flaps) {
     return {-flaps[0].normal.dot(flaps[1].normal), flaps[0].normal.dot(flaps[1].across)};
 }
@@ -52,7 +52,7 @@ std::array<Flap, 2> flaps_of(const HingePositions& x) {
     return {flap(x, 2), flap(x, 3)};
 }
 
-/// d(theta)/dx: each flap turns by the motion of its apex along its normal, over its height.
+/// d(theta)/dx: each triangle rotates by the displacement of its apex along its normal, over its height.
 HingePositions angle_gradient(const std::array<Flap, 2>& flaps) {
     HingePositions g = HingePositions::Zero();
     for (const int side : {0, 1}) {
@@ -65,13 +65,13 @@ HingePositions angle_gradient(const std::array<Flap, 2>& flaps) {
     return g;
 }
 
-/// Adds factor d2(theta)/dx2. A flap's share of the gradient is from_foot[i] normal / height. With w =
-/// from_foot, d = (-1, 1, 0), l and h the length and the height, the frame (a, c, n) = (along, across,
-/// normal) varies so that the derivative of that share is
-///     -(w_i w_j (c n^T + n c^T) / h^2 + w_i d_j a n^T / (h l) + d_i w_j n a^T / (h l) + d_i d_j n c^T /
-///     l^2).
-/// The last term is symmetric only in the sum of both flaps; its symmetric part has the same sum. Compare
-/// Tamstorf and Grinspun, Discrete bending forces and their Jacobians (2013).
+/// Adds factor d2(theta)/dx2. The contribution of a triangle to the gradient is from_foot[i] normal / height.
+/// With w = from_foot, d = (-1, 1, 0), l and h the length and the height, and the frame (a, c, n) = (along,
+/// across, normal), its derivative is
+///     -(w_i w_j (c n^T + n c^T) / h^2 + w_i d_j a n^T / (h l) + d_i w_j n a^T / (h l)
+///       + d_i d_j n c^T / l^2).
+/// The last term is symmetric only when summed over both triangles; its symmetric part has the same sum.
+/// Compare Tamstorf and Grinspun, Discrete bending forces and their Jacobians (2013).
 void add_angle_hessian(const std::array<Flap, 2>& flaps, double factor, HingeHessian& hessian) {
     constexpr double d[3] = {-1, 1, 0};
     for (const int side : {0, 1}) {
@@ -101,7 +101,7 @@ NonlinearHinge nonlinear_hinge(const HingePositions& rest, double stiffness) {
 }
 
 double value(const NonlinearHinge& hinge, const HingePositions& x) {
-    // 1 - cos, without its cancellation.
+    // This is 1 - cos without its cancellation.
     return 0.5 * hinge.scale * (turn_of(flaps_of(x)) - hinge.rest_turn).squaredNorm();
 }
 

@@ -13,17 +13,18 @@ struct NonlinearHinge {
     Vector2d rest_turn = Vector2d::UnitX();  ///< cos and sin of the rest angle
 };
 
-/// rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity D).
+/// The nonlinear hinge from its rest shape. rest: m; stiffness: lambda in N m (D / 3 for a plate of rigidity
+/// D).
 NonlinearHinge nonlinear_hinge(const HingePositions& rest, double stiffness);
 
-/// Value, J; NaN where a triangle has no area, and so are its derivatives.
+/// Energy, J. It and its derivatives are NaN where a triangle has no area.
 double value(const NonlinearHinge& hinge, const HingePositions& x);
-/// Bound on the round-off error of the value, J.
+/// Bound on the round-off error of the energy, J.
 double round_off(const NonlinearHinge& hinge);
 /// dE/dx, N, [3, 4].
 HingePositions gradient(const NonlinearHinge& hinge, const HingePositions& x);
-/// d2E/dx2, N/m, [12, 12], coordinate fastest, in closed form. `convex` leaves the positive semidefinite part
-/// max(cos(theta - thetabar), 0) grad theta grad theta^T alone.
+/// d2E/dx2, N/m, [12, 12], coordinate fastest, in closed form. `convex` leaves only the positive semidefinite
+/// part max(cos(theta - thetabar), 0) grad theta grad theta^T.
 HingeHessian hessian(const NonlinearHinge& hinge, const HingePositions& x, bool convex = false);
 
 }  // namespace sherd

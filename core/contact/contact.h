@@ -13,49 +13,50 @@ namespace sherd {
 
 struct ContactOptions {
     std::vector<Obstacle> obstacles = {};
-    std::vector<RigidBody> bodies = {};  ///< at the start
-    bool sheets = false;                 ///< whether sheets meet each other, and themselves
-    double friction = 0;                 ///< Coulomb coefficient of sheets on sheets
+    std::vector<RigidBody> bodies = {};  ///< at the start of the run
+    bool sheets = false;                 ///< whether sheets collide with each other and with themselves
+    double friction = 0;                 ///< Coulomb coefficient between sheets
 };
 
-/// All that touches: sheets and their fragments, obstacles and free bodies.
+/// All contact of a run: of sheets and their fragments, obstacles and free bodies.
 class Contact {
   public:
-    /// The sheet must outlive it. gravity: m/s^2, on the bodies.
+    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
     Contact(const Sheet& sheet, ContactOptions options, const Vector3d& gravity);
     Contact(const Contact&) = delete;  // its energies refer to its obstacles
 
-    /// In the order in which they begin and are summed.
+    /// The contact energies, in the order in which they begin a step and are summed.
     std::vector<Energy*> energies();
-    /// The same of friction between sheets, which begins after all others.
+    /// The friction energies between sheets, which begin a step after all others.
     std::vector<Energy*> frictions();
 
-    /// Whether nothing has to be kept apart: there is no contact but that of vertices with obstacles, if any.
+    /// Whether there is no barrier: at most vertices collide with obstacles, by springs.
     bool empty() const { return !body_contact && !sheet_contact; }
     /// Throws std::runtime_error if sheets overlap at the beginning of the step.
     void require_apart() const;
-    /// Fraction of a motion from the beginning of the step on, while obstacles move to where they are at its
-    /// end, that leads through nothing.
+    /// Fraction, 0 to 1, of a motion [3, V] m from the beginning of the step that passes through nothing,
+    /// while obstacles move to their places at its end.
     double free_way(const Positions& motion);
-    /// Where obstacles that move push what is near them in the step, m, [3, V]; zero for other vertices.
+    /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them; zero for
+    /// other vertices.
     Positions pushed_along() const;
-    /// Ends the step with the sheet at x.
+    /// Ends the step with the shell at x.
     void finish(const Positions& x);
 
-    /// At the end of the last step that was finished.
+    /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const;
-    double stored_energy(const Positions& x) const;  ///< J, elastic, in all contacts
-    Touch touch(const Positions& x) const;           ///< of obstacles and bodies
+    double stored_energy(const Positions& x) const;  ///< elastic energy of all contacts, J
+    Touch touch(const Positions& x) const;           ///< with obstacles and bodies
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:
     const Sheet& sheet;
     ContactOptions options;
-    std::unique_ptr<BodyContact> body_contact;  ///< null: no bodies
+    std::unique_ptr<BodyContact> body_contact;  ///< null if there are no bodies
     std::vector<std::unique_ptr<ObstacleContact>> obstacle_contact;
-    /// Null if sheets are not to meet each other, and no obstacle has a surface.
+    /// Null if sheets do not collide with each other and no obstacle has a surface.
     std::unique_ptr<SheetContact> sheet_contact;
-    std::unique_ptr<SheetFriction> sheet_friction;  ///< null: no sheet contact
+    std::unique_ptr<SheetFriction> sheet_friction;  ///< null without sheet_contact
     LipContact lips;
 };
 

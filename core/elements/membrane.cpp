@@ -10,7 +10,7 @@ namespace {
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-/// F from edge vectors, which keeps its digits far from the origin. The derivatives' rows sum to zero.
+/// F from edge vectors, which keeps digits far from the origin; the derivatives' rows sum to zero.
 Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
     Matrix32 edges;
     edges << x.col(1) - x.col(0), x.col(2) - x.col(0);

@@ -12,20 +12,20 @@ using TrianglePositions = Eigen::Matrix<double, 3, 3>;
 
 /// Constant-strain triangle of a St. Venant-Kirchhoff membrane.
 struct MembraneTriangle {
-    double area = 0;  ///< at rest, m^2
+    double area = 0;  ///< m^2, at rest
     Eigen::Matrix<double, 3, 2>
         derivatives;      ///< d(shape function)/d(rest coordinate), 1/m: F = x derivatives
     Matrix3d elasticity;  ///< N/m, on (E00, E11, 2 E01) in the rest frame
 };
 
-/// The rest frame's first axis runs along the edge from vertex 0 to vertex 1.
-/// elasticity: see membrane_elasticity().
+/// The membrane of a triangle. The first axis of its rest frame runs along the edge from vertex 0 to vertex
+/// 1. elasticity: see membrane_elasticity().
 MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d& elasticity);
 
 /// Green strain (E00, E11, 2 E01) in the rest frame.
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);
 
-/// Value, J.
+/// Energy, J.
 double value(const MembraneTriangle& triangle, const TrianglePositions& x);
 /// dE/dx, N, [3, 3].
 TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x);

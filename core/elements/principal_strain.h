@@ -5,7 +5,8 @@
 
 namespace sherd {
 
-/// Principal strain of largest magnitude, signed, of a strain (E00, E11, 2 E01) such as green_strain() gives.
+/// The signed principal strain of largest magnitude of a strain (E00, E11, 2 E01), as green_strain() gives
+/// it.
 double principal_strain(const Vector3d& strain);
 
 }  // namespace sherd

@@ -9,23 +9,24 @@
 
 namespace sherd {
 
-/// Damping proportional to stiffness and to mass (Rayleigh). A mode of angular frequency w is damped with the
+/// Rayleigh damping, proportional to stiffness and to mass. A mode of angular frequency w has the damping
 /// ratio (stiffness w + mass / w) / 2.
 struct Damping {
     double stiffness = 0;  ///< s; resists changes of shape
-    double mass = 0;       ///< 1/s; resists all motion, that of rigid bodies too, like a thick medium
+    double mass = 0;       ///< 1/s; resists all motion, rigid motion included, as a viscous medium does
 };
 
 /// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy, of
 /// cubic hinges and membranes, of a shell whose rest shape is the step's origin (StepContext). To second
-/// order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K (x - origin), with K that of the shell's
-/// shape there without its stresses. An elastic energy has neither net force nor net torque on any shape:
-/// linear and angular momentum are kept, which x^T K x alone does for linear momentum only.
+/// order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K (x - origin), where K is the stiffness
+/// matrix at that shape without its stresses. An elastic energy exerts neither net force nor net torque in
+/// any shape, so that linear and angular momentum are conserved; x^T K x alone conserves linear momentum
+/// only.
 class StiffnessDamping : public Energy {
   public:
-    /// The shell must outlive it. coefficient: s.
+    /// The shell must outlive this object. coefficient: s.
     StiffnessDamping(const Sheet& sheet, double coefficient) : sheet(sheet), coefficient(coefficient) {}
-    StiffnessDamping(const StiffnessDamping&) = delete;  // its sums refer to its triangles
+    StiffnessDamping(const StiffnessDamping&) = delete;  // its energies refer to its triangles
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;
     double round_off() const override;
@@ -41,11 +42,11 @@ class StiffnessDamping : public Energy {
     std::unique_ptr<Energy> bending, membrane;
 };
 
-/// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin). It
-/// takes linear and angular momentum away, at the rate `coefficient`.
+/// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin).
+/// Linear and angular momentum decay at the rate `coefficient`.
 class MassDamping : public ElementEnergy<VertexSprings> {
   public:
-    /// The shell must outlive it. coefficient: 1/s.
+    /// The shell must outlive this object. coefficient: 1/s.
     MassDamping(const Sheet& sheet, double coefficient)
         : ElementEnergy({}), sheet(sheet), coefficient(coefficient) {}
     void begin(const StepContext& step) override {

@@ -6,75 +6,75 @@
 
 namespace sherd {
 
-/// A dead force, N, on a corner of a triangle: of a triangle, because a crack splits vertices.
+/// A dead force, N, on a corner of a triangle. It refers to a triangle since a crack may split the vertex.
 struct CornerForce {
     Index triangle = 0;
     int corner = 0;
     Vector3d force = Vector3d::Zero();
 };
 
-/// Forces from outside, which grow linearly from zero at time 0 and stay at their full size from `ramp` on.
+/// External forces, which grow linearly from zero at time 0 and keep their full size from time `ramp` on.
 struct Load {
-    std::vector<CornerForce> dead;  ///< keep their direction
+    std::vector<CornerForce> dead;  ///< forces of constant direction
     std::vector<Index> pressed;     ///< triangles under pressure
-    double pressure = 0;            ///< Pa, along the triangle's normal in its current position
-    double ramp = 0;                ///< s; 0: full from the start
+    double pressure = 0;            ///< Pa, along the normal of a triangle in its current position
+    double ramp = 0;                ///< s; 0: full size from the start
 };
 
-/// `force` (N) on each of the vertices. Throws std::out_of_range on one that no triangle has.
+/// Applies `force` (N) to each of the vertices. Throws std::out_of_range if a vertex has no triangle.
 std::vector<CornerForce> point_forces(const Sheet& sheet, std::span<const Index> vertices,
                                       const Vector3d& force);
-/// `force` in N per m of rest length of each side.
+/// Distributes `force`, in N per m of rest length, over the sides.
 std::vector<CornerForce> line_forces(const Sheet& sheet, std::span<const TriangleSide> sides,
                                      const Vector3d& force);
-/// `force` in N per m^2 of rest area of each triangle.
+/// Distributes `force`, in N per m^2 of rest area, over the triangles.
 std::vector<CornerForce> area_forces(const Sheet& sheet, std::span<const Index> triangles,
                                      const Vector3d& force);
 
-/// Triangles under pressure, whose energy is minus pressure times the volume under them.
+/// Triangles under pressure, with the energy minus pressure times the volume under them.
 struct PressedTriangles {
     struct Pressed {
         std::array<Index, 3> vertices;
-        double pressure;  ///< Pa, now
+        double pressure;  ///< Pa, in the current step
     };
     std::vector<Pressed> triangles;
-    Vector3d centre = Vector3d::Zero();  ///< m, from where the volume is seen
+    Vector3d centre = Vector3d::Zero();  ///< m, apex of the volume's cones
 
     std::size_t size() const { return triangles.size(); }
     const std::array<Index, 3>& vertices(std::size_t i) const { return triangles[i].vertices; }
     double value(std::size_t i, const TrianglePositions& x) const;
     TrianglePositions gradient(std::size_t i, const TrianglePositions& x) const;
-    /// The volume's second derivative is indefinite: it has no convex part worth keeping.
+    /// The Hessian of the volume is indefinite; its convex approximation is zero.
     Eigen::Matrix<double, 9, 9> hessian(std::size_t i, const TrianglePositions& x, Curvature curvature) const;
 };
 
 /// The potential of loads in one time step: minus the work of the dead forces, minus pressure times the
-/// volume under the pressed triangles (as seen from their centre at the beginning of the step). Wherever the
-/// pressed surface goes on all around, the volume's derivative is the pressure's force, so that closed sheets
-/// and those that are held along their rim have the exact force and its symmetric tangent. At a free rim what
-/// the volume misses is added as the dead force that it was at the beginning of the step: there the load
-/// stiffness has no symmetric form.
+/// volume under the pressed triangles (the cones from their centre at the beginning of the step). In the
+/// interior of the pressed surface the volume's derivative is the pressure's force, so that closed sheets and
+/// those held along their rim get the exact force and its symmetric tangent. At a free rim the difference is
+/// added as a dead force, evaluated at the beginning of the step: there the load stiffness has no symmetric
+/// form.
 class LoadEnergy : public Energy {
   public:
-    /// The shell must outlive it.
+    /// The shell must outlive this object.
     LoadEnergy(const Sheet& sheet, std::vector<Load> loads) : sheet(sheet), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
-    double value(const Positions& x) const override;  ///< zero at the beginning of the step
+    double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    /// Takes what the loads are at `time` (s).
+    /// Sums the loads as they are at `time` (s).
     void sum_loads(double time);
-    /// Adds the dead force that the volume under the pressed triangles misses.
+    /// Adds the dead force by which the volume's derivative falls short of the pressure's force.
     void complete_pressure();
 
     const Sheet& sheet;
     std::vector<Load> loads;
     Positions start;  ///< [3, V] m
-    Positions force;  ///< [3, V] N, dead
+    Positions force;  ///< [3, V] N, dead forces
     PressedTriangles pressed;
     double start_potential = 0;
 };

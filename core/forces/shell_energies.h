@@ -14,19 +14,19 @@ namespace sherd {
 
 struct ShellEnergyOptions {
     BendingOptions bending = {};            ///< energy and Jacobian of the hinges
-    std::vector<MirrorHinge> mirrors = {};  ///< at clamps and symmetry planes
+    std::vector<MirrorHinge> mirrors = {};  ///< clamps and symmetry planes
     std::vector<Load> loads = {};
     std::vector<Wind> winds = {};
     Damping damping = {};
 };
 
-/// What acts on a shell beside inertia and contact: its elasticity, and loads, wind and damping.
+/// The energies of a shell without inertia and contact: elasticity, loads, wind and damping.
 class ShellEnergies {
   public:
-    /// The sheet must outlive it.
+    /// The shell must outlive this object.
     ShellEnergies(const Sheet& sheet, const ShellEnergyOptions& options);
 
-    /// In the order in which they are summed.
+    /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }
     std::vector<Energy*> loads();
 
@@ -39,7 +39,7 @@ class ShellEnergies {
     std::unique_ptr<Energy> bending;
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
-    std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind, damping; those that there are
+    std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind and damping, as far as there are any
 };
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Springs without length that hold each vertex to a place.
+/// Springs of zero rest length from each vertex to an anchor.
 struct VertexSprings {
     VectorXd stiffness;  ///< [V] N/m
     Positions anchor;    ///< [3, V] m

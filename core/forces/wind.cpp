@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-/// K, kg/s, of a triangle. corners: m; wind: of the air relative to it, m/s.
+/// K, kg/s, of a triangle. corners: m; relative: velocity of the air relative to the triangle, m/s.
 Matrix3d resistance(const Wind& wind, const TrianglePositions& corners, const Vector3d& relative) {
     const Vector3d area =
         0.5 * Vector3d(corners.col(1) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(0)));

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// One of the waves that gusts are made of: amplitude cos(wave . x + frequency t + phase).
+/// One of the waves that gusts consist of: amplitude cos(wave . x + frequency t + phase).
 struct GustWave {
     Vector3d amplitude = Vector3d::Zero();  ///< m/s
     Vector3d wave = Vector3d::Zero();       ///< rad/m
@@ -14,26 +14,26 @@ struct GustWave {
     double phase = 0;                       ///< rad
 };
 
-/// Air that moves, or rests, and the triangles that feel it.
+/// Moving or still air, and the triangles that it acts on.
 struct Wind {
     Vector3d velocity = Vector3d::Zero();  ///< m/s
-    std::vector<GustWave> gusts;           ///< added to it
+    std::vector<GustWave> gusts;           ///< added to the velocity
     double ramp = 0;                       ///< s in which velocity and gusts grow from zero; 0: full at once
     double density = 1.225;                ///< kg/m^3; dry air at sea level and 15 degrees C (ISO 2533)
-    double drag = 1.2;       ///< coefficient of a face across the wind: square plates (Hoerner 1965)
-    double lift = 1.5;       ///< rise of the normal coefficient with the angle to the wind, 1/rad
+    double drag = 1.2;       ///< coefficient of a face across the wind: that of square plates (Hoerner 1965)
+    double lift = 1.5;       ///< slope of the normal coefficient with the angle to the wind, 1/rad
     double friction = 0.02;  ///< coefficient along the surface, of both sides together
     std::vector<Index> triangles;
 
-    /// Of the air at one place and time, m/s.
+    /// Velocity of the air at a place (m) and a time (s), m/s.
     Vector3d at(const Vector3d& place, double time) const;
 };
 
-/// Corners of triangles that the air draws along.
+/// Corners of triangles that the air drags along.
 struct WindCorners {
     struct Corner {
         Index vertex;
-        Vector3d with_air;   ///< m, where it would be had it gone with the air
+        Vector3d with_air;   ///< m, where the corner would be if it moved with the air
         Matrix3d stiffness;  ///< N/m, K / (3 lag)
     };
     std::vector<Corner> corners;
@@ -53,22 +53,22 @@ struct WindCorners {
 /// The force of the air on a triangle of area A and unit normal n, with w the velocity of the air relative to
 /// it, w_n = n . w and w_t = w - w_n n:
 ///     F = rho A / 2 [ (drag |w_n| + lift |w_t|) w_n n + friction |w_t| w_t ].
-/// Across the wind that is the drag of a plate, drag rho A w^2 / 2. At a small angle a to the wind it is a
-/// normal force lift sin a cos a rho A w^2 / 2, as of a thin wing whose flow lets go of the leading edge: its
-/// part across the wind is lift, that along the wind drag. Edge-on only friction is left.
+/// For a plate across the wind this is its drag, drag rho A w^2 / 2. At a small angle a to the wind it is a
+/// normal force lift sin a cos a rho A w^2 / 2, as of a thin wing whose flow separates at the leading edge:
+/// its component across the wind is lift, that along the wind drag. Edge-on only friction remains.
 ///
 /// An implicit step minimises a potential, and F has none. With n, A, |w_n| and |w_t| of the beginning of the
 /// step it is linear in w, F = K w with the symmetric positive semidefinite
 ///     K = rho A / 2 [ (drag |w_n| + lift |w_t|) n n^T + friction |w_t| (1 - n n^T) ],
-/// and each corner has a third of it. With w = u - v(x) = u - (x - origin) / lag at the end of the step
-/// (StepContext) that is minus the gradient of
+/// and each corner gets a third of it. With w = u - v(x) = u - (x - origin) / lag at the end of the step
+/// (StepContext) this is minus the gradient of
 ///     E(x) = lag/2 sum over corners of w^T K/3 w,
-/// a convex quadratic: the air can but bring the sheet to its own velocity, whatever coefficients and step.
-/// The error of what is lagged is of the order of the step, and nil in steady motion. Triangles do not
-/// shelter each other, and the air does not feel them.
+/// a convex quadratic: for all coefficients and step sizes the air only drives the sheet towards its own
+/// velocity. The error of the lagged quantities is of the order of the step, and zero in steady motion.
+/// Triangles do not shelter each other, and do not act on the air.
 class WindEnergy : public ElementEnergy<WindCorners> {
   public:
-    /// No triangle is in two winds. The shell must outlive it.
+    /// A triangle may be in one wind only. The shell must outlive this object.
     WindEnergy(const Sheet& sheet, std::vector<Wind> winds)
         : ElementEnergy({}), sheet(sheet), winds(std::move(winds)) {}
     void begin(const StepContext& step) override;

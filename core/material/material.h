@@ -7,14 +7,14 @@
 
 namespace sherd {
 
-/// What the stiffness of a hinge is, as a share of the plate's rigidity.
+/// The stiffness of a hinge, as a share of the plate's rigidity.
 enum class Calibration {
-    third,  ///< a third: a hinge mesh of stiffness lambda resists developable bending like a plate of 3
-            ///< lambda
-    paper   ///< all of it, as in the paper
+    third,  ///< a third: a mesh of hinges of stiffness lambda resists developable bending like a plate of
+            ///< rigidity 3 lambda
+    paper   ///< the whole rigidity, as in the paper
 };
 
-/// A homogeneous sheet, SI units: isotropic, or orthotropic along two perpendicular axes.
+/// A homogeneous material, SI units: isotropic, or orthotropic along two perpendicular axes.
 struct Material {
     double density = 0;    ///< kg/m^3
     double thickness = 0;  ///< m
@@ -25,30 +25,30 @@ struct Material {
     Calibration calibration = Calibration::third;
 };
 
-/// Whether every direction of the sheet is the same, so that its material axes do not matter.
+/// Whether all directions in the sheet are equivalent, so that the material axes do not matter.
 bool is_isotropic(const Material& material);
 
-/// The material's constants. Its shear modulus, where it is not given, is sqrt(Y0 Y1) / (2 (1 + nu)) with nu
-/// the geometric mean of nu01 and nu10 (Huber), for an isotropic sheet Y / (2 (1 + nu)).
+/// The material's constants. If the shear modulus is not given, it is sqrt(Y0 Y1) / (2 (1 + nu)), where nu is
+/// the geometric mean of nu01 and nu10 (Huber); for an isotropic sheet this is Y / (2 (1 + nu)).
 Orthotropy elastic_constants(const Material& material);
 
-/// Plate rigidity D = Y t^3 / (12 (1 - nu^2)), N m; of an orthotropic sheet the geometric mean of its two.
+/// Plate rigidity D = Y t^3 / (12 (1 - nu^2)), N m; the geometric mean of the two for an orthotropic sheet.
 double bending_rigidity(const Material& material);
 
-/// Young's modulus, Pa; of an orthotropic sheet the geometric mean of its two.
+/// Young's modulus, Pa; the geometric mean of the two for an orthotropic sheet.
 double mean_young(const Material& material);
 
-/// lambda, N m, of a hinge whose rest edge makes `angle` (rad) with the first material axis: see
+/// Stiffness lambda, N m, of a hinge whose rest edge makes `angle` (rad) with the first material axis: see
 /// edge_stiffness() and Calibration.
 double hinge_stiffness(const Material& material, double angle = 0);
 
-/// Plane-stress elasticity times thickness, N/m, [3, 3] on the Green strain (E00, E11, 2 E01) in a frame from
-/// whose first axis it is `angle` (rad, counterclockwise) to the material's.
+/// Plane-stress elasticity times thickness, N/m, [3, 3], acting on the Green strain (E00, E11, 2 E01) in a
+/// frame from whose first axis the first material axis is rotated by `angle` (rad, counterclockwise).
 Matrix3d membrane_elasticity(const Material& material, double angle = 0);
 
-/// Stretching stiffness over the hinges' bending stiffness at a length (m): Y t / (lambda / length^2), with
-/// the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on (paper,
-/// section 8).
+/// Ratio of stretching stiffness to the hinges' bending stiffness at a length (m): Y t / (lambda / length^2),
+/// with the smaller Y and the larger lambda of the two axes. The cubic hinge is valid from about 100 on
+/// (paper, section 8).
 double stretch_over_bend(const Material& material, double length);
 inline constexpr double least_stretch_over_bend = 100;
 

@@ -17,7 +17,7 @@ Vector2d doubled(double angle) {
     return {std::cos(2 * angle), std::sin(2 * angle)};
 }
 
-/// From the edge to the axis, counterclockwise about the normal.
+/// Angle from the edge to the axis, rad, counterclockwise about the normal.
 double angle_in_plane(const Vector3d& edge, const Vector3d& normal, const Vector3d& axis) {
     return std::atan2(axis.dot(normal.normalized().cross(edge)), axis.dot(edge));
 }
@@ -55,7 +55,7 @@ Matrix3d plane_stress_elasticity(const Orthotropy& m, double thickness) {
 
 Matrix3d turned_elasticity(const Matrix3d& elasticity, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    Matrix3d to_material;  // of a strain
+    Matrix3d to_material;  // transforms strains to the material frame
     to_material << c * c, s * s, s * c, s * s, c * c, -s * c, -2 * s * c, 2 * s * c, c * c - s * s;
     return to_material.transpose() * elasticity * to_material;
 }

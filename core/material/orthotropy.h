@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// Elastic constants of a sheet in plane stress, along and across its first material axis, Pa. With Poisson's
-/// ratios, Y01 = nu01 Y1 = nu10 Y0 (paper, section 4).
+/// Elastic constants of a sheet in plane stress, along and across its first material axis, Pa. In terms of
+/// Poisson's ratios, Y01 = nu01 Y1 = nu10 Y0 (paper, section 4).
 struct Orthotropy {
     double young0 = 0;  ///< Y0, along the first axis
     double young1 = 0;  ///< Y1, along the second axis
@@ -18,28 +18,28 @@ struct Orthotropy {
     double shear = 0;  ///< G01
 };
 
-/// The inequality that the constants break, with its numbers; empty when none is. An energy that is positive
-/// whatever the strain needs Y0, Y1, G01 > 0 and Y01^2 < Y0 Y1.
+/// Describes, with numbers, the inequality that the constants violate; empty if there is none. The energy is
+/// positive for every strain if Y0, Y1, G01 > 0 and Y01^2 < Y0 Y1.
 std::string broken_inequality(const Orthotropy& constants);
 
-/// lambda of a hinge whose rest edge makes `angle` (rad, either way round) with the first axis, N m (paper,
-/// section 5.1): an edge along the first axis bends the second one. No calibration: for an isotropic sheet
-/// this is the rigidity D = Y t^3 / (12 (1 - nu^2)) at every angle.
+/// Stiffness lambda, N m, of a hinge whose rest edge makes `angle` (rad, of either sign) with the first axis
+/// (paper, section 5.1): an edge along the first axis bends the second one. It is not calibrated: for an
+/// isotropic sheet it is the rigidity D = Y t^3 / (12 (1 - nu^2)) at every angle.
 double edge_stiffness(const Orthotropy& constants, double thickness, double angle);
 
-/// Elasticity times thickness in the material axes, N/m, [3, 3] on the strain (E00, E11, 2 E01).
+/// Elasticity times thickness in the material axes, N/m, [3, 3], acting on the strain (E00, E11, 2 E01).
 Matrix3d plane_stress_elasticity(const Orthotropy& constants, double thickness);
 
-/// The same elasticity on strains in a frame from whose first axis it is `angle` (rad, counterclockwise) to
-/// the material's.
+/// The same elasticity, acting on strains in a frame from whose first axis the first material axis is rotated
+/// by `angle` (rad, counterclockwise).
 Matrix3d turned_elasticity(const Matrix3d& elasticity, double angle);
 
-/// Angle (rad) from the first edge of a triangle, x0 to x1, to a direction in its plane, counterclockwise.
+/// Angle (rad, counterclockwise) from the first edge of a triangle, x0 to x1, to a direction in its plane.
 double axis_angle(const TrianglePositions& rest, const Vector3d& axis);
 
 /// Angle (rad) from the rest edge of a hinge to the first material axis in its tangent plane: the mean,
-/// modulo 180 degrees, of the axes (in the planes of T0 and T1) once the hinge is laid flat. Where the two
-/// are perpendicular there is no mean, and that of T0 is taken.
+/// modulo 180 degrees, of the axes (in the planes of T0 and T1) once the hinge is laid flat. If the two are
+/// perpendicular the mean is undefined, and the axis of T0 is taken.
 double hinge_axis_angle(const HingePositions& rest, const std::array<Vector3d, 2>& axes);
 
 }  // namespace sherd

@@ -8,7 +8,7 @@ namespace sherd {
 
 /// The membranes of a shell's triangles.
 struct MembraneElements {
-    const std::vector<TriangleStencil>* triangles;  ///< must outlive it
+    const std::vector<TriangleStencil>* triangles;  ///< must outlive this object
 
     std::size_t size() const { return triangles->size(); }
     const std::array<Index, 3>& vertices(std::size_t i) const { return (*triangles)[i].vertices; }
@@ -24,7 +24,7 @@ struct MembraneElements {
     }
 };
 
-/// Membrane energy of all triangles of a shell, which must outlive it.
+/// Membrane energy of all triangles of a shell, which must outlive this object.
 class MembraneEnergy : public ElementEnergy<MembraneElements> {
   public:
     explicit MembraneEnergy(const std::vector<TriangleStencil>& triangles) : ElementEnergy({&triangles}) {}

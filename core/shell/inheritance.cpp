@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-/// Of `part(element)` of the parents; a copy gets its parent's to the last bit.
+/// Weighted mean of `part(element)` over the parents; a single parent's value is copied exactly.
 template <class Value, class Part>
 Value mean(const std::vector<Heir::Parent>& parents, const Value& zero, Part part) {
     if (parents.size() == 1) return part(parents.front().element);

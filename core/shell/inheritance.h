@@ -9,19 +9,19 @@
 
 namespace sherd {
 
-/// What an element that is born gets of an attribute that its parents have; of positions and numbers it gets
-/// the mean by weights.
+/// What a new element inherits of a list-valued attribute of its parents. Positions and numbers are always
+/// the mean of the parents by weight.
 enum class Inheritance {
-    common,  ///< what all parents agree on
-    first,   ///< that of the first parent
-    none     ///< nothing: whoever made the change sets it
+    common,  ///< the parents' value if all have the same
+    first,   ///< the value of the first parent
+    none     ///< nothing: whoever made the change sets the value
 };
 
-/// Appends to an array of columns, or of numbers, what each heir gets; zero without parents.
+/// Appends the heirs' values to an array of columns, or of numbers; zero for an heir without parents.
 void append(Positions& columns, std::span<const Heir> heirs);
 void append(VectorXd& values, std::span<const Heir> heirs);
 
-/// The same of a list, by `rule`; `missing` where there is nothing to get.
+/// Appends the heirs' values to a list by `rule`; `missing` for an heir that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {
     const auto agree = [&values](const std::vector<Heir::Parent>& parents) {

@@ -19,16 +19,16 @@ struct TriangleStencil {
     MembraneTriangle membrane;
 };
 
-/// The vertices of a hinge and its rest shape; what the bending models need beside these is theirs.
+/// The vertices of a hinge and its rest shape. Bending models keep any further data themselves.
 struct HingeStencil {
     std::array<Index, 4> vertices;
     RestHinge rest;
     double stiffness;  ///< lambda, N m
 };
 
-/// The mechanics of all sheets of a simulation, as arrays and index stencils. Vertices, edges and faces are
-/// only ever appended or renumbered by whoever holds the topology; nothing here knows of a mesh. What each of
-/// them carries is listed once more in visit_vertices(), visit_edges() and visit_faces(), and nowhere else.
+/// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
+/// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
+/// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
 struct Sheet {
     Positions rest;           ///< [3, V] m
     Positions position;       ///< [3, V] m
@@ -36,35 +36,35 @@ struct Sheet {
     VectorXd mass;            ///< [V] kg, lumped
     VectorXd thickness;       ///< [V] m
     VectorXd young;           ///< [V] Pa
-    VectorXd footprint;       ///< [V] m^2, area by which the vertex touches an obstacle: see
-                              ///< contact/penalty/obstacle_contact.h
+    VectorXd footprint;       ///< [V] m^2, contact area of the vertex: see
+                              ///< contact/penalty/vertex_contact.h
     std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
     std::vector<Index>
-        carrier;              ///< [V] 0, or the number, from 1, of the motion that carries the fixed vertex
+        carrier;              ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
     std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
-    std::vector<Index> body;  ///< [V] number of the sheet that the vertex is of, whatever broke off it since
+    std::vector<Index> body;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
 
     std::vector<TriangleStencil> triangles;  ///< [F]
     std::vector<double> face_area;           ///< [F] m^2, at rest
     std::vector<double> face_mass;           ///< [F] kg
-    std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face is of
+    std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
 
     std::vector<Index> edge_hinge;      ///< [E] number of the edge's hinge, -1 when it has none
-    std::vector<double> edge_strength;  ///< [E] what its hinge withstands; infinite when it cannot fail
+    std::vector<double> edge_strength;  ///< [E] measure at which the hinge fails; infinite: never
 
     std::vector<HingeStencil> hinges;  ///< [H]
-    std::vector<Index> hinge_edge;     ///< [H] the edge of each
+    std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
 
-    /// Vertices that lie on each other because a crack between them has only just opened: elements that have
-    /// one each do not see each other in SheetContact.
+    /// Pairs of vertices that coincide because a crack between them has just opened: elements that contain
+    /// one each do not collide in SheetContact.
     std::vector<std::array<Index, 2>> twins;
-    std::vector<LipStencil> lips;  ///< of these cracks
-    std::vector<Matrix3d> guides;  ///< projections to the directions that are free: a plane, or a line
-    std::vector<Motion> motions;   ///< of carried vertices, from where they are at rest
+    std::vector<LipStencil> lips;  ///< lips of these cracks
+    std::vector<Matrix3d> guides;  ///< projections to the free directions: a plane, or a line
+    std::vector<Motion> motions;   ///< of scripted vertices, from their rest positions
 };
 
-/// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list that has an
-/// entry for each vertex: an attribute that is listed here follows every change of the mesh.
+/// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an
+/// entry for each vertex. An attribute that is listed here follows every change of the mesh.
 template <class S, class Visit>
 void visit_vertices(S& sheet, Visit visit) {
     visit(sheet.rest);
@@ -80,14 +80,14 @@ void visit_vertices(S& sheet, Visit visit) {
     visit(sheet.body, Inheritance::first, Index(0));
 }
 
-/// The same of edges.
+/// Visits the attributes of edges in the same way.
 template <class S, class Visit>
 void visit_edges(S& sheet, Visit visit) {
     visit(sheet.edge_hinge, Inheritance::none, Index(-1));
     visit(sheet.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
 }
 
-/// The same of faces. Their corners and shape are for whoever makes the change to set.
+/// Visits the attributes of faces in the same way. Whoever makes the change sets their corners and shape.
 template <class S, class Visit>
 void visit_faces(S& sheet, Visit visit) {
     visit(sheet.triangles, Inheritance::first, TriangleStencil());
@@ -99,23 +99,22 @@ void visit_faces(S& sheet, Visit visit) {
 /// Gives the vertices' arrays `count` entries; new ones are zero.
 void resize_vertices(Sheet& sheet, Index count);
 
-/// Lets all that elements carry follow a change. Masses, footprints and the shape of elements that were born
-/// or lost a part are for whoever made it.
+/// Applies a change to all attributes of elements. Whoever made the change sets masses, footprints and the
+/// shape of elements that are new or lost a part.
 void follow(Sheet& sheet, const ShellChange& change);
 
-/// Takes its hinge from an edge; returns the number that the hinge had, which the last hinge takes.
+/// Removes the hinge of an edge. The last hinge takes its number, which is returned.
 Index remove_hinge_of(Sheet& sheet, Index edge);
 
-/// The stencil of the hinge whose edge runs from vertices[0] to vertices[1]; see HingePositions for the
-/// order.
+/// The stencil of the hinge whose edge runs from vertices[0] to vertices[1], in the order of HingePositions.
 /// stiffness: lambda, N m.
 HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness);
 
 /// Kinetic energy, J.
 double kinetic_energy(const Sheet& sheet);
-/// kg m/s.
+/// Linear momentum, kg m/s.
 Vector3d linear_momentum(const Sheet& sheet);
-/// About the origin, kg m^2/s.
+/// Angular momentum about the origin, kg m^2/s.
 Vector3d angular_momentum(const Sheet& sheet);
 
 }  // namespace sherd

@@ -14,7 +14,7 @@ std::vector<TriangleSide> boundary_sides(const Sheet& sheet, std::span<const cha
     for (Index t = 0; t < static_cast<Index>(sheet.triangles.size()); ++t) {
         for (int corner = 0; corner < 3; ++corner) {
             const auto [from, to, opposite] = side_vertices(sheet, {t, corner});
-            // The neighbour, if there is one, runs along the side the other way.
+            // The neighbour, if there is one, has the side in the opposite direction.
             const bool boundary = !std::binary_search(ends.begin(), ends.end(), std::pair(to, from));
             if (boundary && selected[from] && selected[to]) sides.push_back({t, corner});
         }

@@ -8,20 +8,21 @@
 
 namespace sherd {
 
-/// The side of a triangle opposite `corner`. Named by the triangle, because triangles keep their number when
-/// a crack splits vertices.
+/// The side of a triangle opposite `corner`. It refers to a triangle since triangles keep their number when a
+/// crack splits vertices.
 struct TriangleSide {
     Index triangle = 0;
     int corner = 0;  ///< 0, 1 or 2
 };
 
-/// The side's vertices in the triangle's order: its two ends, then the corner opposite.
+/// The side's vertices in the triangle's order: its two ends, then the opposite corner.
 inline std::array<Index, 3> side_vertices(const Sheet& sheet, const TriangleSide& side) {
     const std::array<Index, 3>& v = sheet.triangles[side.triangle].vertices;
     return {v[(side.corner + 1) % 3], v[(side.corner + 2) % 3], v[side.corner]};
 }
 
-/// The sides on the boundary with both ends selected (one flag a vertex), by triangle and corner.
+/// The sides on the boundary whose two ends are selected (one flag for each vertex), ordered by triangle and
+/// corner.
 std::vector<TriangleSide> boundary_sides(const Sheet& sheet, std::span<const char> selected);
 
 }  // namespace sherd

@@ -5,14 +5,13 @@
 
 namespace sherd {
 
-/// Takes away of a displacement (or a gradient) [3, V] what pins and guides do not let through.
+/// Removes from a displacement (or a gradient) [3, V] the components that pins and guides block.
 void constrain(const Sheet& sheet, Positions& displacement);
 
-/// Puts the vertices that motions carry where they are at `time` (s); the others stay as they are in x [3,
-/// V].
+/// Moves the scripted vertices in x [3, V] to where they are at `time` (s); the others stay.
 void place_carried(const Sheet& sheet, double time, Positions& x);
 
-/// What a displacement [3, V] has of vertices that motions carry; zero for the others.
+/// A displacement [3, V] restricted to scripted vertices; zero for the others.
 Positions carried_part(const Sheet& sheet, const Positions& displacement);
 
 }  // namespace sherd

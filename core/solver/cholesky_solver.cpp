@@ -7,16 +7,17 @@
 
 #include "core/solver/linear_solver.h"
 
-// From OpenMP 3.0; its header comes with one compiler's own runtime, CHOLMOD's may be another's.
+// Declared here because OpenMP's header belongs to one compiler's runtime, and CHOLMOD may use another. The
+// function exists since OpenMP 3.0.
 extern "C" void omp_set_max_active_levels(int levels);
 
 namespace sherd {
 namespace {
 
-/// Below this many unknowns minimum degree orders as well as nested dissection, and faster.
+/// Below this number of unknowns minimum degree orders as well as nested dissection, and faster.
 constexpr Index nested_dissection_from = 3000;
 
-/// CHOLMOD reads the arrays of the matrix where they are.
+/// A CHOLMOD matrix that refers to the arrays of `matrix` without a copy.
 cholmod_sparse view(const BlockMatrix& matrix) {
     cholmod_sparse sparse{};
     sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size());

@@ -11,16 +11,16 @@ struct MinimiserResult {
     double correction = 0;  ///< m, largest coordinate of the last correction
 };
 
-/// What finds the minimum of a potential. It may keep from one call to the next what saves it work (patterns,
-/// orderings, factors), which is why it is told of changes.
+/// Finds the minimum of a potential. It may keep patterns, orderings and factors from one call to the next,
+/// so it must be told of changes.
 struct Minimiser {
     virtual ~Minimiser() = default;
-    /// To be called when vertices were added or hinges removed: the potential's pattern is another one, and
-    /// the next call is about positions near x [3, V] m.
+    /// Must be called when vertices were added or hinges removed: the potential has another pattern, and the
+    /// next minimisation starts near x [3, V] m.
     virtual void topology_changed(const ShellChange& change, const Potential& potential,
                                   const Positions& x) = 0;
-    /// Moves x [3, V] m towards the minimum by at most so many iterations. x must be where the potential is
-    /// finite; no motion leads through a place where it is not.
+    /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations. The potential must be
+    /// finite at x; it stays finite along every motion.
     virtual MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) = 0;
 };
 

@@ -8,22 +8,22 @@ namespace sherd {
 namespace {
 
 constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
-constexpr double flattening = 0.9;            // of the slope, where round-off hides the decrease of the value
+constexpr double flattening = 0.9;            // ratio of slopes accepted where round-off hides the decrease
 constexpr int max_halvings = 40;
 
-/// Of the way from the exact Hessian to the convex one, where the former is not positive definite. Of a sheet
-/// that buckles the exact one lacks little, and the convex one, without all compression, is so much stiffer
-/// that iterations creep.
+/// Shares of the way from the exact Hessian to the convex one that are tried when the exact one is not
+/// positive definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without
+/// any compression, is so much stiffer that iterations progress slowly.
 constexpr double shares_of_convex[] = {0.25, 1};
 
-/// Moves x along `direction`, as far as nothing is met, halving it until the potential decreases. The value
-/// has a round-off error that is large beside the last decreases: a step after which the slope is flatter is
-/// good too.
+/// Moves x along `direction`, up to safe_fraction(), halving the step until the potential decreases. Since
+/// round-off of the value is large compared with the last decreases, a step that flattens the slope is
+/// accepted too.
 bool line_search(const Potential& potential, const Positions& direction, double slope, Positions& x) {
     double scale = potential.safe_fraction(x, direction);
     if (scale == 0) return false;
     const double start = potential.value(x), round_off = potential.round_off() + 1e-12 * std::abs(start);
-    if (-slope <= round_off) {  // nothing could be told of a shorter step
+    if (-slope <= round_off) {  // shorter steps could not be judged
         x += scale * direction;
         return true;
     }

@@ -9,33 +9,33 @@
 
 namespace sherd {
 
-/// The matrix of Newton's method and its factor, kept as long as the pattern is the same, or, as contacts
-/// come and go, large enough.
+/// The matrix of Newton's method and its factor. The pattern is kept as long as it contains all blocks of the
+/// Hessian, also while contacts come and go.
 class NewtonSystem {
   public:
     explicit NewtonSystem(std::unique_ptr<LinearSolver> solver) : solver(std::move(solver)) {}
-    /// Vertices were split or hinges removed: makes the pattern anew, for Hessians near x.
+    /// Makes the pattern anew, for Hessians near x, after vertices were split or hinges removed.
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
-    /// Factors the Hessian at x; where that is not positive definite, a blend of it with its convex
-    /// neighbour, or at last that one. Blocks of contacts that the pattern lacks make it anew. Throws
-    /// std::runtime_error when none is positive definite.
+    /// Factors the Hessian at x. If it is not positive definite, it is blended with its convex approximation,
+    /// which at last replaces it. Missing blocks of contacts make the pattern anew. Throws std::runtime_error
+    /// when no matrix is positive definite.
     void factorize(const Potential& potential, const Positions& x);
     /// Solves with the last factor. right_side: [3, V].
     Positions solve(const Potential& potential, const Positions& right_side);
 
   private:
     void analyze(const Potential& potential, const Positions& x);
-    /// Factors `matrix`; whether it is positive definite.
+    /// Factors `matrix`. Returns whether it is positive definite.
     bool has_factor(const Potential& potential);
 
     std::optional<BlockMatrix> matrix;
     std::unique_ptr<LinearSolver> solver;
 };
 
-/// Newton's method with backtracking.
+/// Newton's method with a backtracking line search.
 class Newton : public Minimiser {
   public:
-    /// tolerance: m, that the largest coordinate of the last correction may have.
+    /// tolerance: m; the method has converged when the largest coordinate of a correction is below it.
     explicit Newton(double tolerance = 1e-9, std::unique_ptr<LinearSolver> solver = cholesky_solver())
         : tolerance(tolerance), system(std::move(solver)) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;

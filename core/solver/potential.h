@@ -6,12 +6,12 @@
 
 namespace sherd {
 
-/// The sum of energies as a function of the vertices that are free: what a minimiser sees. Fixed vertices do
-/// not take part: their rows of gradient and Hessian are those of the identity. Guided vertices stay in the
-/// directions that are not free.
+/// The sum of energies as a function of the free vertices, as a minimiser sees it. Fixed vertices do not take
+/// part: their rows of gradient and Hessian are those of the identity. Neither do guided vertices in the
+/// directions that their guides block.
 class Potential {
   public:
-    /// All energies, the sheet and `spent` must outlive it. The energies are summed in their order.
+    /// Energies, shell and `spent` must outlive this object. The energies are summed in the given order.
     Potential(const Sheet& sheet, std::vector<Energy*> energies, TimeSpent& spent)
         : sheet(sheet), energies(std::move(energies)), spent(spent) {}
 
@@ -20,20 +20,20 @@ class Potential {
     void moved_to(const Positions& x);
 
     double value(const Positions& x) const;        ///< J
-    double round_off() const;                      ///< bound on the value's error by cancellation, J
+    double round_off() const;                      ///< J, bound on the value's error by cancellation
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
-    /// Zero matrix of the pattern of Hessians at x, and near it.
+    /// Zero matrix with the pattern of Hessians at x and nearby.
     BlockMatrix hessian_pattern(const Positions& x) const;
-    /// Whether the Hessian at x has no block that the matrix lacks.
+    /// Whether the matrix has all blocks of the Hessian at x.
     bool fits(const Positions& x, const BlockMatrix& hessian) const;
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
-    /// Fraction, 0 to 1, of a straight motion from x [3, V] that leads through no sheet.
+    /// Fraction, 0 to 1, of a straight motion from x [3, V] in which nothing passes through a sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
-    /// Where it is booked what time is spent on.
+    /// Where the computing time is booked.
     TimeSpent& time_spent() const { return spent; }
 
   private:
-    /// Does `action` with each energy, and books the time for its task.
+    /// Calls `action` with each energy, and books the time on its task.
     template <class Action>
     void each(const Action& action) const;
 

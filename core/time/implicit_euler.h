@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Implicit Euler: of first order, remembers nothing, and damps all that vibrates.
+/// Implicit Euler: it is of first order, keeps no history, and damps all vibrations.
 struct ImplicitEuler : TimeScheme {
     StepContext begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
                       double length) const override;

@@ -38,8 +38,8 @@ bool ImplicitStepper::predict() {
     const Positions motion = inertia.predicted() - sheet.position;
     position = inertia.predicted();
     if (free_way(motion) == 1) return true;
-    // What is carried has to arrive, and obstacles too, so they go first, if need be with what is near them,
-    // and the others as far as there is room.
+    // Scripted vertices and obstacles have to arrive, so they move first, if necessary together with what
+    // they push. The other vertices follow as far as there is room.
     const Positions carried = carried_part(sheet, motion);
     for (const bool along : {false, true}) {
         const Positions first = along ? carried + pushed_along() : carried;
@@ -72,7 +72,7 @@ Positions ImplicitStepper::pushed_along() const {
 }
 
 MinimiserResult ImplicitStepper::solve(int max_iterations) {
-    const Stopwatch watch(spent, Task::other);  // but for what its parts book
+    const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
     return minimiser->minimise(potential, max_iterations, position);
 }
 

@@ -7,16 +7,16 @@
 namespace sherd {
 
 /// Inertia and weight in one implicit step: 1 / (2 lag^2) (x - y)^T M (x - y), where y is the inertial
-/// prediction, to which the shell would move without other forces. Its minimum, alone, is y.
+/// prediction, to which the shell would move without other forces.
 class Inertia : public ElementEnergy<VertexSprings> {
   public:
-    /// The sheet must outlive it. gravity: m/s^2.
+    /// The shell must outlive this object. gravity: m/s^2.
     Inertia(const Sheet& sheet, const Vector3d& gravity)
         : ElementEnergy({}), sheet(sheet), gravity(gravity) {}
     void begin(const StepContext& step) override;
     Task task() const override { return Task::other; }
 
-    /// y, m, [3, V]; of fixed vertices where they are at the end of the step.
+    /// y, m, [3, V]; for fixed vertices, their positions at the end of the step.
     const Positions& predicted() const { return elements.anchor; }
 
   private:

@@ -18,7 +18,7 @@ bool stable_at_rest(const Sheet& sheet, BendingModel model) {
     if (model == BendingModel::cubic_2007) model = BendingModel::cubic;
     const std::unique_ptr<Energy> bending = bending_energy(sheet, {model, exact_jacobian(model)});
     MembraneEnergy membrane(sheet.triangles);
-    // With a step of the growth time, the masses on the diagonal outweigh what grows more slowly.
+    // With the growth time as step, inertia on the diagonal outweighs instabilities that grow more slowly.
     TimeSpent spent;
     Inertia inertia(sheet, Vector3d::Zero());
     inertia.begin(ImplicitEuler().begin(sheet, {}, 0, growth_time));

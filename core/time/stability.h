@@ -5,12 +5,13 @@
 
 namespace sherd {
 
-/// Whether a sheet stays in its rest shape when it is disturbed. Off isometric motions a curved cubic hinge
-/// can have less energy than at rest, which the membrane outweighs as long as the sheet is thin beside its
-/// edges (stretching stiffness well above bending stiffness, paper, section 8); where it does not, the rest
-/// shape blows up. Tested by factoring the stiffness at rest; instabilities that take longer than a tenth of
-/// a second to grow are let pass. The form of 2007 is judged as the cubic hinge in equilibrium: its own rest
-/// shape is no equilibrium, and where it settles the membrane supplies what that one has built in.
+/// Whether a shell stays in its rest shape when it is disturbed. Under non-isometric motions a curved cubic
+/// hinge can have less energy than at rest. The membrane outweighs this as long as the sheet is thin compared
+/// with its edges (stretching stiffness well above bending stiffness, paper, section 8); otherwise the rest
+/// shape is unstable. The test factors the stiffness matrix at rest; instabilities that take longer than a
+/// tenth of a second to grow are tolerated. The 2007 model is judged by the cubic hinge in equilibrium: its
+/// own rest shape is no equilibrium, and where it comes to rest membrane forces provide the correction that
+/// cubic_hinge() contains.
 bool stable_at_rest(const Sheet& sheet, BendingModel model = BendingModel::cubic);
 
 }  // namespace sherd

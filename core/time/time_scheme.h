@@ -11,12 +11,12 @@ namespace sherd {
 /// An implicit time scheme whose steps end at the minimum of a potential: see StepContext and Inertia.
 struct TimeScheme {
     virtual ~TimeScheme() = default;
-    /// The step of `length` (s) that begins at `time` (s) where the sheet and the bodies are.
+    /// The step of `length` (s) that begins at `time` (s) with the current state of the shell and the bodies.
     virtual StepContext begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
                               double length) const = 0;
-    /// Lets what the scheme remembers follow a change of the sheet, and the origins of the open step.
+    /// Applies a change of the shell to the scheme's history and to the origins of the open step.
     virtual void topology_changed(const Sheet& sheet, const ShellChange& change, StepContext& step) = 0;
-    /// Ends the step at the positions x [3, V] m: gives them to the sheet, and the velocities there.
+    /// Ends the step at the positions x [3, V] m: gives them and the velocities there to the shell.
     virtual void finish(const StepContext& step, const Positions& x, Sheet& sheet) = 0;
 };
 

@@ -6,10 +6,10 @@
 
 namespace sherd {
 
-/// What keeps two elements apart: a potential of their gap, infinite at zero, zero from `range` on, and twice
-/// continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020, eq.
-/// 6). Scaled so that at half the range it pushes like a spring of stiffness 1 N/m that has been pressed that
-/// far together.
+/// The barrier potential of a gap between two elements: it is infinite at zero, zero from `range` on, and
+/// twice continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020,
+/// eq. 6). It is scaled so that at a gap of half the range its force is that of a spring of stiffness 1 N/m
+/// compressed by half the range.
 struct Barrier {
     double range;  ///< m
 
@@ -30,7 +30,7 @@ struct Barrier {
     }
 
   private:
-    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // 1/2 over the bare slope at 1/2
+    static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // slope(range / 2) is -range / 2
 };
 
 }  // namespace sherd

@@ -14,7 +14,7 @@ PairHessian positive_part(const PairHessian& matrix) {
            eigen.eigenvectors().transpose();
 }
 
-/// Second derivative of the distance, from that of its square.
+/// Second derivative of the distance, from that of the squared distance.
 PairHessian distance_hessian(const Closest& closest, const PairPositions& x, double distance,
                              const PairVector& gradient) {
     return (0.5 * squared_distance_hessian(closest, x) - gradient * gradient.transpose()) / distance;

@@ -9,28 +9,28 @@
 
 namespace sherd {
 
-/// Two elements of sheets that may touch.
+/// Two elements of a contact surface that may touch.
 struct ContactPair {
     PairKind kind;
     std::array<Index, 4> vertices;  ///< in the order of PairPositions
-    double stiffness;               ///< N/m, of the column of sheet between them: see ContactSurface
-    double touching;                ///< m, the distance of the middle surfaces from which on they push
-    EdgeMollifier mollifier;        ///< idle for a vertex and a triangle
-    double closest = 0.75;          ///< of the touching distance: they never come as near
+    double stiffness;               ///< N/m, of the column of sheet between them (see ContactSurface)
+    double touching;                ///< m, activation distance of the middle surfaces
+    EdgeMollifier mollifier;        ///< used by edge-edge pairs only
+    double closest = 0.75;          ///< minimum distance, as a share of the activation distance
 
     double minimum() const { return closest * touching; }  ///< m
     Barrier barrier() const { return {touching - minimum()}; }
 };
 
-/// m.
+/// Distance of the two elements, m.
 double distance(const ContactPair& pair, const PairPositions& x);
 
-/// Energy, J: stiffness times mollifier times barrier of what the distance exceeds the minimum by.
+/// Energy, J: stiffness times mollifier times the barrier of the gap, which is the distance less the minimum.
 double value(const ContactPair& pair, const PairPositions& x);
-/// dE/dx, N, [3, 4]; without sum and without torque.
+/// dE/dx, N, [3, 4]. Its columns sum to zero and exert no net torque.
 PairPositions gradient(const ContactPair& pair, const PairPositions& x);
-/// d2E/dx2, N/m. `convex` gives a positive semidefinite matrix near it: the Gauss-Newton part, and of edges
-/// that the mollifier touches the positive part.
+/// d2E/dx2, N/m. `convex` gives a positive semidefinite approximation: the Gauss-Newton part, and where the
+/// mollifier of two edges is active, the projection to the positive semidefinite part.
 PairHessian hessian(const ContactPair& pair, const PairPositions& x, bool convex);
 
 }  // namespace sherd

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-/// c = |u x v|^2 and its derivatives by u and v.
+/// c = |u x v|^2 of the edge vectors u and v, and its derivatives by them.
 struct Crossing {
     Vector3d u, v;
 
@@ -17,7 +17,7 @@ struct Crossing {
     static Matrix3d by_same(const Vector3d& other) {
         return 2 * (other.squaredNorm() * Matrix3d::Identity() - other * other.transpose());
     }
-    Matrix3d by_u_and_v() const {  // rows u, columns v
+    Matrix3d by_u_and_v() const {  // rows: u, columns: v
         return 4 * u * v.transpose() - 2 * v * u.transpose() - 2 * u.dot(v) * Matrix3d::Identity();
     }
 };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
-constexpr double ahead_of_contact = 0.1;  // of a body's size: others that may soon touch it
+constexpr double ahead_of_contact = 0.1;  // share of a body's size within which contact is expected soon
 
 bool is_ball(const RigidBody& body) {
     return body.feet.size() == 1;
@@ -56,7 +56,8 @@ void BodyContact::find_feet() {
     feet.clear();
     for (std::size_t body = 0; body < steps.size(); ++body)
         for (std::size_t other = 0; other < steps.size() + obstacles.size(); ++other) {
-            // A ball says all of what it meets, so that corners need not say it again, nor a second ball.
+            // A ball finds its contacts by itself, so the corners of a box, or a second ball, must not count
+            // them again.
             const bool said =
                 is_free(other) && is_ball(started[other]) && (!is_ball(started[body]) || other < body);
             if (body == other || said) continue;
@@ -202,13 +203,14 @@ bool BodyContact::improve(const Positions& x) const {
     for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
         if (best + direction == best) return false;
         if (const double fraction = free_way(x, best, best + direction); fraction < 1) {
-            // A pose on the way is not on the line between the positions, so it has a way of its own.
+            // The bodies rotate, so a pose part of the way is not on the line between the positions checked;
+            // it needs a check of its own.
             direction *= 2 * 0.9 * fraction;
             continue;
         }
         Potential trial = potential(x, best + direction);
         const double change = trial.value - at_best.value;
-        // Where round-off hides the decrease, a step after which the slope is flatter is good, too.
+        // Where round-off hides the decrease, a step that flattens the slope is accepted, too.
         const bool hidden = std::abs(change) <= round_off_of_value * std::abs(at_best.value);
         const bool flatter =
             std::abs(direction.dot(trial.gradient)) <= 0.5 * std::abs(direction.dot(at_best.gradient));
@@ -269,7 +271,7 @@ void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessia
 void BodyContact::add_contacts(const Positions& x, bool ahead,
                                std::vector<std::pair<Index, Index>>& pairs) const {
     const Potential& here = solve(x);
-    // Bodies that press on each other pass on what the sheet does to one of them.
+    // Bodies in contact transmit forces of the shell to each other.
     const std::vector<std::size_t> group = groups(best, ahead);
     std::map<std::size_t, std::set<Index>> vertices;
     for (std::size_t b = 0; b < steps.size(); ++b) {

@@ -6,10 +6,10 @@
 namespace sherd {
 namespace {
 
-constexpr double ahead_of_contact = 0.1;  // of the body's size: vertices that may soon touch
-constexpr double largest_turn = 1;        // rad, between two poses that are tried one after the other
+constexpr double ahead_of_contact = 0.1;  // share of the body's size within which vertices may touch it soon
+constexpr double largest_turn = 1;        // rad, rotation between two poses that are tried in succession
 
-/// A matrix of four vertices' blocks in axes that are turned.
+/// A matrix of 4 x 4 blocks of vertices, rotated into other axes.
 PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
     PairHessian result;
     for (int i = 0; i < 4; ++i)
@@ -136,7 +136,7 @@ double BodyStep::free_way(const Positions& x, const Vector6d& from, const Vector
     if (!near) return 1;
     const BodyPose before = pose(from), after = pose(to);
     const double angle = Eigen::AngleAxisd(before.place.linear().transpose() * after.place.linear()).angle();
-    // Seen from the body, the straight motion takes the sheet through images of itself that are not folded
+    // In the body's frame, the straight motion takes the shell through images of itself that are not folded
     // over as long as the angle is less than pi.
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
     const Positions start = seen_from(before, x);
@@ -166,8 +166,8 @@ RigidBody BodyStep::moved(const Vector6d& q) const {
     result.centre += q.head<3>();
     result.rotation = Eigen::Quaterniond(here.place.linear()).normalized().toRotationMatrix();
     result.velocity = (q.head<3>() - origin.pose.head<3>()) / lag;
-    // Of P, the rotation feels torques times the Jacobian; the angular momentum takes them as they are, or
-    // what the sheet gains would not be what the body loses.
+    // In P, torques act on the rotation vector through its Jacobian. The angular momentum takes them
+    // directly: otherwise the shell would not gain what the body loses.
     const Vector3d turned_by_torque = inertia * (q.tail<3>() - predicted.tail<3>()) / lag;
     result.angular_momentum += here.jacobian.transpose().inverse() * turned_by_torque;
     return result;

@@ -10,19 +10,19 @@
 
 namespace sherd {
 
-/// What NearPairs need of a sheet and a body that has a surface.
+/// The contact surface of the shell and of a body that has a surface, for NearPairs.
 ContactSurface surface_with(const Sheet& sheet, const RigidBody& body);
 
-/// One free rigid body in one step: the incremental potential P(x, q) of where the sheet (x) and the body (q)
-/// are at its end. It has the body's inertia and weight (as for the sheet, by the origins and the lag of
-/// StepContext, with the inertia of the step's beginning for the rotation), VertexContact with the sheet's
-/// vertices, and the barriers of SheetContact against its triangles and edges. Both ends of every contact
-/// feel the same force.
+/// The incremental potential P(x, q) of one free rigid body in one step, as a function of the positions x of
+/// the shell and the motion q of the body at its end. It consists of the body's inertia and weight (as for
+/// the shell, by the origins and the lag of StepContext; the rotation uses the inertia tensor of the step's
+/// beginning), of VertexContact with the shell's vertices, and of the barriers of SheetContact against its
+/// triangles and edges. Both sides of every contact feel the same force.
 class BodyStep {
   public:
-    /// sheet and body as they are at the beginning of the step; origin: the body's in it; gravity: m/s^2.
-    /// near: pairs of the sheet and the body's surface, which rests in its frame; null: it has none. Sheet,
-    /// body and near must outlive it.
+    /// sheet, body: as they are at the beginning of the step; origin: the body's origins in the step;
+    /// gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the body's frame; null
+    /// if it has none. Shell, body and near must outlive this object.
     BodyStep(const Sheet& sheet, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
              const BodyOrigin& origin, const NearPairs* near = nullptr);
 
@@ -31,18 +31,18 @@ class BodyStep {
     const RigidBody& start() const { return body; }
     RigidBody moved(const Vector6d& q) const;
 
-    /// Fraction of the way from one q to another that is free of the sheet at x.
+    /// Fraction, 0 to 1, of the way from one q to another on which the body does not reach the shell at x.
     double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
-    /// Fraction of the sheet's motion from x that is free of the body at q.
+    /// Fraction, 0 to 1, of the shell's motion from x on which it does not reach the body at q.
     double free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const;
     /// Adds the vertices that may touch the body at q soon.
     void add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const;
-    /// What touches it of the sheet.
+    /// The vertices of the shell that touch the body at q, with their depth.
     Touch touch(const Positions& x, const Vector6d& q) const;
 
   private:
     void find_sliding();
-    /// The body's points and the sheet's vertices, m, in the body's frame; what `near` is asked for.
+    /// Positions of the body's points and the shell's vertices, m, in the body's frame, as `near` takes them.
     Positions seen_from(const BodyPose& pose, const Positions& x) const;
     void add_inertia(const Vector6d& q, BodyPotential& sum) const;
     void add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
@@ -55,9 +55,9 @@ class BodyStep {
     double lag;  ///< s
     BodyOrigin origin;
     Matrix3d inertia;                        ///< kg m^2, in space
-    Vector6d predicted;                      ///< q without contact
-    VertexContact vertices;                  ///< with anchors in the body's frame
-    std::vector<SlidingPair> sliding_pairs;  ///< with the body's points as the first vertices
+    Vector6d predicted;                      ///< q without contact: the inertial prediction
+    VertexContact vertices;                  ///< its anchors are in the body's frame
+    std::vector<SlidingPair> sliding_pairs;  ///< the body's points are their first vertices
 };
 
 }  // namespace sherd

@@ -6,11 +6,11 @@
 
 namespace sherd {
 
-/// Those obstacles that have a surface, as they stand at time 0. Pinned vertices that touch an obstacle
-/// there, or are inside it, do not meet it: it may be what holds them.
+/// The obstacles that have a surface, as they stand at time 0. Pinned vertices that touch an obstacle at that
+/// time, or are inside it, do not collide with it: it may be what holds them.
 std::vector<ContactSolid> contact_solids(const Sheet& sheet, const std::vector<Obstacle>& obstacles);
 
-/// Where the vertices of the same obstacles are at `time` (s), one after the other: [3, S] m.
+/// Positions at `time` (s) of the vertices of the same obstacles, in their order: [3, S] m.
 Positions solid_positions(const std::vector<Obstacle>& obstacles, double time);
 
 }  // namespace sherd

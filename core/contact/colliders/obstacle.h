@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// A collider that stands, or moves as it is told: what sheets and bodies cannot push away.
+/// A collider that stands still or has a scripted motion; sheets and bodies cannot push it away.
 struct Obstacle : Collider {
     Motion motion;
 

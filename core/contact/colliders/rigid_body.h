@@ -8,19 +8,19 @@
 
 namespace sherd {
 
-/// A collider that moves freely. Its frame is that of its principal axes, about its centre of mass.
+/// A collider that moves freely. The axes of its frame are its principal axes, the origin its centre of mass.
 struct RigidBody : Collider {
     double mass = 1;                      ///< kg
     Vector3d inertia = Vector3d::Ones();  ///< kg m^2, about the principal axes
-    /// What of it meets other colliders: points of its frame with a skin (m) around them, and their stiffness
-    /// over the modulus in contact (m).
+    /// The points at which it meets other colliders, in its frame, with the contact radius around them (m)
+    /// and their stiffness per contact modulus (m).
     std::vector<Vector3d> feet;
     double skin = 0, foot = 0;
 
-    Vector3d centre = Vector3d::Zero();            ///< m, of mass
+    Vector3d centre = Vector3d::Zero();            ///< m, centre of mass
     Matrix3d rotation = Matrix3d::Identity();      ///< from its frame to space
     Vector3d velocity = Vector3d::Zero();          ///< m/s
-    Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about its centre
+    Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the centre of mass
 
     Eigen::Isometry3d pose() const {  ///< from its frame to space
         Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -28,10 +28,10 @@ struct RigidBody : Collider {
         pose.translation() = centre;
         return pose;
     }
-    /// N/m, of a foot against another collider.
+    /// Stiffness of a contact point against another collider, N/m.
     double foot_stiffness(const Collider& other) const { return foot / (1 / young + 1 / other.young); }
     Matrix3d inertia_in_space() const { return rotation * inertia.asDiagonal() * rotation.transpose(); }
-    Vector3d spin() const {  ///< rad/s
+    Vector3d spin() const {  ///< angular velocity, rad/s
         return rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose() * angular_momentum;
     }
     double kinetic_energy() const {  ///< J
@@ -39,7 +39,7 @@ struct RigidBody : Collider {
     }
 };
 
-/// A body of a homogeneous sphere or box, as stiff as steel, at rest; density: kg/m^3, radius, size: m.
+/// The body of a homogeneous sphere or box, as stiff as steel, at rest. density: kg/m^3; radius, size: m.
 RigidBody rigid_sphere(double radius, double density);
 RigidBody rigid_box(const Vector3d& size, double density);
 

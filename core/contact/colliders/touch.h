@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// What touches obstacles and bodies.
+/// Which vertices, obstacles and bodies are in contact.
 struct Touch {
-    std::set<Index> vertices;                 ///< of sheets, by themselves or with a triangle or an edge
-    double deepest = 0;                       ///< m, depth of the deepest one's skin
-    std::set<std::size_t> obstacles, bodies;  ///< that a sheet or a body touches
+    std::set<Index> vertices;                 ///< vertices of sheets in contact, or of their elements
+    double deepest = 0;                       ///< m, the largest overlap of a vertex
+    std::set<std::size_t> obstacles, bodies;  ///< numbers of those that a sheet or a body touches
 
     void include(Index vertex, double depth) {
         if (depth <= 0) return;

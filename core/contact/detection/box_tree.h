@@ -9,7 +9,7 @@
 
 namespace sherd {
 
-/// An axis-aligned box, m; empty as it stands.
+/// An axis-aligned box, m; empty by default.
 struct Box {
     Eigen::Array3d lower = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Array3d upper = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
@@ -18,14 +18,14 @@ struct Box {
         lower = lower.min(other.lower);
         upper = upper.max(other.upper);
     }
-    /// Whether the boxes have a point in common, be it on their sides.
+    /// Whether the boxes have a point in common, their boundaries included.
     bool meets(const Box& other) const {
         return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] && lower[1] <= other.upper[1] &&
                other.lower[1] <= upper[1] && lower[2] <= other.upper[2] && other.lower[2] <= upper[2];
     }
 };
 
-/// Boxes around elements, from those of their vertices.
+/// The bounding boxes of elements, from the boxes of their vertices.
 template <std::size_t N>
 std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
                                const std::vector<std::array<Index, N>>& elements) {
@@ -35,29 +35,29 @@ std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
     return boxes;
 }
 
-/// Finds which of many boxes meet: a balanced binary tree of boxes around boxes, split in the middle of their
-/// longest extent, walked against another tree or itself.
+/// Finds the pairs of boxes that overlap: a balanced binary tree of bounding boxes, split at the median along
+/// their longest extent, traversed against another tree or itself.
 class BoxTree {
   public:
     explicit BoxTree(const std::vector<Box>& boxes);
 
-    /// Around all of them.
+    /// The bounding box of all boxes.
     Box bounds() const { return around.empty() ? Box{} : around[0]; }
 
-    /// Calls visit(i, j) once for every box i of this tree and j of the other that meet, in an order that
-    /// only depends on the boxes.
+    /// Calls visit(i, j) once for every box i of this tree and every box j of the other that overlap, in an
+    /// order that depends only on the boxes.
     template <class Visit>
     void meet(const BoxTree& other, const Visit& visit) const {
         if (!element.empty() && !other.element.empty()) descend(other, root(), other.root(), visit);
     }
-    /// Calls visit(i, j) once for every two different boxes of this tree that meet, in either order.
+    /// Calls visit(i, j) once for every two different boxes of this tree that overlap; either may be i.
     template <class Visit>
     void meet_itself(const Visit& visit) const {
         if (!element.empty()) descend_itself(root(), visit);
     }
 
   private:
-    /// A node of the tree: children of number n are 2 n + 1 and 2 n + 2; its boxes are first to last - 1.
+    /// A node of the tree. Node n has children 2 n + 1 and 2 n + 2 and contains the boxes first to last - 1.
     struct Node {
         std::size_t number;
         Index first, last;
@@ -99,9 +99,9 @@ class BoxTree {
                 if (box[i].meets(box[j])) visit(element[i], element[j]);
     }
 
-    std::vector<Box> around;     ///< of each node
+    std::vector<Box> around;     ///< bounding box of each node
     std::vector<Box> box;        ///< of each element, in the tree's order
-    std::vector<Index> element;  ///< their numbers
+    std::vector<Index> element;  ///< numbers of the elements, in the tree's order
 };
 
 }  // namespace sherd

@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-/// Boxes around what each vertex of sheets can reach, half of its sheet's thickness included, and so many
-/// margins.
+/// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its sheet's
+/// thickness and by `margins` margins.
 std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
     std::vector<Box> boxes(surface.vertices());
     for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v) {
@@ -28,7 +28,7 @@ struct Elements {
     BoxTree tree;
 };
 
-/// Elements that `wanted` says yes to, given their vertices and their box.
+/// The elements for which `wanted` returns true, given their vertices and their box.
 template <std::size_t N, class Wanted>
 Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
                   const Wanted& wanted) {
@@ -58,7 +58,7 @@ std::array<Index, 4> both(const std::array<Index, 2>& one, const std::array<Inde
     return {first[0], first[1], second[0], second[1]};
 }
 
-/// From the middle of the second element to that of the first, of length 1.
+/// Unit vector from the middle of the second element to that of the first.
 Vector3d between_middles(PairKind kind, const PairPositions& x) {
     const Vector3d middle = kind == PairKind::edge_edge
                                 ? Vector3d(0.5 * (x.col(0) + x.col(1)) - 0.5 * (x.col(2) + x.col(3)))
@@ -66,7 +66,7 @@ Vector3d between_middles(PairKind kind, const PairPositions& x) {
     return middle.normalized();
 }
 
-/// Vertices that have come to or gone from corners of triangles, or whose twins have.
+/// Vertices that became or ceased to be corners of triangles, or whose twins changed.
 std::vector<char> changed_vertices(const ContactSurface& before, const ContactSurface& after) {
     std::vector<char> changed(std::max(before.vertices(), after.vertices()), 0);
     for (std::size_t f = 0; f < after.triangles().size(); ++f)
@@ -121,7 +121,7 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
 
 void ContactCandidates::find_on_solids(const ContactSurface& surface, const std::vector<char>& changed,
                                        SolidTrees& solids) {
-    // Boxes of solids have no margin, so it is here twice.
+    // Boxes of colliders have no margin, so the boxes of sheets have two.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
     const auto all_points = points(surface.solid_vertices(), surface.vertices());
     for (std::size_t solid = 0; solid + 1 < surface.solid_starts().size(); ++solid) {

@@ -9,13 +9,12 @@
 namespace sherd {
 namespace {
 
-constexpr double share = 0.5;           // of a column, for each way of touching
-constexpr double share_of_rest = 0.75;  // of the distance at rest, from which neighbours push
-// From this share of half the thickness on a solid's surface pushes. Before that the springs of vertices are
-// alone, whose stiffness is that of the materials; where the solid is soft it is the solid that gives, and
-// that may be much.
+constexpr double share = 0.5;           // of a column, for each of the ways in which two sheets touch
+constexpr double share_of_rest = 0.75;  // activation distance of neighbours, over their distance at rest
+// A collider's surface is active from this share of half the thickness on. Above that only the springs of
+// vertices act, whose stiffness is that of the materials; a soft collider yields there, perhaps by much.
 constexpr double share_of_solid = 0.5;
-constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.2;  // of the distance from which they push
+constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.2;  // minimum over activation distance
 
 template <std::size_t N>
 std::array<Index, N> shifted(std::array<Index, N> vertices, Index by) {
@@ -109,7 +108,7 @@ double ContactSurface::touching(PairKind kind, const std::array<Index, 4>& verti
     if (sheet->body[mine[0]] != sheet->body[mine[vertices_of_first(kind)]]) return together;
     const PairPositions rest = columns(sheet->rest, mine);
     const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
-    // Lips of a crack have no distance at rest; they have been left to the barrier by whoever opened it.
+    // Lips of a crack have distance zero at rest; whoever opened the crack has passed them on to the barrier.
     return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
 }
 
@@ -134,7 +133,7 @@ double ContactSurface::area_on_solid(PairKind kind, const std::array<Index, 4>& 
     if (kind == PairKind::vertex_triangle)
         return of_solid(a) ? std::min(footprint(a), (footprint(b) + footprint(c) + footprint(d)) / 3)
                            : footprint(a);
-    // Solids come first in a pair of edges.
+    // In a pair of edges the collider's edge comes first.
     return std::numbers::pi / 2 * std::min(edge_width(a, b), rest_length(c, d)) * edge_width(c, d);
 }
 

@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-/// A distance that the pair is not nearer than, m: that of boxes around the elements.
+/// A lower bound of the pair's distance, m: that of the elements' bounding boxes.
 double distance_of_boxes(PairKind kind, const PairPositions& x) {
     const int first = vertices_of_first(kind);
     const auto one = x.leftCols(first), other = x.rightCols(4 - first);
@@ -18,17 +18,17 @@ double distance_of_boxes(PairKind kind, const PairPositions& x) {
     return std::max(above.maxCoeff(), below.maxCoeff());
 }
 
-/// Whether the pair is nearer than `limit`, m.
+/// Whether the pair is closer than `limit`, m.
 bool within(double limit, const ContactPair& pair, const Positions& x) {
     const PairPositions local = columns(x, pair.vertices);
     return distance_of_boxes(pair.kind, local) < limit && distance(pair, local) < limit;
 }
 
-/// By which vertices may depart from the motion until candidates are looked for again, in half thicknesses of
-/// the thinnest sheet: where the sheet is going to be for some time, and in one step.
+/// Margins by which vertices may depart from the motion before candidates are searched again, in half
+/// thicknesses of the thinnest sheet: over many steps, and in one step.
 constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
 
-/// How many steps like this one to look for candidates for, unless they lead far. motion: less its mean, m.
+/// For how many steps like this one to search candidates: fewer if they lead far. motion: less its mean, m.
 double lookahead(const Positions& motion, double unit) {
     return std::clamp(12 * unit / motion.colwise().norm().maxCoeff(), 1.0, 10.0);
 }

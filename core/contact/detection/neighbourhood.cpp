@@ -6,11 +6,12 @@
 namespace sherd {
 namespace {
 
-// Relative, of any distance: a bound, and what is granted here, so that positions may grow.
+// Relative errors of any distance: a bound, and the larger value that is allowed for, so that positions may
+// grow.
 constexpr double rounding_at_least = 1e-14, rounding = 1e-12;
 
 Positions less_mean(const Positions& motion) {
-    const Vector3d mean = motion.rowwise().mean();  // once, not for every column
+    const Vector3d mean = motion.rowwise().mean();  // evaluated once, not for every column
     return motion.colwise() - mean;
 }
 

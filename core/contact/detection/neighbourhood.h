@@ -5,28 +5,28 @@
 
 namespace sherd {
 
-/// The positions that depart from some moment of a straight motion by no more than a margin at each vertex.
-/// Without solids, what moves all vertices alike does not count: it changes no distance. It is convex: what
-/// holds the ends of a straight motion holds all of it.
+/// The positions within a margin, at each vertex, of some moment of a straight motion. Without colliders, a
+/// common translation of all vertices is disregarded since it changes no distance. The set is convex: if it
+/// contains the ends of a straight motion, it contains all of it.
 class Neighbourhood {
   public:
     Neighbourhood() = default;
-    /// x, motion: [3, V] m, the first `solids` vertices being those of solids; margin: m.
+    /// x, motion: [3, V] m, the first `solids` vertices belonging to colliders; margin: m.
     Neighbourhood(const Positions& x, const Positions& motion, double margin, Index solids = 0);
 
     bool contains(const Positions& x) const { return contains(x, 0); }
     bool contains(const Neighbourhood& other) const;
 
     Positions start;       ///< [3, V] m
-    Positions motion;      ///< [3, V] m; without solids, less what it moves all vertices by
+    Positions motion;      ///< m; without colliders, the common translation is subtracted
     double margin = 0;     ///< m
-    double round_off = 0;  ///< m, far above that of any distance here
+    double round_off = 0;  ///< m, bound on round-off, far above the actual error of any distance
 
   private:
     bool contains(const Positions& x, double spare) const;
 
     Index solids = 0;
-    bool solids_rest = true;  ///< so that they need not be looked at one by one
+    bool solids_rest = true;  ///< whether the colliders are at rest, so that their vertices need no check
 };
 
 }  // namespace sherd

@@ -7,21 +7,21 @@
 
 namespace sherd {
 
-/// Trees of boxes around the elements of solids, kept as long as a solid rests. Many solids have far more
-/// elements than the sheets, and do not move.
+/// Trees of bounding boxes around the elements of colliders, kept as long as a collider rests. Many colliders
+/// have far more elements than the sheets, and do not move.
 class SolidTrees {
   public:
-    /// Of one solid; element number 0 is its first.
+    /// The trees of one collider, in which element 0 is the first of that collider.
     struct Trees {
         BoxTree points, edges, triangles;
     };
-    /// Around what its vertices pass on the motion of `within`, without any margin. Valid until the next call
-    /// for the same solid.
+    /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin.
+    /// They are valid until the next call for the same collider.
     const Trees& of(std::size_t solid, const ContactSurface& surface, const Neighbourhood& within);
 
   private:
     struct Kept {
-        Positions from, to;  ///< m, of its vertices
+        Positions from, to;  ///< m, of its vertices at the beginning and the end of the motion
         Trees trees;
     };
     std::vector<Kept> kept;

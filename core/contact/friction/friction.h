@@ -5,14 +5,14 @@
 
 namespace sherd {
 
-/// Below this speed of sliding friction is smooth, m/s.
+/// Sliding speed below which friction is smoothed, m/s.
 constexpr double smoothing_speed = 0.01;
 
-/// Coulomb friction in one step, with a limit that is known at its beginning: a potential of the way slid
-/// since, whose slope rises smoothly from zero to the limit.
+/// Coulomb friction in one step, with the limit force lagged to its beginning: a potential of the slip
+/// (sliding displacement) in the step, whose slope rises smoothly from zero to the limit.
 struct Friction {
     double limit;      ///< N, coefficient times normal force
-    double smoothing;  ///< m, the way from which on the force is the limit: smoothing_speed times the step
+    double smoothing;  ///< m, slip from which on the force is the limit: smoothing_speed times the step
 
     double value(const Vector3d& slip) const {  ///< J
         const double way = slip.norm(), ratio = way / smoothing;

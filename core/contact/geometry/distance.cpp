@@ -8,10 +8,10 @@ namespace {
 
 using Direction = Eigen::Vector4d;
 
-/// Squared sine below which two directions, known to 1e-16, are the same.
+/// Squared sine of an angle below which two directions, known to 1e-16, count as parallel.
 constexpr double parallel = 1e-28;
 
-/// Vertex p against the edge from a to b.
+/// Closest points of vertex p and the edge from a to b.
 Closest vertex_edge(const PairPositions& x, int p, int a, int b) {
     const Vector3d along = x.col(b) - x.col(a);
     const double way = (x.col(p) - x.col(a)).dot(along), length = along.squaredNorm();
@@ -29,8 +29,8 @@ Closest vertex_edge(const PairPositions& x, int p, int a, int b) {
     return closest;
 }
 
-/// Parameters (s, t) that minimise |r + s u + t v|, for u and v not parallel. By orthogonalisation, which
-/// keeps digits on needles that the normal equations would lose.
+/// Parameters (s, t) that minimise |r + s u + t v|, for u and v not parallel. Orthogonalisation keeps digits
+/// on needles that the normal equations would lose.
 Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
     const double projection = u.dot(v) / u.squaredNorm();
     const Vector3d across = v - projection * u;
@@ -38,11 +38,11 @@ Vector2d minimising(const Vector3d& r, const Vector3d& u, const Vector3d& v) {
     return {-r.dot(u) / u.squaredNorm() - t * projection, t};
 }
 
-/// The closest of the candidates it has been shown.
+/// The closest of the candidates seen so far.
 struct Best {
     const PairPositions& x;
     Closest closest;
-    double distance;  ///< squared, m^2
+    double distance;  ///< m^2, squared distance
 
     Best(const Closest& first, const PairPositions& x)
         : x(x), closest(first), distance(squared_distance(first, x)) {}
@@ -54,7 +54,7 @@ struct Best {
     }
 };
 
-/// The pair as if both elements went on for ever: start + s first + t second in the weights.
+/// The closest points if both elements were infinite: start + s first + t second in the weights.
 Closest both_inside(PairKind kind, const PairPositions& x) {
     Closest closest;
     closest.freedom = 2;
@@ -79,7 +79,7 @@ double separation(PairKind kind, const PairPositions& x, const Vector3d& directi
 }
 
 double squared_distance(const Closest& closest, const PairPositions& x) {
-    // Differences first, which keeps digits far from the origin.
+    // Differences are taken first, which keeps digits far from the origin.
     const auto part = [&](int i) { return closest.weights[i] * (x.col(i) - x.col(0)); };
     return Vector3d(part(1) + part(2) + part(3)).squaredNorm();
 }
@@ -98,7 +98,7 @@ Closest closest_points(PairKind kind, const PairPositions& x) {
     const Closest inside = both_inside(kind, x);
     const Direction w = edges ? Direction(inside.weights.cwiseProduct(Direction(1, 1, -1, -1)))
                               : Direction(inside.weights.cwiseProduct(Direction(1, -1, -1, -1)));
-    if ((w.array() > 0).all()) best.improve(inside);  // not so for NaN, of parallel directions
+    if ((w.array() > 0).all()) best.improve(inside);  // false for NaN, which parallel directions give
     return best.closest;
 }
 
@@ -114,7 +114,7 @@ PairHessian squared_distance_hessian(const Closest& closest, const PairPositions
         for (int j = 0; j < 4; ++j) h.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(2 * w[i] * w[j]);
     const Eigen::Matrix3d edges = x.rightCols<3>().colwise() - x.col(0);
     const Vector3d between = edges * w.tail<3>();
-    // Orthogonal directions make f_aa diagonal.
+    // With orthogonal directions f_aa is diagonal.
     Direction first = closest.directions.col(0), second = closest.directions.col(1);
     if (closest.freedom == 2) {
         const Vector3d u = edges * first.tail<3>(), v = edges * second.tail<3>();

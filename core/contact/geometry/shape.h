@@ -7,20 +7,20 @@
 
 namespace sherd {
 
-/// How far a point is from a surface, and how that changes with the point.
+/// Signed distance of a point from a surface, with its derivatives by the point.
 struct SurfaceDistance {
     double distance;    ///< m, negative inside
-    Vector3d gradient;  ///< of unit length, or nearly so where distances are interpolated
+    Vector3d gradient;  ///< unit length, or nearly so where distances are interpolated
     Matrix3d hessian;   ///< 1/m
 };
 
-/// A solid, in a frame of its own.
+/// A solid, given by its signed distance in a frame of its own.
 struct Shape {
     virtual ~Shape() = default;
-    /// Exact derivatives of a distance that is continuous. Far outside, shapes that are sampled may give an
+    /// Signed distance, continuous, with its exact derivatives. Far outside, sampled shapes may return an
     /// infinite distance and no derivatives.
     virtual SurfaceDistance distance(const Vector3d& point) const = 0;
-    /// Box that holds the solid; infinite where that is.
+    /// A box that contains the solid; infinite where the solid is.
     virtual Eigen::AlignedBox3d bounds() const = 0;
 };
 

@@ -10,9 +10,9 @@
 namespace sherd {
 namespace {
 
-constexpr double flat = 1e-9;  // sine of the angle below which two triangles lie in one plane
+constexpr double flat = 1e-9;  // sine of the angle below which two triangles count as coplanar
 
-/// As long as twice the area.
+/// A triangle's normal vector, of length twice its area.
 Vector3d normal(const Positions& points, const std::array<Index, 3>& triangle) {
     const Vector3d origin = points.col(triangle[0]);
     return (points.col(triangle[1]) - origin).cross(points.col(triangle[2]) - origin);

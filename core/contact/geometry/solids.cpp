@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Distance to a box about the origin of N dimensions from a point of its positive octant.
+/// Distance, in N dimensions, of a point in the positive octant from a box centred at the origin.
 template <int N>
 struct OctantDistance {
     using Vector = Eigen::Matrix<double, N, 1>;
@@ -15,7 +15,7 @@ struct OctantDistance {
     Vector gradient = Vector::Zero();
     Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
 
-    /// beyond: coordinates less those of the box's corner.
+    /// beyond: the point's coordinates less those of the box's corner.
     explicit OctantDistance(const Vector& beyond) {
         Eigen::Index nearest = 0;
         distance = beyond.maxCoeff(&nearest);

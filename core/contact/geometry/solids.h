@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// Half of space; what is behind the plane is solid.
+/// A half-space; the solid is behind the plane.
 struct PlaneShape : Shape {
     Vector3d point = Vector3d::Zero();    ///< m
-    Vector3d normal = Vector3d::UnitZ();  ///< unit length, towards the free side
+    Vector3d normal = Vector3d::UnitZ();  ///< unit length, points out of the solid
 
     PlaneShape() = default;
     PlaneShape(const Vector3d& point, const Vector3d& normal) : point(point), normal(normal) {}
@@ -25,7 +25,7 @@ struct SphereShape : Shape {
     Eigen::AlignedBox3d bounds() const override;
 };
 
-/// A box with its sides along the axes. Seen from outside, its edges and corners are round.
+/// A box with its sides along the axes. Its offset surfaces outside are rounded at edges and corners.
 struct BoxShape : Shape {
     Vector3d centre = Vector3d::Zero();  ///< m
     Vector3d half = Vector3d::Ones();    ///< m, half of the sides' lengths

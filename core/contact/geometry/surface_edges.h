@@ -8,15 +8,15 @@
 
 namespace sherd {
 
-/// A side of triangles, with what of the surface is nearest to it.
+/// An edge of a triangle surface, with the area of the surface that is nearest to it.
 struct SurfaceEdge {
     std::array<Index, 2> ends{};       ///< ascending
-    double area = 0;                   ///< m^2, a third of each of its triangles
-    int triangles = 0;                 ///< how many have it
-    std::array<Index, 2> first_two{};  ///< of these
+    double area = 0;                   ///< m^2, a third of the area of each adjacent triangle
+    int triangles = 0;                 ///< number of adjacent triangles
+    std::array<Index, 2> first_two{};  ///< numbers of the first two of these
 };
 
-/// The sides of triangles of these areas (m^2), each once, ascending by their ends.
+/// The edges of triangles with the given areas (m^2), each once, in ascending order of their ends.
 std::vector<SurfaceEdge> surface_edges(const std::vector<std::array<Index, 3>>& triangles,
                                        const std::vector<double>& areas);
 

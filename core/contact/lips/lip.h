@@ -8,30 +8,30 @@
 
 namespace sherd {
 
-/// A vertex on one lip of a crack, and the triangle of the other lip: vertices 0 | 1 2 3, the lip being the
+/// A vertex on one lip of a crack and a triangle of the other lip, vertices 0 | 1 2 3; the lip is the
 /// triangle's side from 1 to 2.
 struct LipStencil {
     std::array<Index, 4> vertices;
     double stiffness;  ///< N/m
 };
 
-/// How far the vertex is in front of the lip, in the triangle's plane, m; negative when it overlaps.
+/// Distance of the vertex from the lip in the triangle's plane, m; negative when they overlap.
 double lip_opening(const PairPositions& x);
-/// d(opening)/dx, [3, 4]; without sum and without torque.
+/// d(opening)/dx, [3, 4]. Its columns sum to zero and exert no net torque.
 PairPositions lip_opening_gradient(const PairPositions& x);
 /// d2(opening)/dx2, 1/m.
 PairHessian lip_opening_hessian(const PairPositions& x);
 
-/// A spring against overlap, none against opening or sliding: its energy, J, with derivatives by the
+/// Energy, J, of a spring that resists overlap but neither opening nor sliding. Derivatives are by the
 /// positions.
 double value(const LipStencil& lip, const PairPositions& x);
 PairPositions gradient(const LipStencil& lip, const PairPositions& x);
-/// `convex`: the Gauss-Newton part alone.
+/// `convex` leaves the Gauss-Newton part alone.
 PairHessian hessian(const LipStencil& lip, const PairPositions& x, bool convex);
 
 /// The lips of a shell's cracks.
 struct LipElements {
-    const std::vector<LipStencil>* lips;  ///< must outlive it
+    const std::vector<LipStencil>* lips;  ///< must outlive this object
 
     std::size_t size() const { return lips->size(); }
     const std::array<Index, 4>& vertices(std::size_t i) const { return (*lips)[i].vertices; }
@@ -44,13 +44,13 @@ struct LipElements {
     }
 };
 
-/// What holds the lips of a crack apart as long as they are too near for SheetContact.
+/// Keeps the lips of a crack apart as long as they are too close for SheetContact.
 class LipContact : public ElementEnergy<LipElements> {
   public:
-    /// The stencils must outlive it.
+    /// The stencils must outlive this object.
     explicit LipContact(const std::vector<LipStencil>& lips) : ElementEnergy({&lips}) {}
     Task task() const override { return Task::contact; }
-    double largest_overlap(const Positions& x) const;  ///< m, 0 when nothing overlaps
+    double largest_overlap(const Positions& x) const;  ///< m; 0 when nothing overlaps
 };
 
 }  // namespace sherd

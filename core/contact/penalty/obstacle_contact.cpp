@@ -6,7 +6,8 @@ namespace sherd {
 void ObstacleContact::begin(const StepContext& step) {
     const Eigen::Isometry3d before = obstacle.motion.at(step.begin);
     pose = obstacle.motion.at(step.end());
-    // Exactly nothing for one that stands, whatever its pose times the inverse is rounded to.
+    // An obstacle at rest moves by exactly the identity, which the product of pose and inverse misses by
+    // round-off.
     const Eigen::Isometry3d moved =
         obstacle.moves() ? pose * before.inverse() : Eigen::Isometry3d::Identity();
     contact.begin(before, moved.linear(), step.lag,

@@ -6,14 +6,14 @@
 
 namespace sherd {
 
-/// VertexContact of a sheet and an obstacle in one step. The obstacle stands where it is at the step's end.
+/// VertexContact of the shell and an obstacle in one step, with the obstacle where it is at the step's end.
 class ObstacleContact : public Energy {
   public:
-    /// Sheet and obstacle must outlive it.
+    /// Shell and obstacle must outlive this object.
     ObstacleContact(const Sheet& sheet, const Obstacle& obstacle)
         : obstacle(obstacle), contact(sheet, obstacle) {}
     void begin(const StepContext& step) override;
-    double value(const Positions& x) const override;  ///< with the friction potential
+    double value(const Positions& x) const override;  ///< J, with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::contact; }
@@ -28,7 +28,7 @@ class ObstacleContact : public Energy {
     void each_force(const Positions& x, Curvature curvature, Add add) const;
 
     const Obstacle& obstacle;
-    VertexContact contact;   ///< with anchors in space
+    VertexContact contact;   ///< its anchors are in space
     Eigen::Isometry3d pose;  ///< at the end of the step
 };
 

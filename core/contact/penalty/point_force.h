@@ -7,15 +7,15 @@
 
 namespace sherd {
 
-/// What a contact does to a point: its energy, with derivatives by the point's position. What the point
-/// touches feels the opposite force.
+/// The energy of a contact at a point, with derivatives by the point's position. The opposite force acts on
+/// what the point touches.
 struct PointForce {
     double value;       ///< J
     Vector3d gradient;  ///< N
     Matrix3d hessian;   ///< N/m
 };
 
-/// A spring against overlap; stiffness: N/m.
+/// The force of a spring that resists overlap; stiffness: N/m.
 inline PointForce spring(const Overlap& at, double stiffness, Curvature curvature) {
     PointForce force{0.5 * stiffness * at.depth * at.depth, -(stiffness * at.depth * at.normal),
                      stiffness * (at.normal * at.normal.transpose())};
@@ -23,13 +23,13 @@ inline PointForce spring(const Overlap& at, double stiffness, Curvature curvatur
     return force;
 }
 
-/// A point that touched something at the beginning of the step, and rubs on it.
+/// A point that touched something at the beginning of the step, with its friction in the step.
 struct SlidingPoint {
-    Vector3d anchor;  ///< m, where it would be had it stuck, in a frame that whoever holds it knows
+    Vector3d anchor;  ///< m, position of the point if it sticks, in a frame that the owner chooses
     Vector3d normal;  ///< in space
     Friction friction;
 
-    /// Of the point that is at x (m); anchor: in space.
+    /// The friction force on the point at x (m); anchor: in space.
     PointForce force(const Vector3d& x, const Vector3d& anchor) const {
         const Vector3d way = x - anchor, slip = way - normal * normal.dot(way);
         const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();

@@ -9,24 +9,24 @@
 
 namespace sherd {
 
-/// Contact of a sheet's vertices with one collider, from half the thickness on; where the collider stands is
-/// for others to know.
-/// The stiffness is a property of the two materials, whatever the mesh and the step: each vertex is a column
-/// of sheet, as high as the sheet is thick and of the vertex's footprint in cross-section, whose Young's
-/// modulus is that of the sheet and the collider in series:  k = footprint / thickness / (1/Y_sheet +
-/// 1/Y_collider). The footprint is the vertex's share of the sheet's area, plus, on the rim, thickness times
-/// its share of the rim: a sheet that lands flat feels a pressure of Y d / t, one that lands on its edge a
-/// line force of Y d, on any mesh. Friction is Coulomb's with the normal forces of the beginning of the step,
-/// on the way slid along the collider, smoothed below a sliding speed of 1 cm/s (a potential in the
-/// displacement of the step, so that Newton's method sees one function).
+/// Contact of the shell's vertices with one collider, active within half the thickness. The caller gives the
+/// collider's pose.
+/// The stiffness depends on the two materials, not on mesh or time step: each vertex is a column of sheet
+/// whose height is the thickness, whose cross-section is the vertex's footprint and whose Young's modulus is
+/// that of sheet and collider in series: k = footprint / thickness / (1/Y_sheet + 1/Y_collider). The
+/// footprint is the vertex's share of the sheet's area plus, on the rim, the thickness times its share of the
+/// rim: on any mesh a sheet that lands flat feels a pressure of Y d / t, one that lands on its edge a line
+/// force of Y d. Friction is Coulomb's with the normal forces of the beginning of the step, on the slip along
+/// the collider, smoothed below a sliding speed of 1 cm/s (a potential in the displacement of the step, so
+/// that Newton's method sees one function).
 class VertexContact {
   public:
-    /// Both must outlive it.
+    /// Shell and collider must outlive this object.
     VertexContact(const Sheet& sheet, const Collider& collider) : sheet(sheet), collider(collider) {}
 
-    /// Takes down which vertices touch the collider, which stands at `pose`, at the beginning of the step.
-    /// anchor(vertex, x): of one at x, as SlidingPoint has it. turn: what the collider's turning in the step
-    /// makes of normals. lag: s.
+    /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
+    /// anchor(vertex, x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in
+    /// the step, applied to normals. lag: s.
     template <class Anchor>
     void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double lag, Anchor anchor) {
         sliding.clear();
@@ -38,14 +38,15 @@ class VertexContact {
             sliding.push_back({v, {anchor(v, Vector3d(sheet.position.col(v))), turn * at.normal, friction}});
         }
     }
-    /// Calls add(vertex, force) for each vertex of x [3, V] that is in the collider.
+    /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
     template <class Add>
     void add_springs(const Positions& x, const Eigen::Isometry3d& pose, Curvature curvature, Add add) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
             if (const Overlap at = overlap(x, v, pose); at.depth > 0)
                 add(v, spring(at, stiffness(v), curvature));
     }
-    /// Calls add(vertex, force, anchor) for each vertex that rubs; frame: from that of the anchors to space.
+    /// Calls add(vertex, force, anchor) for each vertex with friction; frame: from the anchors' frame to
+    /// space.
     template <class Add>
     void add_friction(const Positions& x, const Eigen::Isometry3d& frame, Add add) const {
         for (const auto& [vertex, point] : sliding) {
@@ -56,7 +57,7 @@ class VertexContact {
     void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);
     }
-    /// margin: m, around the vertex's half of the thickness.
+    /// Overlap of a vertex with the collider; margin: m, added to half the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
                     double margin = 0) const {
         return sherd::overlap(*collider.shape, pose, x.col(vertex), 0.5 * sheet.thickness[vertex] + margin);

@@ -7,15 +7,15 @@
 
 namespace sherd {
 
-/// Contact of sheets and fragments with each other and with themselves, and with the surfaces of solids: the
-/// barriers of all pairs of a vertex and a triangle, and of two edges, that are nearer than half the sum of
-/// their thicknesses (Li et al. 2020, with the thickness of Li, Kaufman, Jiang 2021). Infinite where a pair
-/// is nearer than its minimum, which no motion up to safe_fraction() leads to.
+/// Contact of sheets and fragments with each other, with themselves and with the surfaces of colliders: the
+/// sum of the barriers of all vertex-triangle and edge-edge pairs that are closer than half the sum of their
+/// thicknesses (Li et al. 2020, with the thickness of Li, Kaufman, Jiang 2021). It is infinite where a pair
+/// is closer than its minimum, which no motion up to safe_fraction() reaches.
 class SheetContact : public Energy {
   public:
-    /// The sheet must outlive it. sheets_meet: whether elements of sheets meet each other.
+    /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
     explicit SheetContact(const Sheet& sheet, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true);
-    /// Places the solids; energies are those at the end of the step.
+    /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
 
@@ -27,39 +27,39 @@ class SheetContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
-    /// As safe_fraction(), from where the sheet (x) and the solids are at the beginning of the step, and with
-    /// the motion of the solids.
+    /// safe_fraction() from the shell at x and the colliders at the beginning of the step, with the motion of
+    /// the colliders in the step included.
     double safe_fraction_of_step(const Positions& x, const Positions& motion) const;
-    /// For each vertex that a solid that moves is near to, or will be, the solid's displacement in the step;
-    /// zero for the others. x: at the beginning of the step. [3, V] m.
+    /// For each vertex that is near a moving collider, or will be, the displacement of the collider in the
+    /// step; zero for the other vertices. x: positions at the beginning of the step. [3, V] m.
     Positions pushed_along(const Positions& x) const;
 
     const ContactSurface& surface() const { return near.surface(); }
-    /// x [3, V] with the solids before it, at the end of the step and at its beginning; what
-    /// surface().vertices() numbers.
+    /// The colliders' vertices at the end of the step, or at its beginning, followed by x [3, V], as
+    /// surface() numbers them, [3, surface().vertices()].
     const Positions& at_end(const Positions& x) const { return with(end, x); }
     Positions at_start(const Positions& x) const { return with(start, x); }
-    /// The pairs that push at x, vertices with triangles first, ascending. Valid until the next call.
+    /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
     const std::vector<ContactPair>& touching(const Positions& x) const { return near.touching(at_end(x)); }
-    /// The same with the solids where they are at the beginning of the step.
+    /// The same with the colliders where they are at the beginning of the step.
     const std::vector<ContactPair>& touching_at_start(const Positions& x) const {
         return near.touching(with(start, x));
     }
-    /// Adds the vertices that touch solids at x, and these.
+    /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const SolidSurface*>& touched) const {
         near.add_touched(at_end(x), vertices, touched);
     }
-    /// Throws std::runtime_error, with the vertices of the first pair, if any is nearer than its minimum at
-    /// the beginning of the step, where the sheet is at x.
+    /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
+    /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
 
   private:
-    /// The pairs that push, as elements.
+    /// The active pairs, as elements.
     struct Pairs {
         const std::vector<ContactPair>& pairs;
-        const Positions& all;  ///< m, of solids and sheets
-        Index first;           ///< vertex of sheets
+        const Positions& all;  ///< m, of colliders and sheets
+        Index first;           ///< number of the first vertex of sheets
 
         std::size_t size() const { return pairs.size(); }
         std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
@@ -76,15 +76,15 @@ class SheetContact : public Energy {
     };
 
     Pairs pairs_at(const Positions& all) const;
-    /// Both in one row; kept until the next call.
+    /// The two arrays joined, valid until the next call.
     const Positions& with(const Positions& solid, const Positions& x) const;
 
     const Sheet& sheet;
     std::vector<Obstacle> obstacles;
     std::vector<ContactSolid> solids;
     NearPairs near;
-    Positions start, end;     ///< [3, S] m, of the solids' vertices, those of all solids in one row
-    mutable Positions whole;  ///< kept to save memory
+    Positions start, end;     ///< m, [3, S], vertices of all colliders in their order
+    mutable Positions whole;  ///< buffer, kept to save allocations
 };
 
 }  // namespace sherd

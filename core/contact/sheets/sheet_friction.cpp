@@ -8,11 +8,11 @@ namespace {
 
 using SlipMatrix = Eigen::Matrix<double, 3, 12>;
 
-/// Of the pair's inertia against turning, to bear elements that are as thin as a line.
+/// Share of the pair's inertia that is added to it, so that it is regular for elements as thin as a line.
 constexpr double regularization = 1e-8;
 
-/// The small rotation, rad, that the elements' edges have made, as a matrix on the vertices' displacements:
-/// the one that fits best, which is exact for a rigid motion.
+/// The small rotation, rad, of the elements' edges, as a matrix acting on the vertices' displacements: the
+/// least-squares fit, which is exact for a rigid motion.
 SlipMatrix rotation(PairKind kind, const PairPositions& x) {
     Matrix3d inertia = Matrix3d::Zero();
     SlipMatrix moments = SlipMatrix::Zero();

@@ -6,31 +6,31 @@
 
 namespace sherd {
 
-/// How two elements that touch slide on each other.
+/// The friction of two elements in contact.
 struct SlidingPair {
     std::array<Index, 4> vertices;
-    Eigen::Matrix<double, 3, 12> slip;  ///< of the vertices' displacements in the step
+    Eigen::Matrix<double, 3, 12> slip;  ///< from the vertices' displacements in the step to their slip
     Matrix3d tangent;                   ///< projection to the plane of sliding
     Friction friction;
 
-    // Of the vertices' displacements, [3, 4] m.
+    // These take the vertices' displacements, [3, 4] m.
     double value(const PairPositions& moved) const { return friction.value(slip * moved.reshaped()); }
     PairPositions gradient(const PairPositions& moved) const;
     PairHessian hessian(const PairPositions& moved) const;
 };
 
-/// The sliding of a pair at x, with the normal force and the closest points it has there. The two points are
-/// a thickness apart; of their motion against each other counts what is not the pair's rotation, as the edges
-/// of its elements show it, so that what turns as a whole does not slide, and friction has no net torque.
-/// lag: s, of the step (StepContext).
+/// The friction of a pair at x, with its normal force and its closest points there. The two points are a
+/// thickness apart. Their relative motion counts as slip only after the pair's rotation, estimated from the
+/// edges of its elements, is subtracted: a pair that rotates as a whole does not slide, and friction exerts
+/// no net torque. lag: s, of the step (StepContext).
 SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double lag);
 
-/// Pairs that slide, as elements on the displacements of their vertices since the step's origin.
+/// Sliding pairs, as elements on the displacements of their vertices since the step's origin.
 struct SlidingPairs {
-    std::vector<SlidingPair> pairs;  ///< in the numbers of SheetContact::surface()
-    Index first = 0;                 ///< vertex of sheets
+    std::vector<SlidingPair> pairs;  ///< numbered as in SheetContact::surface()
+    Index first = 0;                 ///< number of the first vertex of sheets
     Positions origin;                ///< [3, S + V] m
-    Positions solids;                ///< [3, S] m, displacements
+    Positions solids;                ///< m, [3, S], displacements of the colliders' vertices
 
     std::size_t size() const { return pairs.size(); }
     std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
@@ -44,16 +44,18 @@ struct SlidingPairs {
     }
 };
 
-/// Coulomb friction between sheets, and of sheets on the surfaces of solids with their own coefficients, in
-/// one step, for the pairs that touch at its beginning and with their normal forces there.
+/// Coulomb friction between sheets, and of sheets on the surfaces of colliders with the colliders'
+/// coefficients, in one step. It acts on the pairs that are active at its beginning, with their normal forces
+/// there.
 class SheetFriction : public ElementEnergy<SlidingPairs> {
   public:
-    /// coefficient: of sheets on sheets. Sheet and contact must outlive it; contact's step begins before.
+    /// coefficient: between sheets. Shell and contact must outlive this object; contact's step must begin
+    /// first.
     SheetFriction(const Sheet& sheet, const SheetContact& contact, double coefficient)
         : ElementEnergy({}), sheet(sheet), contact(contact), coefficient(coefficient) {}
     void begin(const StepContext& step) override;
     Task task() const override { return Task::contact; }
-    // Its pairs may change with every step.
+    // Its pairs may change with every step, so none is part of the fixed pattern.
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;
