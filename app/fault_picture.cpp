@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/recording/recording_file.h"
-#include "app/scene/scene_simulation.h"
-#include "app/scene/start_faults.h"
+#include "app/files/pending_file.h"
+#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/start_faults.h"
 #include "meshops/error.h"
 #include "meshops/mesh_faults.h"
 

@@ -4,13 +4,14 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/interruption.h"
+#include "app/progress/interruption.h"
 #include "app/progress/run_reporter.h"
-#include "app/recording/obstacle_track.h"
+#include "app/run/obstacle_track.h"
+#include "app/run/recording_header.h"
 #include "app/run_summary.h"
 #include "app/run_variants.h"
-#include "app/scene/scene_simulation.h"
-#include "app/scene/sheet_parting.h"
+#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/sheet_parting.h"
 #include "app/time_table.h"
 #include "meshops/error.h"
 

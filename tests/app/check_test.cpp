@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/recording/recording.h"
-#include "app/scene/scene.h"
-#include "app/scene/scene_plausibility.h"
-#include "app/scene/scene_simulation.h"
+#include "app/scene/build/plausibility.h"
+#include "app/scene/build/scene_simulation.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 

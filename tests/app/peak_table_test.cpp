@@ -7,7 +7,8 @@
 #include <numeric>
 
 #include "app/run_summary.h"
-#include "app/scene/scene_simulation.h"
+#include "app/scene/build/scene_simulation.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
