@@ -32,8 +32,11 @@ struct SimulationOptions {
 /// Sheets that move, bend and break.
 class Simulation {
   public:
+    /// sheets: as they start.
+    Simulation(BreakableSheet sheets, const SimulationOptions& options);
     /// inputs: at least one.
-    Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options);
+    Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options)
+        : Simulation(BreakableSheet(inputs), options) {}
     Simulation(const Simulation&) = delete;  // the stepper refers to the sheet
 
     /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
@@ -44,6 +47,7 @@ class Simulation {
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
+    const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
     const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// [O] and [B]: whether anything has touched the obstacle, or the body, at the end of a step so far.

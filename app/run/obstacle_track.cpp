@@ -13,13 +13,14 @@ GridSurface recorded_surface(const SolidSurface& solid) {
 
 }  // namespace
 
-ObstacleTrack::ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& obstacles,
-                             const std::vector<RigidBody>& bodies) {
+ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
+    const std::vector<Obstacle>& obstacles = simulation.obstacles();
     for (std::size_t i = 0; i < obstacles.size(); ++i)
         if (obstacles[i].surface) {
             recorded.push_back({scene.obstacles[i].name, recorded_surface(*obstacles[i].surface)});
             motions.push_back(obstacles[i].motion);
         }
+    const std::vector<RigidBody>& bodies = simulation.bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i)
         recorded.push_back({scene.bodies[i].name, recorded_surface(*bodies[i].surface)});
 }

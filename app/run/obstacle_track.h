@@ -3,7 +3,6 @@
 
 #include "app/recording/recording.h"
 #include "app/scene/scene.h"
-#include "core/contact/colliders/obstacle.h"
 #include "fracture/simulation.h"
 
 namespace sherd {
@@ -11,9 +10,8 @@ namespace sherd {
 /// What a recording shows of a scene's obstacles: those with a surface, the free ones last.
 class ObstacleTrack {
   public:
-    /// obstacles, bodies: those of the scene, in its order.
-    ObstacleTrack(const Scene& scene, const std::vector<Obstacle>& obstacles,
-                  const std::vector<RigidBody>& bodies);
+    /// simulation: of the scene.
+    ObstacleTrack(const Scene& scene, const Simulation& simulation);
 
     const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
     /// From the frame of each to space, as the simulation stands.

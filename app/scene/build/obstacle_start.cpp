@@ -61,7 +61,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 
 /// How the faces of one sheet stand to the surface of one obstacle.
 struct SurfaceMeeting {
-    std::vector<Face> crossing, near;
+    std::vector<StartFault> crossing, near;
     double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
     Vector3d at = Vector3d::Zero();
 };
@@ -70,8 +70,8 @@ bool is_refused(const SurfaceMeeting& found) {
     return !found.crossing.empty() || std::isfinite(found.distance);
 }
 
-/// A face of the sheet that has its part of a pair of a sheet's elements and a solid's, whose vertices are
-/// numbered before the sheet's.
+/// A face of the sheets that has its part of a pair of a sheet's elements and a solid's, whose vertices are
+/// numbered before the sheets'.
 Face face_of(const Mesh& mesh, const ContactPair& pair, Index solid_vertices) {
     std::vector<Index> own;
     for (const Index v : pair.vertices)
@@ -79,14 +79,14 @@ Face face_of(const Mesh& mesh, const ContactPair& pair, Index solid_vertices) {
     return face_with(mesh, own);
 }
 
-std::vector<Face> faces_through(const SheetInput& input, const Obstacle& obstacle,
+std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
                                 const std::vector<Index>& around) {
     std::vector<Vector3d> points;
     for (const auto& point : obstacle.surface->points.colwise())
         points.push_back(obstacle.motion.at(0) * Vector3d(point));
-    std::vector<Face> crossing = surface_crossings(input.mesh, points, obstacle.surface->triangles);
+    std::vector<Face> crossing = surface_crossings(mesh, points, obstacle.surface->triangles);
     std::erase_if(crossing, [&](Face face) {
-        const auto corners = input.mesh.vertices_around_face(input.mesh.halfedge(face));
+        const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
         return std::any_of(corners.begin(), corners.end(), [&](Vertex v) {
             return std::binary_search(around.begin(), around.end(), static_cast<Index>(v));
         });
@@ -94,21 +94,38 @@ std::vector<Face> faces_through(const SheetInput& input, const Obstacle& obstacl
     return crossing;
 }
 
-SurfaceMeeting surface_meeting(const SheetInput& input, const Obstacle& obstacle) {
-    SurfaceMeeting found;
+/// Of each sheet, how it stands to the obstacle's surface.
+std::vector<SurfaceMeeting> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+                                             const Obstacle& obstacle) {
+    std::vector<SurfaceMeeting> found(sheets);
     if (!obstacle.surface) return found;
-    const BreakableSheet sheet({input});
-    const Positions& x = sheet.mechanics().position;
-    found.crossing = faces_through(input, obstacle, contact_solids(sheet.mechanics(), {obstacle})[0].around);
-    const SheetContact contact(sheet.mechanics(), {obstacle}, false);
+    const Sheet& mechanics = all.mechanics();
+    const Positions& x = mechanics.position;
+    for (const Face face :
+         faces_through(all.mesh(), obstacle, contact_solids(mechanics, {obstacle})[0].around)) {
+        const StartFault fault = start_fault(FaultKind::across_obstacle, face, all);
+        found[fault.sheet].crossing.push_back(fault);
+    }
+    const SheetContact contact(mechanics, {obstacle}, false);
     for (const ContactPair& pair : contact.touching(x)) {
         const PairPositions local = columns(contact.at_end(x), pair.vertices);
-        found.near.push_back(face_of(input.mesh, pair, contact.surface().solid_vertices()));
-        if (const double apart = distance(pair, local); apart < found.distance) {
-            found.distance = apart;
-            found.at = local.rowwise().mean();
+        const Face face = face_of(all.mesh(), pair, contact.surface().solid_vertices());
+        const StartFault fault = start_fault(FaultKind::near_obstacle, face, all);
+        SurfaceMeeting& met = found[fault.sheet];
+        met.near.push_back(fault);
+        if (const double apart = distance(pair, local); apart < met.distance) {
+            met.distance = apart;
+            met.at = local.rowwise().mean();
         }
     }
+    return found;
+}
+
+/// The same for each obstacle.
+std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+                                                          const std::vector<Obstacle>& obstacles) {
+    std::vector<std::vector<SurfaceMeeting>> found;
+    for (const Obstacle& obstacle : obstacles) found.push_back(surface_meetings(all, sheets, obstacle));
     return found;
 }
 
@@ -120,7 +137,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
             "obstacle, "
             "or pin the vertices that it holds",
             obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name,
-            face_words(input.mesh, found.crossing.front()));
+            fault_place(found.crossing.front()));
     const double half = 0.5 * input.material.thickness;
     return fmt::format(
         "{}: sheet.{} starts {:.3g} m from its surface, at {}, where {:.3g} m, half its thickness, is "
@@ -131,10 +148,11 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 
 }  // namespace
 
-void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs,
+void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
+    const auto meetings = surface_meetings(all, inputs.size(), obstacles);
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
             const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
@@ -143,29 +161,29 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
                 (deep ? mistakes : warnings)
                     .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it));
             if (deep) continue;
-            const SurfaceMeeting met = surface_meeting(inputs[s], obstacles[o]);
+            const SurfaceMeeting& met = meetings[o][s];
             if (is_refused(met)) mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs,
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableSheet& all,
                                         const std::vector<Obstacle>& obstacles) {
     std::vector<StartFault> faults;
+    const auto meetings = surface_meetings(all, inputs.size(), obstacles);
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         const Mesh& mesh = inputs[s].mesh;
-        const auto add = [&](FaultKind kind, Face face) {
-            faults.push_back({kind, s, static_cast<Index>(face), centroid(mesh, face)});
-        };
-        for (const Obstacle& obstacle : obstacles) {
-            const InsideObstacle inside_it = inside(inputs[s], obstacle);
+        for (std::size_t o = 0; o < obstacles.size(); ++o) {
+            const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
             for (const Vertex v : inside_it.deep)
                 for (const Face face : mesh.faces_around_target(mesh.halfedge(v)))
-                    if (face != Mesh::null_face()) add(FaultKind::inside_obstacle, face);
+                    if (face != Mesh::null_face())
+                        faults.push_back(
+                            {FaultKind::inside_obstacle, s, static_cast<Index>(face), centroid(mesh, face)});
             if (is_refused(inside_it)) continue;
-            const SurfaceMeeting met = surface_meeting(inputs[s], obstacle);
-            for (const Face face : met.near) add(FaultKind::near_obstacle, face);
-            for (const Face face : met.crossing) add(FaultKind::across_obstacle, face);
+            const SurfaceMeeting& met = meetings[o][s];
+            faults.insert(faults.end(), met.near.begin(), met.near.end());
+            faults.insert(faults.end(), met.crossing.begin(), met.crossing.end());
         }
     }
     return faults;

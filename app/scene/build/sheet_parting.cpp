@@ -20,11 +20,7 @@ constexpr double steepest = 0.5;   // cosine between two normals of contact that
 
 /// The fault of one face of an overlap; faces of all sheets are numbered in the sheets' order.
 StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableSheet& all) {
-    const auto of_face = all.face_sheet();
-    const auto first = std::find(of_face.begin(), of_face.end(), of_face[face]) - of_face.begin();
-    return {overlap.crossing ? FaultKind::crossing : FaultKind::too_near,
-            static_cast<std::size_t>(of_face[face]), face - static_cast<Index>(first),
-            centroid(all.mesh(), Face(face))};
+    return start_fault(overlap.crossing ? FaultKind::crossing : FaultKind::too_near, Face(face), all);
 }
 
 std::string sentence(const StartOverlap& overlap, const Scene& scene, const BreakableSheet& all) {
@@ -97,39 +93,48 @@ void move(SheetInput& input, const Vector3d& way) {
     }
 }
 
-/// Moves sheets until none overlap; returns how far, m, each, or none where that would be too far.
-std::optional<std::vector<Vector3d>> part(const Scene& scene, std::vector<SheetInput>& inputs) {
-    std::vector<Vector3d> moved(inputs.size(), Vector3d::Zero());
+/// Sheets that were parted, and how far each was moved, m.
+struct PartedSheets {
+    std::vector<SheetInput> inputs;
+    BreakableSheet all;
+    std::vector<Vector3d> moved;
+};
+
+/// Moves sheets until none overlap; none where one would have to go too far.
+std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                 const BreakableSheet& all, std::vector<StartOverlap> overlaps) {
+    PartedSheets parted{inputs, all, std::vector<Vector3d>(inputs.size(), Vector3d::Zero())};
     for (std::size_t sweep = 0; sweep <= inputs.size(); ++sweep) {
-        const BreakableSheet all(inputs);
-        const auto overlaps = by_sheets(all, start_overlaps(all));
-        if (!overlaps) return {};
-        if (overlaps->empty()) return moved;
-        for (const auto& [sheets, found] : *overlaps) {
-            const auto next = parting(scene, inputs, sheets[0], sheets[1], found);
+        const auto of_sheets = by_sheets(parted.all, overlaps);
+        if (!of_sheets) return {};
+        if (of_sheets->empty()) return parted;
+        for (const auto& [sheets, found] : *of_sheets) {
+            const auto next = parting(scene, parted.inputs, sheets[0], sheets[1], found);
             if (!next) return {};
             const auto& [sheet, way] = *next;
-            moved[sheet] += way;
-            if (moved[sheet].norm() > farthest * inputs[sheet].material.thickness) return {};
-            move(inputs[sheet], way);
+            parted.moved[sheet] += way;
+            if (parted.moved[sheet].norm() > farthest * inputs[sheet].material.thickness) return {};
+            move(parted.inputs[sheet], way);
         }
+        parted.all = BreakableSheet(parted.inputs);
+        overlaps = start_overlaps(parted.all);
     }
     return {};
 }
 
 }  // namespace
 
-void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, std::vector<std::string>& warnings) {
+void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableSheet& all,
+                 std::vector<std::string>& warnings) {
     if (!scene.contact.sheets) return;
-    const BreakableSheet all(inputs);
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
     if (overlaps.empty()) return;
-    std::vector<SheetInput> apart = inputs;
-    const auto moved = part(scene, apart);
-    if (!moved) throw not_apart(scene, all, overlaps);
-    inputs = std::move(apart);
+    std::optional<PartedSheets> parted = part(scene, inputs, all, overlaps);
+    if (!parted) throw not_apart(scene, all, overlaps);
+    inputs = std::move(parted->inputs);
+    all = std::move(parted->all);
     for (std::size_t s = 0; s < inputs.size(); ++s)
-        if (const Vector3d& way = (*moved)[s]; way.norm() > 0)
+        if (const Vector3d& way = parted->moved[s]; way.norm() > 0)
             warnings.push_back(
                 fmt::format("{}: starts nearer to another sheet than half the sum of their thicknesses; "
                             "sheet.{} is moved "
@@ -138,13 +143,12 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, std::vecto
                             way.norm() / inputs[s].material.thickness));
 }
 
-std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs) {
+std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     const BreakableSheet& all) {
     std::vector<StartFault> faults;
     if (!scene.contact.sheets) return faults;
-    const BreakableSheet all(inputs);
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
-    std::vector<SheetInput> apart = inputs;
-    if (overlaps.empty() || part(scene, apart)) return faults;
+    if (overlaps.empty() || part(scene, inputs, all, overlaps)) return faults;
     for (const StartOverlap& overlap : overlaps)
         for (const Index face : overlap.faces) faults.push_back(fault_of(face, overlap, all));
     return faults;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/scene/scene.h"
+#include "fracture/breakable_sheet.h"
 
 namespace sherd {
 
@@ -26,6 +27,12 @@ struct StartFault {
     Index face;         ///< of the sheet, from 0
     Vector3d at;        ///< m, its centroid
 };
+
+/// The fault of a face of all sheets together, which are numbered in the scene's order.
+StartFault start_fault(FaultKind kind, Face face, const BreakableSheet& all);
+
+/// "face 12 at (0.1, 0.02, 0.03) m".
+std::string fault_place(const StartFault& fault);
 
 /// "face 12 of sheet.bowl at (0.1, 0.02, 0.03) m".
 std::string fault_words(const StartFault& fault, const Scene& scene);

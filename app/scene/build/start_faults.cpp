@@ -7,11 +7,13 @@
 
 namespace sherd {
 
-std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs) {
-    std::vector<StartFault> faults = sheet_faults(scene, inputs);
+std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     const BreakableSheet& all) {
+    std::vector<StartFault> faults = sheet_faults(scene, inputs, all);
     std::vector<std::string> told;  // by who makes them for the run
     for (const auto* specs : {&scene.obstacles, &scene.bodies}) {
-        const std::vector<StartFault> found = obstacle_faults(inputs, make_obstacles(scene, *specs, told));
+        const std::vector<StartFault> found =
+            obstacle_faults(inputs, all, make_obstacles(scene, *specs, told));
         faults.insert(faults.end(), found.begin(), found.end());
     }
     return faults;

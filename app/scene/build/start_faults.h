@@ -10,7 +10,8 @@
 namespace sherd {
 
 /// All faces of the sheets that keep a scene from starting: where sheets are not apart, and where obstacles
-/// are in the way. inputs: of all sheets, as made by make_sheet().
-std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs);
+/// are in the way. inputs: of all sheets, as made by make_sheet(); all: made of them.
+std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     const BreakableSheet& all);
 
 }  // namespace sherd

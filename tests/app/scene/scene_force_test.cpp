@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/built_scene.h"
 #include "app/scene/read/forces.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
@@ -32,9 +32,9 @@ Prepared prepare(const std::string& text) {
     Prepared result;
     result.scene = read_scene(directory.write("scene.toml", text));
     std::vector<std::string> warnings;
-    for (const SheetSpec& sheet : result.scene.sheets)
-        result.inputs.push_back(make_sheet(sheet, result.scene, warnings));
-    result.options = simulation_options(result.scene, result.inputs, warnings);
+    const BuiltScene built = build_scene(result.scene, warnings);
+    result.inputs = built.inputs;
+    result.options = built.options;
     return result;
 }
 

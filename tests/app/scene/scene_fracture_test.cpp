@@ -3,7 +3,8 @@
 // nothing.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/built_scene.h"
+#include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
@@ -45,7 +46,7 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
     EXPECT_EQ(fracture_of(paper).strength.measure, Measure::bending);
     EXPECT_EQ(paper.solver.rule, BreakingRule::paper);
     std::vector<std::string> warnings;
-    EXPECT_EQ(simulation_options(paper, {input_of(paper)}, warnings).rule, BreakingRule::paper);
+    EXPECT_EQ(build_scene(paper, warnings).options.rule, BreakingRule::paper);
 }
 
 // Glass is the same in all directions, its strength need not be.

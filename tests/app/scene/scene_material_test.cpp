@@ -3,7 +3,7 @@
 // refused by name: a run with them gains energy from nothing.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
 #include "tests/support/ply_square.h"
 #include "tests/support/png_file.h"

@@ -5,8 +5,8 @@
 
 #include <numbers>
 
+#include "app/scene/build/built_scene.h"
 #include "app/scene/build/obstacles.h"
-#include "app/scene/build/scene_simulation.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
@@ -273,6 +273,39 @@ TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     EXPECT_EQ(
         outcome("check", "{ size = [1e-3, 1e-3, 0.1], centre = [0.012, 0.01, 0.948] }").out.find("starts"),
         std::string::npos);
+}
+
+// All sheets are looked at together; the numbers are still those of the sheet alone.
+TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
+    const TemporaryDirectory directory;
+    directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
+    const auto scene_with = [&](const std::string& box) {
+        std::string text = "duration = 0.002\n";
+        for (const char* x : {"0", "1", "2"})
+            text += "[sheet.at" + std::string(x) + "]\nmesh = \"square.obj\"\nplace.translate = [" + x +
+                    ", 0, 1]\nmaterial = { preset = \"stoneware\" }\n";
+        return directory.write("scene.toml", text + "[obstacle.thing]\nbox = " + box + "\n");
+    };
+    const auto message_of = [&](const std::string& box) {
+        std::vector<std::string> warnings;
+        try {
+            build_scene(read_scene(scene_with(box)), warnings);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    // Through the triangle beyond the diagonal, whose middle is at a third and two thirds of the square.
+    const std::string across = message_of("{ size = [1e-3, 1e-3, 0.1], centre = [1.03, 0.07, 0.97] }");
+    EXPECT_NE(
+        across.find("1 of 2 faces of sheet.at1 start across its surface, face 1 at (1.033, 0.06667, 1) m"),
+        std::string::npos)
+        << across;
+    EXPECT_EQ(across.find("at0"), std::string::npos) << across;
+    EXPECT_EQ(across.find("at2"), std::string::npos) << across;
+    const std::string near = message_of("{ size = [1e-3, 1e-3, 0.1], centre = [2.03, 0.07, 0.9492] }");
+    EXPECT_NE(near.find("sheet.at2 starts 0.0008 m from its surface"), std::string::npos) << near;
+    EXPECT_EQ(near.find("at1"), std::string::npos) << near;
 }
 
 // Springs of 1e9 N/m would fling it out at a hundred metres a second.

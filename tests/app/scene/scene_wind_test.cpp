@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/built_scene.h"
 #include "app/scene/build/winds.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
@@ -36,8 +36,9 @@ SimulationOptions prepare(const std::string& text, std::vector<SheetInput>& inpu
     const TemporaryDirectory directory;
     const Scene scene = read_scene(directory.write("scene.toml", text));
     std::vector<std::string> warnings;
-    for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, warnings));
-    return simulation_options(scene, inputs, warnings);
+    const BuiltScene built = build_scene(scene, warnings);
+    inputs = built.inputs;
+    return built.options;
 }
 
 std::string message_of(const std::string& text) {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/scene/build/scene_simulation.h"
+#include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
 #include "fracture/start_overlaps.h"
 #include "meshops/error.h"
@@ -46,8 +46,9 @@ Parted parted(const std::string& sheets, const std::string& head = "") {
     for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, result.warnings));
     const std::vector<SheetInput> before = inputs;
     result.warnings.clear();
+    BreakableSheet all(inputs);
     try {
-        part_sheets(scene, inputs, result.warnings);
+        part_sheets(scene, inputs, all, result.warnings);
     } catch (const Error& error) {
         result.error = error.what();
     }
@@ -59,7 +60,8 @@ Parted parted(const std::string& sheets, const std::string& head = "") {
         EXPECT_LT(way.head<2>().norm(), 1e-12);
         result.moved.push_back(way.z());
     }
-    result.apart = start_overlaps(BreakableSheet(inputs)).empty();
+    result.apart = start_overlaps(all).empty();
+    EXPECT_TRUE(all.mechanics().rest == BreakableSheet(inputs).mechanics().rest) << "not made anew";
     return result;
 }
 

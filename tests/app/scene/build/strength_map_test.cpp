@@ -11,8 +11,8 @@
 
 #include "app/recording/recording.h"
 #include "app/scene/build/mesh.h"
-#include "app/scene/build/scene_simulation.h"
 #include "app/scene/build/score.h"
+#include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
