@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/fault_picture.h"
 #include "app/run_cost.h"
-#include "app/scene/scene_plausibility.h"
-#include "app/scene/scene_simulation.h"
-#include "app/scene/scene_variant.h"
-#include "app/scene/sheet_parting.h"
+#include "app/scene/build/built_scene.h"
+#include "app/scene/build/plausibility.h"
+#include "app/scene/build/sheet.h"
+#include "app/scene/read/variant_remarks.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -66,11 +67,11 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     return input;
 }
 
-void print_cost(const Scene& scene, const std::vector<SheetInput>& inputs, const SimulationOptions& simulated,
-                const CheckOptions& options, std::vector<std::string>& warnings) {
-    RunCost cost = run_cost(scene, inputs);
+void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& options,
+                std::vector<std::string>& warnings) {
+    RunCost cost = run_cost(scene, built.inputs);
     if (!options.no_try && cost.memory < cost.machine_memory) {
-        const TriedSteps tried = try_steps(inputs, simulated);
+        const TriedSteps tried = try_steps(scene, std::move(built));
         add(cost, tried);
         if (!tried.failure.empty())
             warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
@@ -94,11 +95,11 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
         }
     }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
-    part_sheets(scene, inputs, warnings);
-    // Throws where a load or a support reaches nothing.
-    const SimulationOptions simulated = simulation_options(scene, inputs, warnings);
-    warn_of_implausible(scene, inputs, simulated, warnings);
-    print_cost(scene, inputs, simulated, options, warnings);
+    // Throws where sheets are not apart or do not hold their shape, and where a load or a support reaches
+    // nothing.
+    BuiltScene built = build_scene(scene, std::move(inputs), warnings);
+    warn_of_implausible(scene, built.inputs, built.options, warnings);
+    print_cost(scene, std::move(built), options, warnings);
 }
 
 /// All warnings come after all that is printed of the variants, and all mistakes after these.

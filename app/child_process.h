@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/descriptor.h"
+#include "app/files/descriptor.h"
 
 namespace sherd {
 

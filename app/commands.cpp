@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
-#include "app/scene/scene.h"
-#include "app/scene/scene_variant.h"
-#include "app/scene/shipped_scenes.h"
+#include "app/scene/read/scene.h"
+#include "app/scene/read/shipped_scenes.h"
+#include "app/scene/read/variant_remarks.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/recording/recording_file.h"
-#include "app/scene/edge_list.h"
+#include "app/files/pending_file.h"
+#include "app/scene/build/edge_list.h"
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
 #include "meshops/error.h"

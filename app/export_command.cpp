@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/export/export_formats.h"
-#include "app/interruption.h"
+#include "app/progress/interruption.h"
 #include "app/slow_motion_options.h"
 
 namespace sherd {

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/recording/recording_file.h"
-#include "app/scene/scene_simulation.h"
-#include "app/scene/start_faults.h"
+#include "app/files/pending_file.h"
+#include "app/scene/build/sheet.h"
+#include "app/scene/build/start_faults.h"
 #include "meshops/error.h"
 #include "meshops/mesh_faults.h"
 
@@ -83,7 +83,7 @@ Picture picture_of(const Scene& scene) {
         }
     if (inputs.size() < scene.sheets.size()) return picture;
     try {
-        for (const StartFault& fault : start_faults(scene, inputs))
+        for (const StartFault& fault : start_faults(scene, inputs, BreakableSheet(inputs)))
             picture.mark(first_face[fault.sheet] + static_cast<std::size_t>(fault.face), fault.kind);
     } catch (const Error&) {
         // An obstacle that cannot be made is in nobody's way; `check` says why.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/mesh.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,9 +8,8 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/nearest_name.h"
-#include "app/recording/recording_file.h"
-#include "app/scene/scene_mesh.h"
+#include "app/files/pending_file.h"
+#include "app/words/nearest_name.h"
 #include "meshops/error.h"
 #include "meshops/stl.h"
 #include "meshops/write_mesh.h"

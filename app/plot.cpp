@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/recording/recording_file.h"
-#include "app/recording/xdmf.h"
+#include "app/files/pending_file.h"
+#include "app/files/xml_text.h"
 #include "meshops/error.h"
 
 namespace sherd {

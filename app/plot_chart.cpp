@@ -8,8 +8,8 @@
 #include <iterator>
 #include <limits>
 
-#include "app/axis_ticks.h"
-#include "app/recording/xdmf.h"
+#include "app/files/xml_text.h"
+#include "app/render/axis_ticks.h"
 
 namespace sherd {
 namespace {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/scene/build/material_axes.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 #include "core/elements/principal_strain.h"

@@ -10,9 +10,10 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/files/disk_room.h"
+#include "app/files/pending_file.h"
 #include "app/probe.h"
 #include "app/recording/hdf5.h"
-#include "app/recording/recording_file.h"
 
 namespace sherd {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "app/commands.h"
 #include "app/export/export.h"
-#include "app/interruption.h"
+#include "app/files/pending_file.h"
 #include "app/playback/playback.h"
+#include "app/progress/interruption.h"
 #include "app/progress/progress.h"
 #include "app/recording/recording.h"
-#include "app/recording/recording_file.h"
 #include "app/render/colour_bar.h"
 #include "app/render/render_film.h"
 #include "app/render/render_picture.h"

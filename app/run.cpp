@@ -1,121 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "app/commands.h"
-#include "app/interruption.h"
-#include "app/progress/run_reporter.h"
-#include "app/recording/obstacle_track.h"
+#include "app/progress/interruption.h"
+#include "app/progress/progress_observer.h"
+#include "app/run/run_recorder.h"
+#include "app/run/run_totals.h"
+#include "app/run/runner.h"
 #include "app/run_summary.h"
 #include "app/run_variants.h"
-#include "app/scene/scene_simulation.h"
-#include "app/scene/sheet_parting.h"
+#include "app/scene/build/built_scene.h"
 #include "app/time_table.h"
-#include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
-/// Steps the simulation to its end and records it.
-class Runner {
+/// Ctrl-C and SIGTERM end the run after the step that is going on.
+class EndOnInterruption : public RunObserver {
   public:
-    Runner(const Scene& scene, const ObstacleTrack& obstacles, Simulation& simulation,
-           RecordingWriter& writer, int progress_to)
-        : scene(scene),
-          obstacles(obstacles),
-          simulation(simulation),
-          writer(writer),
-          progress(scene.duration, progress_to) {}
-
-    /// Returns how the run ended: "complete" or "interrupted".
-    std::string run();
-    void print_summary(const std::string& end, const std::filesystem::path& output) const;
-    void print_time_spent() const;
-    double wall_seconds() const { return progress.wall_seconds(); }
-
-  private:
-    void step();
-    void record();
-
-    const Scene& scene;
-    const ObstacleTrack& obstacles;
-    Simulation& simulation;
-    RecordingWriter& writer;
-    RunReporter progress;
-    double recording = 0;  ///< s, of wall time
-    RunTotals totals;
-    std::vector<StepReport> unrecorded;
-    CrackEvents unrecorded_events;
+    EndOnInterruption() { watch_for_interruption(); }
+    bool wants_end() const override { return interrupted(); }
 };
-
-void Runner::step() {
-    const StepReport report = simulation.step();
-    CrackEvents events = simulation.take_events();
-    totals.add(report, events);
-    unrecorded.push_back(report);
-    append(unrecorded_events, events);
-    progress.update({report.step, report.time, scene.duration, report.step_size,
-                     static_cast<std::int64_t>(totals.cracks), report.fragments, totals.halvings});
-}
-
-void Runner::record() {
-    const double start = wall_seconds();
-    writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation));
-    unrecorded.clear();
-    unrecorded_events = {};
-    recording += wall_seconds() - start;
-}
-
-std::string Runner::run() {
-    const std::int64_t steps = step_count(scene);
-    record();
-    for (std::int64_t i = 1; i <= steps && !interrupted(); ++i) {
-        while (simulation.time() < static_cast<double>(i) * scene.solver.step && !interrupted()) step();
-        if (has_frame(scene, i) || interrupted()) record();
-    }
-    progress.finish();
-    return simulation.time() == static_cast<double>(steps) * scene.solver.step ? "complete" : "interrupted";
-}
-
-void Runner::print_summary(const std::string& end, const std::filesystem::path& output) const {
-    fmt::print("{}", run_summary(totals, {end, output, wall_seconds()}, scene, simulation));
-}
-
-void Runner::print_time_spent() const {
-    std::fflush(stdout);  // the summary comes first
-    fmt::print(stderr, "{}", time_table(simulation.time_spent(), recording, wall_seconds()));
-}
-
-void warn(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-}
 
 int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
     RecordingOutput output(file, options.force);
     std::vector<std::string> warnings;
-    std::vector<SheetInput> sheets;
-    for (const SheetSpec& sheet : scene.sheets) sheets.push_back(make_sheet(sheet, scene, warnings));
-    part_sheets(scene, sheets, warnings);
-    const SimulationOptions simulated = simulation_options(scene, sheets, warnings);
-    warn(warnings);
-    Simulation simulation(sheets, simulated);
-    const ObstacleTrack obstacles(scene, simulated.stepper.contact.obstacles,
-                                  simulated.stepper.contact.bodies);
-    watch_for_interruption();
-    RecordingWriter writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles());
+    BuiltScene built = build_scene(scene, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    Runner runner(scene, std::move(built));
+    const Simulation& simulation = runner.simulation();
+    EndOnInterruption interruption;
+    RunRecorder recorder(std::move(output), scene, simulation);
+    RunTotals totals;
+    ProgressObserver progress(scene.duration, totals, options.progress_to);
+    for (RunObserver* observer :
+         std::initializer_list<RunObserver*>{&interruption, &totals, &progress, &recorder})
+        runner.add(*observer);
 
-    Runner runner(scene, obstacles, simulation, writer, options.progress_to);
-    try {
-        const std::string end = runner.run();
-        writer.finish(runner.wall_seconds(), end);
-        runner.print_summary(end, file);
-        runner.print_time_spent();
-        return end == "complete" ? 0 : 1;
-    } catch (const std::exception& error) {
-        writer.finish(runner.wall_seconds(), std::string("failed: ") + error.what());
-        throw;
-    }
+    const RunEnd end = runner.run();
+    fmt::print("{}", run_summary(totals, end, file, scene, simulation));
+    std::fflush(stdout);  // before what goes to stderr
+    fmt::print(stderr, "{}", time_table(simulation.time_spent(), recorder.seconds(), end.wall_seconds));
+    return end.is_complete() ? 0 : 1;
 }
 
 int run(const RunOptions& options) {

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <utility>
 
 #include "app/recording/recording_size.h"
+#include "app/run/runner.h"
 
 namespace sherd {
 namespace {
@@ -67,19 +69,19 @@ RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs) {
     return cost;
 }
 
-TriedSteps try_steps(const std::vector<SheetInput>& inputs, const SimulationOptions& options) {
+TriedSteps try_steps(const Scene& scene, BuiltScene built) {
     using Clock = std::chrono::steady_clock;
     TriedSteps tried;
     try {
         const auto start = Clock::now();
         const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-        Simulation simulation(inputs, options);
+        Runner runner(scene, std::move(built));
         tried.later = std::numeric_limits<double>::infinity();
         while (tried.count < most_steps && (tried.count == 0 || seconds() < patience)) {
             const double begin = seconds();
-            const StepReport report = simulation.step();
+            const StepReport report = runner.step();
             // One that was halved is only a part of a step of the scene.
-            const double whole = (seconds() - begin) * options.stepper.step / report.step_size;
+            const double whole = (seconds() - begin) * scene.solver.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;
             // The cheapest: the first one sets up the solver, and few steps of a run break anything.
             tried.later = std::min(tried.later, whole);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/build/built_scene.h"
 #include "app/scene/scene.h"
-#include "fracture/simulation.h"
 
 namespace sherd {
 
@@ -31,7 +31,7 @@ struct RunCost {
 RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs);
 
 /// Does up to three steps, and begins none after some seconds.
-TriedSteps try_steps(const std::vector<SheetInput>& inputs, const SimulationOptions& options);
+TriedSteps try_steps(const Scene& scene, BuiltScene built);
 
 /// Adds what was seen in trying.
 void add(RunCost& cost, const TriedSteps& tried);

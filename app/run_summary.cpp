@@ -35,21 +35,11 @@ std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulatio
 
 }  // namespace
 
-void RunTotals::add(const StepReport& report, const CrackEvents& events) {
-    cracks += events.failures.size();
-    halvings += report.halvings;
-    smallest_step = std::min(smallest_step, report.step_size);
-    capped += report.stage_cap_reached;
-    newton_iterations += report.newton_iterations;
-    raise_peaks(peaks, report);
-    last = report;
-}
-
-std::string run_summary(const RunTotals& totals, const RunEnd& end, const Scene& scene,
-                        const Simulation& simulation) {
+std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::filesystem::path& recording,
+                        const Scene& scene, const Simulation& simulation) {
     std::string text;
     add_row(text, "run", end.how);
-    add_row(text, "recording", end.recording.string());
+    add_row(text, "recording", recording.string());
     add_row(text, "steps", fmt::format("{} of {:g} s", totals.last.step, scene.solver.step));
     add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));

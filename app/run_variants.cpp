@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <list>
 
-#include "app/interruption.h"
+#include "app/files/pending_file.h"
+#include "app/progress/interruption.h"
 #include "app/progress/progress_display.h"
 #include "app/recording/recording.h"
-#include "app/recording/recording_file.h"
 #include "app/variant_run.h"
 #include "meshops/error.h"
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/recording/recording_file.h"
-#include "app/scene/shipped_scenes.h"
+#include "app/files/pending_file.h"
+#include "app/scene/read/shipped_scenes.h"
 #include "meshops/error.h"
 
 namespace sherd {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "app/nearest_name.h"
+#include "app/words/nearest_name.h"
 
 namespace sherd {
 namespace {

@@ -44,9 +44,9 @@ double largest(const VectorXd& measures) {
 
 }  // namespace
 
-Simulation::Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options)
+Simulation::Simulation(BreakableSheet sheets, const SimulationOptions& options)
     : options(options),
-      breakable(inputs),
+      breakable(std::move(sheets)),
       stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),

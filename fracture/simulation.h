@@ -32,8 +32,11 @@ struct SimulationOptions {
 /// Sheets that move, bend and break.
 class Simulation {
   public:
-    /// inputs: at least one.
-    Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options);
+    /// Takes the sheets as they start.
+    Simulation(BreakableSheet sheets, const SimulationOptions& options);
+    /// Makes the sheets of at least one input.
+    Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options)
+        : Simulation(BreakableSheet(inputs), options) {}
     Simulation(const Simulation&) = delete;  // the stepper refers to the shell
 
     /// Advances by one time step: solves it, compares the hinges with their strengths, breaks the most
@@ -45,6 +48,7 @@ class Simulation {
 
     Snapshot snapshot() const;
     const BreakableSheet& sheet() const { return breakable; }
+    const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
     const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/export/export_sheet.h"
-#include "app/interruption.h"
+#include "app/progress/interruption.h"
 #include "meshops/body_check.h"
 #include "meshops/error.h"
 #include "meshops/thicken.h"

@@ -10,10 +10,10 @@
 #include <new>
 #include <vector>
 
-#include "app/base64.h"
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
-#include "app/recording/xdmf.h"
+#include "app/files/base64.h"
+#include "app/files/xml_text.h"
 
 namespace sherd {
 

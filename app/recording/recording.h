@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/recording/output_lock.h"
+#include "app/files/output_lock.h"
 #include "app/recording/xdmf.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"

@@ -3,8 +3,9 @@
 
 #include <functional>
 
+#include "app/files/disk_room.h"
+#include "app/files/pending_file.h"
 #include "app/recording/recording.h"
-#include "app/recording/recording_file.h"
 #include "app/recording/recording_table.h"
 
 namespace sherd {

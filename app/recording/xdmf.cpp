@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "app/files/xml_text.h"
 #include "app/recording/recording_format.h"
 
 namespace sherd {
@@ -90,23 +91,6 @@ void add_collection(std::string& out, const char* name, const std::string& sourc
 }
 
 }  // namespace
-
-std::string xml_escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
 
 std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames) {
     std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";

@@ -12,9 +12,6 @@ struct XdmfFrame {
     std::size_t vertices = 0, faces = 0, edges = 0;
 };
 
-/// `text` as it is written between tags and quotes of XML.
-std::string xml_escaped(const std::string& text);
-
 /// The text of an .xdmf file (XDMF 2, for ParaView's XDMFReader) that shows the frames of the recording
 /// `recording_name`, a file name without folder, as two collections in time, whose topology may change from
 /// frame to frame: `surface` (triangles: fragment, sheet; vertices: speed, velocity) and `edges` (lines:

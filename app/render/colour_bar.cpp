@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "app/axis_ticks.h"
+#include "app/render/axis_ticks.h"
 #include "app/render/render_colour.h"
 #include "app/render/text.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/image.h"
+#include "app/files/image.h"
 
 namespace sherd {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/recording/recording_file.h"
+#include "app/files/pending_file.h"
 
 namespace sherd {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/image.h"
+#include "app/files/image.h"
 #include "app/render/camera.h"
 #include "app/render/render_scene.h"
 

@@ -11,6 +11,7 @@
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
 #include "app/render/render_stripes.h"
+#include "app/scene/read/scene.h"
 #include "meshops/error.h"
 
 namespace sherd {

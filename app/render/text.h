@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/image.h"
+#include "app/files/image.h"
 
 struct FT_LibraryRec_;
 struct FT_FaceRec_;

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+#include <filesystem>
 #include <string>
 #include <variant>
-#include <vector>
-
-#include "app/scene/axis_texture.h"
-#include "meshops/mesh.h"
 
 namespace sherd {
+
+/// How a texel says an angle between 0 and 180 degrees.
+enum class AxisEncoding {
+    hue,    ///< hue 0 to 360 degrees is twice the angle; grey is no direction
+    vector  ///< red and green, 0 to full, are cosine and sine, -1 to 1, of twice the angle
+};
+
+/// A texture whose texels are angles, counterclockwise from the direction of u.
+struct AxisTexture {
+    std::filesystem::path path;
+    AxisEncoding encoding = AxisEncoding::hue;
+};
 
 /// A direction in the mesh's own frame, projected to the surface and turned counterclockwise about the face's
 /// normal.
@@ -26,14 +35,5 @@ struct MaterialAxis {
     std::variant<AxisDirection, AxisTexture, AxisField> kind;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
-
-/// The first material axis of each face [F], unit vectors in the faces' planes, on the mesh as it is placed.
-/// Where the direction is perpendicular to a face, the mesh's y axis (or z, or x) takes its place, which a
-/// warning tells. Throws Error naming the scene's line and key on: a texture that is missing, damaged or no
-/// PNG, a mesh without texture coordinates or axes, a face whose coordinates have no area, or where texture
-/// or field have no direction.
-std::vector<Eigen::Vector3d> material_axes(const MaterialAxis& axis, const Mesh& placed,
-                                           const Eigen::Isometry3d& place,
-                                           std::vector<std::string>& warnings);
 
 }  // namespace sherd

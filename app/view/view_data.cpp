@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/base64.h"
+#include "app/files/base64.h"
 #include "app/render/render_colour.h"
 #include "app/render/render_solid.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/recording/recording.h"
-#include "app/scene/scene.h"
-#include "app/scene/scene_plausibility.h"
-#include "app/scene/scene_simulation.h"
+#include "app/scene/build/built_scene.h"
+#include "app/scene/build/plausibility.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -32,9 +32,8 @@ plane = {}
 std::string warnings_of(const std::string& text, const SceneChoice& choice = {}) {
     const Scene scene = parse_scene(text, "scene.toml", choice);
     std::vector<std::string> ignored, warnings;
-    std::vector<SheetInput> inputs;
-    for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, ignored));
-    warn_of_implausible(scene, inputs, simulation_options(scene, inputs, ignored), warnings);
+    const BuiltScene built = build_scene(scene, ignored);
+    warn_of_implausible(scene, built.inputs, built.options, warnings);
     std::string lines;
     for (const std::string& warning : warnings) lines += warning + "\n";
     return lines;
@@ -164,9 +163,8 @@ TEST_P(ShippedScene, HasNothingImplausible) {
     for (const std::string& variant : variants) {
         const Scene scene = read_scene(file, {{}, variant});
         std::vector<std::string> ignored, warnings;
-        std::vector<SheetInput> inputs;
-        for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, ignored));
-        warn_of_implausible(scene, inputs, simulation_options(scene, inputs, ignored), warnings);
+        const BuiltScene built = build_scene(scene, ignored);
+        warn_of_implausible(scene, built.inputs, built.options, warnings);
         EXPECT_EQ(warnings, std::vector<std::string>{}) << variant;
     }
 }
@@ -183,6 +181,34 @@ INSTANTIATE_TEST_SUITE_P(Scene, ShippedScene,
                              std::replace(name.begin(), name.end(), '/', '_');
                              return name;
                          });
+
+// All sheets are tested together, and still the user must hear which one it is.
+TEST(Check, NamesTheSheetThatDoesNotHoldItsShape) {
+    const TemporaryDirectory directory;
+    const auto sheet = [](const std::string& name, const std::string& height, const std::string& thickness) {
+        return "[sheet." + name +
+               "]\nmesh = { generate = \"cylinder\", radius = 0.1, height = 0.1, edge_length = 0.03 }\n"
+               "place.translate = [0, 0, " +
+               height +
+               "]\nmaterial = { density = 1000, young = 1e9, poisson = 0.3, thickness = " + thickness +
+               " }\n";
+    };
+    const auto errors_of = [&](const std::string& command, const std::string& second) {
+        directory.write("scene.toml",
+                        "duration = 1e-4\n" + sheet("thin", "0", "1e-3") + sheet("other", "50", second));
+        return run_sherd({command, "scene.toml"}, directory.path);
+    };
+    for (const std::string command : {"check", "run"}) {
+        const ProgramResult thick = errors_of(command, "5");
+        EXPECT_EQ(thick.exit_code, 2) << thick.err;
+        EXPECT_NE(
+            thick.err.find("scene.toml:7: sheet.other.mesh: a sheet 5 m thick does not hold this shape"),
+            std::string::npos)
+            << thick.err;
+        EXPECT_EQ(thick.err.find("sheet.thin"), std::string::npos) << thick.err;
+    }
+    EXPECT_EQ(errors_of("check", "1e-3").exit_code, 0);
+}
 
 TEST(Check, TellsWhatARunWillTake) {
     const TemporaryDirectory directory;

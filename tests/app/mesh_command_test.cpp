@@ -2,7 +2,8 @@
 // `sherd mesh`: what an artist paints on must be the very mesh that the scene is run with.
 #include <gtest/gtest.h>
 
-#include "app/scene/scene_mesh.h"
+#include "app/scene/build/mesh.h"
+#include "app/scene/read/scene.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"

@@ -6,8 +6,9 @@
 
 #include <numeric>
 
-#include "app/run_summary.h"
-#include "app/scene/scene_simulation.h"
+#include "app/run/run_totals.h"
+#include "app/run/runner.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -69,13 +70,10 @@ material = { preset = "stoneware" }
 )" + fracture + "[obstacle.floor]\nplane = {}\n",
                             "scene.toml");
         std::vector<std::string> warnings;
-        const std::vector<SheetInput> inputs{make_sheet(scene.sheets[0], scene, warnings)};
-        Simulation simulation(inputs, simulation_options(scene, inputs, warnings));
-        for (int i = 0; i < 20; ++i) {
-            const StepReport report = simulation.step();
-            totals.add(report, simulation.take_events());
-        }
-        rows = peak_rows(scene, simulation);
+        Runner runner(scene, build_scene(scene, warnings));
+        runner.add(totals);
+        for (int i = 0; i < 20; ++i) runner.step();
+        rows = peak_rows(scene, runner.simulation());
     }
 };
 

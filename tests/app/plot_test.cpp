@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "app/axis_ticks.h"
+#include "app/render/axis_ticks.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
 #include "tests/support/synthetic_run.h"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scene_reference.py SHERD SOURCES REFERENCE
 
-Holds scenes/README.md (REFERENCE) against the program: every key that the reader of scenes (SOURCES: app/scene) knows
+Holds scenes/README.md (REFERENCE) against the program: every key that the reader of scenes (SOURCES: app/scene/read) knows
 is in a table of it, every key in its tables is known, and a plain number, `true`, `false` or array that it gives as
 a default is the one that the program names when the key has a wrong type. A key that is added to one of them only
 fails here."""
@@ -104,7 +104,7 @@ def defaults(sherd, names):
 def asked_names(sources):
     """Every key that the source asks a table for, wherever it does."""
     names = set()
-    for file in sorted(sources.glob("scene*.cpp")):
+    for file in sorted(sources.glob("*.cpp")):
         text = file.read_text(encoding="utf-8")
         names |= set(re.findall(r"(?:\.|->)(?:number|integer|flag|string|choice|vector|pair|rows|tables?|has)\(\s*\"(\w+)\"", text))
         names |= set(re.findall(r"\b(?:read_direction|length_of|read_value)\(\*?\w+, \"(\w+)\"", text))

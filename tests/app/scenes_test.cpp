@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/recording/recording.h"
-#include "app/scene/scene.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/corner_rule.h"
 #include "tests/support/frame_intersections.h"
 #include "tests/support/mesh_shapes.h"

@@ -12,7 +12,12 @@ BELOW = {"meshops": [], "core": [], "fracture": ["core", "meshops"], "app": ["fr
 KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core",
            "hdf5.h": "app", "toml++": "app", "CLI": "app"}
 # Floors whose rooms (folders) must not include from each other in a circle.
-WITHOUT_CIRCLES = ("meshops", "core", "fracture")
+WITHOUT_CIRCLES = ("meshops", "core", "fracture", "app")
+# Rooms whose files must not either; a header and the source of its name are one.
+FILES_WITHOUT_CIRCLES = ("app/scene",)
+# Rooms that must not include from others, by way of others neither.
+APART = {"app/scene/toml": ["app/scene/read", "app/scene/build"], "app/scene/read": ["app/scene/build"],
+         "app/recording": ["app/scene", "app/run"], "app/files": ["app/recording", "app/scene"]}
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 MOST_LINES = 400
 
@@ -53,33 +58,54 @@ def violations_of_includes(top, file, lines):
             yield where + f'{file.parent}/ must not include "{name}"'
 
 
-def rooms_above(top, floor):
-    """For each folder of a floor, the other folders of the floor that its files include from."""
+def included_by(top, folder, name_of):
+    """What the sources below a folder include from below it: for each name, the other names; name_of(file): its name."""
     above = {}
     for file in sources(top):
-        if file.parts[0] != floor or file.suffix not in (".h", ".cpp"):
+        if not file.is_relative_to(folder) or file.suffix not in (".h", ".cpp"):
             continue
-        rooms = above.setdefault(file.parent, set())
+        names = above.setdefault(name_of(file), set())
         for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', (top / file).read_text(), re.MULTILINE):
-            room = pathlib.PurePath(name).parent
-            if room.parts[:1] == (floor,) and room != file.parent:
-                rooms.add(room)
+            other = pathlib.PurePath(name)
+            if other.is_relative_to(folder) and name_of(other) != name_of(file):
+                names.add(name_of(other))
     return above
 
 
-def circles(top, floor):
-    """One line for each two folders of the floor that include from each other, by way of others too."""
-    above = rooms_above(top, floor)
+def room_of(file):
+    return f"{file.parent}/"
+
+
+def stem_of(file):
+    return str(file.with_suffix(""))
+
+
+def reached_from(above):
+    """For each name, all names that it includes, by way of others too."""
     reached = {}
-    for room in above:
-        reached[room], waiting = set(), [room]
+    for name in above:
+        reached[name], waiting = set(), [name]
         while waiting:
-            for other in above.get(waiting.pop(), set()) - reached[room]:
-                reached[room].add(other)
+            for other in above.get(waiting.pop(), set()) - reached[name]:
+                reached[name].add(other)
                 waiting.append(other)
-    return [f"{one}/ and {other}/ include from each other, by way of others perhaps"
+    return reached
+
+
+def circles(above):
+    """One line for each two names that include from each other, by way of others too."""
+    reached = reached_from(above)
+    return [f"{one} and {other} include from each other, by way of others perhaps"
             for one in sorted(above) for other in sorted(reached[one])
             if one < other and one in reached.get(other, set())]
+
+
+def not_apart(top):
+    """One line for each room that reaches one that it must not."""
+    reached = reached_from(included_by(top, "app", room_of))
+    return [f"{room}/ must not include from {other}, by way of others neither"
+            for room, apart in APART.items() for other in sorted(reached.get(f"{room}/", set()))
+            if any(pathlib.PurePath(other).is_relative_to(forbidden) for forbidden in apart)]
 
 
 def violations(top):
@@ -94,8 +120,10 @@ def violations(top):
         if file.suffix in (".h", ".cpp") and file.parent.parts[:2] != ("tests", "house"):
             found.extend(violations_of_includes(top, file, lines))
     for floor in WITHOUT_CIRCLES:
-        found.extend(circles(top, floor))
-    return found
+        found.extend(circles(included_by(top, floor, room_of)))
+    for folder in FILES_WITHOUT_CIRCLES:
+        found.extend(circles(included_by(top, folder, stem_of)))
+    return found + not_apart(top)
 
 
 class House(unittest.TestCase):
@@ -129,6 +157,20 @@ class House(unittest.TestCase):
         self.assertEqual(self.found_in(**house), [])
         self.assertEqual(len(self.found_in(**house, core__one__b='#include "core/two/a.h"')), 1)
         self.assertEqual(len(self.found_in(**house, core__one__b='#include "core/three/a.h"')), 3)
+
+    def test_circles_between_files_of_a_scene_are_found(self):
+        house = {"app__scene__a": "", "app__scene__b": '#include "app/scene/a.h"'}
+        self.assertEqual(self.found_in(**house), [])
+        self.assertEqual(len(self.found_in(**{**house, "app__scene__a": '#include "app/scene/b.h"'})), 1)
+        self.assertEqual(self.found_in(app__a='#include "app/b.h"', app__b='#include "app/a.h"'), [])
+
+    def test_reading_never_reaches_building(self):
+        house = {"app__scene__build__a": "", "app__scene__read__a": "", "app__recording__a": ""}
+        self.assertEqual(self.found_in(**house), [])
+        house["app__scene__read__a"] = '#include "app/scene/build/a.h"'
+        self.assertEqual(len(self.found_in(**house)), 1)
+        house["app__recording__a"] = '#include "app/scene/read/a.h"'
+        self.assertEqual(len(self.found_in(**house)), 3)
 
     def test_libraries_are_kept_on_their_floor(self):
         self.assertEqual(self.found_in(meshops__b="#include <CGAL/Surface_mesh.h>"), [])

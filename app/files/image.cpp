@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/image.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+constexpr png_uint_32 most_pixels_a_side = 16384;
+
+void keep_message(png_structp png, png_const_charp message) {
+    *static_cast<std::string*>(png_get_error_ptr(png)) = message;
+    png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+/// libpng's two structures, for as long as a file is read.
+class PngReader {
+  public:
+    PngReader()
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {
+        if (!info) throw std::bad_alloc();
+    }
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    /// False, with a message, when libpng gives up. It then jumps back to here, so nothing here may need a
+    /// destructor.
+    bool read(std::FILE* file) {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_init_io(png, file);
+        png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
+        png_read_png(png, info,
+                     PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
+                     nullptr);
+        return true;
+    }
+
+    std::string message;
+    png_structp png;
+    png_infop info;
+};
+
+void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+void flush_nothing(png_structp) {}
+
+/// libpng's two structures, for as long as an image is written.
+class PngWriter {
+  public:
+    PngWriter()
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, keep_message, ignore_warning)),
+          info(png ? png_create_info_struct(png) : nullptr) {
+        if (!info) throw std::bad_alloc();
+    }
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    /// As PngReader::read. rows: of red, green and blue bytes.
+    bool write(int width, int height, png_bytepp rows) {
+        if (setjmp(png_jmpbuf(png))) return false;
+        png_set_write_fn(png, &bytes, append_bytes, flush_nothing);
+        png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
+        png_set_rows(png, info, rows);
+        png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+        return true;
+    }
+
+    std::string message, bytes;
+    png_structp png;
+    png_infop info;
+};
+
+Image image_of(PngReader& reader) {
+    Image image;
+    image.width = static_cast<int>(png_get_image_width(reader.png, reader.info));
+    image.height = static_cast<int>(png_get_image_height(reader.png, reader.info));
+    image.colours.resize(3, static_cast<Eigen::Index>(image.width) * image.height);
+    const png_bytepp rows = png_get_rows(reader.png, reader.info);
+    const auto full = [](png_const_bytep two) {
+        return static_cast<float>(two[0] * 256 + two[1]) / 65535;  // most significant byte first
+    };
+    Eigen::Index pixel = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x, ++pixel)
+            for (int channel = 0; channel < 3; ++channel)
+                image.colours(channel, pixel) = full(rows[y] + 6 * x + 2 * channel);
+    return image;
+}
+
+bool is_png(std::FILE* file) {
+    std::array<png_byte, 8> signature{};
+    const std::size_t count = std::fread(signature.data(), 1, signature.size(), file);
+    std::rewind(file);
+    return count == signature.size() && png_sig_cmp(signature.data(), 0, signature.size()) == 0;
+}
+
+}  // namespace
+
+Image read_png(const std::filesystem::path& file) {
+    const auto fail = [&](const std::string& what) {
+        return Error(fmt::format("{}: {}", file.string(), what));
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw fail("is a folder, a PNG file is needed");
+    const FilePointer stream(std::fopen(file.c_str(), "rb"), std::fclose);
+    if (!stream) throw fail("cannot read the image: " + std::generic_category().message(errno));
+    if (!is_png(stream.get())) throw fail("is not a PNG file");
+    PngReader reader;
+    if (!reader.read(stream.get())) throw fail("damaged PNG file: " + reader.message);
+    return image_of(reader);
+}
+
+std::string png_bytes(const Image& image) {
+    std::vector<png_byte> pixels(image.colours.size());
+    for (Eigen::Index i = 0; i < image.colours.size(); ++i)
+        pixels[i] = static_cast<png_byte>(std::clamp(image.colours.data()[i], 0.0f, 1.0f) * 255 + 0.5f);
+    std::vector<png_bytep> rows;
+    for (int y = 0; y < image.height; ++y)
+        rows.push_back(&pixels[3 * static_cast<std::size_t>(image.width) * y]);
+    PngWriter writer;
+    if (!writer.write(image.width, image.height, rows.data()))
+        throw Error("cannot make a PNG image: " + writer.message, Fault::run);
+    return std::move(writer.bytes);
+}
+
+}  // namespace sherd

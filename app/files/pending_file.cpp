@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/pending_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "app/files/descriptor.h"
+#include "app/files/disk_room.h"
+
+namespace sherd {
+
+PendingFile::PendingFile(const OutputLock& lock, Fault fault) : PendingFile(lock.output(), fault, lock) {}
+
+PendingFile::PendingFile(std::filesystem::path target_, Fault fault, const OutputLock& whole)
+    : target(std::move(target_)), temporary(target.string() + ".part") {
+    if (target != whole.output()) own.emplace(target);
+    const Descriptor created(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (created < 0) {
+        const int reason = errno;
+        throw Error(
+            fmt::format("cannot create '{}': {}; name a file in a folder that exists and can be written",
+                        target.string(), std::strerror(reason)),
+            disk_is_full(reason) ? Fault::run : fault);
+    }
+}
+
+PendingFile::~PendingFile() {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+}
+
+void PendingFile::write(const std::string& text) {
+    std::ofstream out(temporary, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) refuse_room(target, text.size(), errno ? errno : ENOSPC);
+}
+
+void PendingFile::publish(bool replace) {
+    const char* from = temporary.c_str();
+    int result = ::renameat2(AT_FDCWD, from, AT_FDCWD, target.c_str(), replace ? 0 : RENAME_NOREPLACE);
+    if (result != 0 && (errno == EINVAL || errno == ENOSYS)) {
+        // A file system that cannot rename exclusively.
+        check_free(target, replace);
+        result = std::rename(from, target.c_str());
+    }
+    if (result != 0 && errno == EEXIST) check_free(target, replace);
+    if (result != 0)
+        throw Error(fmt::format("cannot create '{}': {}", target.string(), std::strerror(errno)), Fault::run);
+}
+
+void check_free(const std::filesystem::path& file, bool force) {
+    const auto status = std::filesystem::status(file);
+    if (!std::filesystem::exists(status)) return;
+    if (!std::filesystem::is_regular_file(status))
+        throw Error(fmt::format("'{}' exists and is not an ordinary file; name another one", file.string()));
+    if (!force)
+        throw Error(
+            fmt::format("'{}' exists; name another file, or pass --force to replace it", file.string()));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    if (folder.empty() || std::filesystem::is_directory(folder)) return;
+    std::error_code reason;
+    std::filesystem::create_directory(folder, reason);
+    if (!std::filesystem::is_directory(folder))
+        throw Error(fmt::format("cannot make the folder '{}': {}", folder.string(),
+                                reason ? reason.message() : "something else has its name"));
+}
+
+}  // namespace sherd

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/files/output_lock.h"
+#include "meshops/error.h"
+
+namespace sherd {
+
+/// A file that is written under another name (`NAME.part`) in the same folder until it is complete, and
+/// removed if it never is.
+class PendingFile {
+  public:
+    /// Creates it empty. The lock is that of the file and must outlive this. Throws Error of kind `fault`
+    /// when it cannot be created.
+    PendingFile(const OutputLock& lock, Fault fault);
+    /// One file of an output of several, which as a whole is locked: the file gets its own lock, too. Throws
+    /// Error (input) when another program has that.
+    PendingFile(std::filesystem::path target, Fault fault, const OutputLock& whole);
+    ~PendingFile();
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    const std::filesystem::path& path() const { return temporary; }
+    /// Throws Error (run) when the disk is full.
+    void write(const std::string& text);
+    /// Gives it its name. Throws Error (input) when that is taken and not `replace`.
+    void publish(bool replace);
+
+  private:
+    std::filesystem::path target, temporary;
+    std::optional<OutputLock> own;
+};
+
+/// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
+void check_free(const std::filesystem::path& file, bool force);
+
+/// Makes a folder unless it is there; those above it must be there. Throws Error (input).
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace sherd

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sherd {
+
+/// `text` as it is written between tags and quotes of XML.
+std::string xml_escaped(const std::string& text);
+
+}  // namespace sherd

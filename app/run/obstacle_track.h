@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/recording/recording.h"
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// What a recording shows of a scene's obstacles: those with a surface, the free ones last.
+class ObstacleTrack {
+  public:
+    /// simulation: of the scene.
+    ObstacleTrack(const Scene& scene, const Simulation& simulation);
+
+    const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
+    /// From the frame of each to space, as the simulation stands.
+    std::vector<Eigen::Isometry3d> poses(const Simulation& simulation) const;
+
+  private:
+    std::vector<RecordedObstacle> recorded;
+    std::vector<Motion> motions;  ///< of those that are not free
+};
+
+}  // namespace sherd

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/run_recorder.h"
+
+#include <chrono>
+#include <utility>
+
+#include "app/run/recording_header.h"
+
+namespace sherd {
+
+RunRecorder::RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation)
+    : obstacles(scene, simulation),
+      writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles()) {}
+
+void RunRecorder::stepped(const StepReport& report, const CrackEvents& events) {
+    unrecorded.push_back(report);
+    append(unrecorded_events, events);
+}
+
+void RunRecorder::frame_due(const Simulation& simulation) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation));
+    unrecorded.clear();
+    unrecorded_events = {};
+    spent += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void RunRecorder::ended(const RunEnd& end) {
+    writer.finish(end.wall_seconds, end.how);
+}
+
+}  // namespace sherd

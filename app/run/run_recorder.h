@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/recording/recording.h"
+#include "app/run/obstacle_track.h"
+#include "app/run/run_observer.h"
+#include "app/scene/scene.h"
+
+namespace sherd {
+
+/// Writes a run into a recording.
+class RunRecorder : public RunObserver {
+  public:
+    /// Creates the recording, of a scene and the simulation of it, which has not made a step yet. Throws
+    /// Error (input) when it cannot be created.
+    RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation);
+
+    void stepped(const StepReport& report, const CrackEvents& events) override;
+    void frame_due(const Simulation& simulation) override;
+    void ended(const RunEnd& end) override;
+
+    double seconds() const { return spent; }  ///< s, of wall time, on frames
+
+  private:
+    ObstacleTrack obstacles;
+    RecordingWriter writer;
+    std::vector<StepReport> unrecorded;
+    CrackEvents unrecorded_events;
+    double spent = 0;
+};
+
+}  // namespace sherd

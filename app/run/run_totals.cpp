@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/run_totals.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+void RunTotals::stepped(const StepReport& report, const CrackEvents& events) {
+    cracks += events.failures.size();
+    halvings += report.halvings;
+    smallest_step = std::min(smallest_step, report.step_size);
+    capped += report.stage_cap_reached;
+    newton_iterations += report.newton_iterations;
+    raise_peaks(peaks, report);
+    last = report;
+}
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "app/run/run_observer.h"
+
+namespace sherd {
+
+/// What a run adds up over its steps.
+class RunTotals : public RunObserver {
+  public:
+    void stepped(const StepReport& report, const CrackEvents& events) override;
+
+    std::size_t cracks = 0, capped = 0;
+    std::int64_t newton_iterations = 0, halvings = 0;
+    double smallest_step = std::numeric_limits<double>::infinity();  ///< s
+    StepReport peaks;
+    StepReport last;
+};
+
+}  // namespace sherd

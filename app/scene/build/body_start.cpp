@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/body_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr double noticed = 1e-6;  // of a body's size: less is rounding, as of what is placed on a floor
+
+/// m, how deep the deepest foot is in a shape; less than zero if none is.
+double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
+    double deepest = -1;
+    for (const Vector3d& foot : body.feet)
+        deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.skin).depth);
+    const double size = body.shape->bounds().diagonal().norm();
+    return deepest > noticed * size ? deepest : -1;
+}
+
+std::string message(const ObstacleSpec& body, const ObstacleSpec& other, double depth) {
+    return fmt::format("{}: starts {:.3g} m inside obstacle.{}: move one of them by that much", body.where,
+                       depth, other.name);
+}
+
+}  // namespace
+
+void require_free_bodies(const Scene& scene, const std::vector<Obstacle>& obstacles,
+                         const std::vector<RigidBody>& bodies) {
+    std::vector<std::string> mistakes;
+    const auto judge = [&](const ObstacleSpec& body, const ObstacleSpec& other, double deep) {
+        if (deep > 0) mistakes.push_back(message(body, other, deep));
+    };
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        for (std::size_t o = 0; o < obstacles.size(); ++o)
+            judge(scene.bodies[b], scene.obstacles[o],
+                  depth(bodies[b], *obstacles[o].shape, obstacles[o].motion.at(0)));
+        for (std::size_t c = 0; c < b; ++c)
+            judge(scene.bodies[b], scene.bodies[c],
+                  std::max(depth(bodies[b], *bodies[c].shape, bodies[c].pose()),
+                           depth(bodies[c], *bodies[b].shape, bodies[b].pose())));
+    }
+    if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+}  // namespace sherd

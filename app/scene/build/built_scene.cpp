@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/built_scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+#include "app/scene/build/body_start.h"
+#include "app/scene/build/loads.h"
+#include "app/scene/build/obstacle_start.h"
+#include "app/scene/build/obstacles.h"
+#include "app/scene/build/sheet.h"
+#include "app/scene/build/sheet_parting.h"
+#include "app/scene/build/supports.h"
+#include "app/scene/build/winds.h"
+#include "core/time/stability.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all) {
+    const BendingModel model = scene.solver.bending.model;
+    if (stable_at_rest(all.mechanics(), model)) return;
+    std::vector<std::string> mistakes;
+    // Which one it is only a sheet alone can tell.
+    for (std::size_t s = 0; s < inputs.size(); ++s)
+        if (!stable_at_rest(BreakableSheet({inputs[s]}).mechanics(), model))
+            mistakes.push_back(fmt::format(
+                "{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
+                "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
+                "the edges longer (edge_length, or remesh on a mesh file) or the thickness smaller",
+                scene.sheets[s].where, inputs[s].material.thickness));
+    if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+SimulationOptions plain_options(const Scene& scene) {
+    SimulationOptions options;
+    options.stepper.step = scene.solver.step;
+    options.stepper.gravity = scene.gravity;
+    options.stepper.shell.bending = scene.solver.bending;
+    options.stepper.shell.damping = scene.solver.damping;
+    options.stepper.contact.sheets = scene.contact.sheets;
+    options.stepper.contact.friction = scene.contact.friction;
+    options.max_iterations = scene.solver.max_iterations;
+    options.tolerance = scene.solver.tolerance;
+    options.rule = scene.solver.rule;
+    options.max_stages = scene.solver.max_stages;
+    return options;
+}
+
+/// The scene's obstacles, which nothing may start in.
+void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
+    ContactOptions& contact = built.options.stepper.contact;
+    contact.obstacles = make_obstacles(scene, scene.obstacles, warnings);
+    contact.bodies = make_bodies(scene);
+    require_free_bodies(scene, contact.obstacles, contact.bodies);
+    require_free_start(scene, built.inputs, built.sheets, scene.obstacles, contact.obstacles, warnings);
+    require_free_start(scene, built.inputs, built.sheets, scene.bodies,
+                       make_obstacles(scene, scene.bodies, warnings), warnings);
+}
+
+}  // namespace
+
+BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
+                       std::vector<std::string>& warnings) {
+    BreakableSheet all(inputs);
+    BuiltScene built{std::move(inputs), std::move(all), plain_options(scene)};
+    require_stability(scene, built.inputs, built.sheets);
+    part_sheets(scene, built.inputs, built.sheets, warnings);
+    add_obstacles(scene, built, warnings);
+    add_supports(scene, built.inputs, built.sheets.mechanics(), built.options);
+    add_loads(scene, built.inputs, built.sheets.mechanics(), built.options);
+    add_winds(scene, built.sheets.mechanics(), built.options);
+    return built;
+}
+
+BuiltScene build_scene(const Scene& scene, std::vector<std::string>& warnings) {
+    std::vector<SheetInput> inputs;
+    for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, warnings));
+    return build_scene(scene, std::move(inputs), warnings);
+}
+
+}  // namespace sherd

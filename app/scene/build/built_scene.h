@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// A scene as it is before its first step: all that a Simulation is made of.
+struct BuiltScene {
+    std::vector<SheetInput> inputs;  ///< of the scene's sheets, in its order, where they start
+    BreakableSheet sheets;           ///< made of all inputs
+    SimulationOptions options;
+};
+
+/// Makes all that a scene says. Throws Error naming the scene's line and key of: a sheet that cannot be made,
+/// that is too thick for its mesh to hold its shape, or that does not start apart from others or free of
+/// obstacles; a load or a support that reaches nothing; an obstacle that cannot be made. Warnings are
+/// sentences, also of sheets that were moved apart.
+BuiltScene build_scene(const Scene& scene, std::vector<std::string>& warnings);
+
+/// The same of sheets that make_sheet() has made, all of the scene in its order.
+BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
+                       std::vector<std::string>& warnings);
+
+}  // namespace sherd

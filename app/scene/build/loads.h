@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// Adds the scene's loads. mechanics: of all inputs. Throws Error, naming the scene's line and key, on a load
+/// that acts on nothing.
+void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
+               SimulationOptions& options);
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "app/scene/material_axis.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// The first material axis of each face [F], unit vectors in the faces' planes, on the mesh as it is placed.
+/// Where the direction is perpendicular to a face, the mesh's y axis (or z, or x) takes its place, which a
+/// warning tells. Throws Error naming the scene's line and key on: a texture that is missing, damaged or no
+/// PNG, a mesh without texture coordinates or axes, a face whose coordinates have no area, or where texture
+/// or field have no direction.
+std::vector<Eigen::Vector3d> material_axes(const MaterialAxis& axis, const Mesh& placed,
+                                           const Eigen::Isometry3d& place,
+                                           std::vector<std::string>& warnings);
+
+}  // namespace sherd

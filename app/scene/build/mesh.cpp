@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/mesh.h"
+
+#include <fmt/format.h>
+
+#include "meshops/error.h"
+#include "meshops/generate.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/read_mesh.h"
+#include "meshops/remesh.h"
+
+namespace sherd {
+namespace {
+
+void transform(Mesh& mesh, const Eigen::Affine3d& map) {
+    for (const Vertex v : mesh.vertices()) {
+        const Vector3d p = map * position(mesh, v);
+        mesh.point(v) = Point(p.x(), p.y(), p.z());
+    }
+}
+
+Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string>&) {
+    GenerateOptions options;
+    options.edge_length = spec.edge_length;
+    options.layout = spec.structured ? Layout::structured : Layout::delaunay;
+    options.seed = static_cast<unsigned>(scene.seed);
+    if (spec.shape == "rectangle") return generate_rectangle(spec.width, spec.height, options);
+    if (spec.shape == "disc") return generate_disc(spec.radius, options);
+    if (spec.shape == "cylinder") return generate_cylinder(spec.radius, spec.height, options);
+    if (spec.shape == "sphere") return generate_sphere(spec.radius, options);
+    return generate_revolution(spec.profile, options);
+}
+
+Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
+    const Mesh mesh = read_mesh(spec, warnings);
+    if (spec.remesh == 0) return mesh;
+    const double faces = expected_faces(measure(mesh).area, spec.remesh);
+    if (faces > most_faces)
+        throw Error(
+            fmt::format("remesh = {} would make about {:.2g} faces, more than {:.0g}: give a larger one",
+                        spec.remesh, faces, most_faces));
+    return remesh(mesh, spec.remesh);
+}
+
+}  // namespace
+
+Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
+    Mesh mesh = read_mesh(spec.path, {.join_duplicate_points = spec.join, .repair = spec.repair}, warnings);
+    if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
+    return mesh;
+}
+
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+    std::vector<std::string> found;
+    Mesh mesh = with_context(sheet.where, [&] {
+        return std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
+    });
+    for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
+    return mesh;
+}
+
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+    Mesh mesh = make_unplaced_mesh(sheet, scene, warnings);
+    transform(mesh, Eigen::Affine3d(sheet.place));
+    return mesh;
+}
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// The mesh of a file, scaled; not remeshed. Throws Error; warnings begin with the file.
+Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
+
+/// The mesh of a sheet before it is placed: generated (with the scene's seed), or read, scaled and remeshed.
+/// Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+/// The same where the scene places it.
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+}  // namespace sherd

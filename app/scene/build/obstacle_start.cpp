@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/obstacle_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/words/place_words.h"
+#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/sheets/sheet_contact.h"
+#include "meshops/error.h"
+#include "meshops/face_with.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/surface_crossings.h"
+
+namespace sherd {
+namespace {
+
+constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
+
+/// The vertices of one sheet that touch one obstacle at the start.
+struct InsideObstacle {
+    std::size_t count = 0;
+    Vertex deepest;
+    double depth = 0;          ///< m, from where they touch on
+    std::vector<Vertex> deep;  ///< those that are too deep
+};
+
+bool is_refused(const InsideObstacle& found) {
+    return !found.deep.empty();
+}
+
+InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
+    InsideObstacle found;
+    const Eigen::Isometry3d pose = obstacle.motion.at(0);
+    for (const Vertex v : input.mesh.vertices()) {
+        if (std::binary_search(input.pinned.begin(), input.pinned.end(), static_cast<Index>(v.idx())))
+            continue;
+        const double thickness = input.material.thickness;
+        const double depth = overlap(*obstacle.shape, pose, position(input.mesh, v), 0.5 * thickness).depth;
+        found.count += depth > noticed * thickness;
+        if (depth > deepest_start * thickness) found.deep.push_back(v);
+        if (depth <= found.depth) continue;
+        found.depth = depth;
+        found.deepest = v;
+    }
+    return found;
+}
+
+std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
+                    const InsideObstacle& found) {
+    return fmt::format(
+        "{}: {} of {} vertices of sheet.{} start inside, vertex {} at {} the deepest, {:.3g} m beyond "
+        "touching: "
+        "move the sheet or the obstacle by that much, or make it smaller",
+        obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(),
+        place_words(position(input.mesh, found.deepest)), found.depth);
+}
+
+/// How the faces of one sheet stand to the surface of one obstacle.
+struct SurfaceMeeting {
+    std::vector<StartFault> crossing, near;
+    double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
+    Vector3d at = Vector3d::Zero();
+};
+
+bool is_refused(const SurfaceMeeting& found) {
+    return !found.crossing.empty() || std::isfinite(found.distance);
+}
+
+/// A face of the sheets that has its part of a pair of a sheet's elements and a solid's, whose vertices are
+/// numbered before the sheets'.
+Face face_of(const Mesh& mesh, const ContactPair& pair, Index solid_vertices) {
+    std::vector<Index> own;
+    for (const Index v : pair.vertices)
+        if (v >= solid_vertices) own.push_back(v - solid_vertices);
+    return face_with(mesh, own);
+}
+
+std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
+                                const std::vector<Index>& around) {
+    std::vector<Vector3d> points;
+    for (const auto& point : obstacle.surface->points.colwise())
+        points.push_back(obstacle.motion.at(0) * Vector3d(point));
+    std::vector<Face> crossing = surface_crossings(mesh, points, obstacle.surface->triangles);
+    std::erase_if(crossing, [&](Face face) {
+        const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
+        return std::any_of(corners.begin(), corners.end(), [&](Vertex v) {
+            return std::binary_search(around.begin(), around.end(), static_cast<Index>(v));
+        });
+    });
+    return crossing;
+}
+
+/// Of each sheet, how it stands to the obstacle's surface.
+std::vector<SurfaceMeeting> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+                                             const Obstacle& obstacle) {
+    std::vector<SurfaceMeeting> found(sheets);
+    if (!obstacle.surface) return found;
+    const Sheet& mechanics = all.mechanics();
+    const Positions& x = mechanics.position;
+    for (const Face face :
+         faces_through(all.mesh(), obstacle, contact_solids(mechanics, {obstacle})[0].around)) {
+        const StartFault fault = start_fault(FaultKind::across_obstacle, face, all);
+        found[fault.sheet].crossing.push_back(fault);
+    }
+    const SheetContact contact(mechanics, {obstacle}, false);
+    for (const ContactPair& pair : contact.touching(x)) {
+        const PairPositions local = columns(contact.at_end(x), pair.vertices);
+        const Face face = face_of(all.mesh(), pair, contact.surface().solid_vertices());
+        const StartFault fault = start_fault(FaultKind::near_obstacle, face, all);
+        SurfaceMeeting& met = found[fault.sheet];
+        met.near.push_back(fault);
+        if (const double apart = distance(pair, local); apart < met.distance) {
+            met.distance = apart;
+            met.at = local.rowwise().mean();
+        }
+    }
+    return found;
+}
+
+/// The same for each obstacle.
+std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+                                                          const std::vector<Obstacle>& obstacles) {
+    std::vector<std::vector<SurfaceMeeting>> found;
+    for (const Obstacle& obstacle : obstacles) found.push_back(surface_meetings(all, sheets, obstacle));
+    return found;
+}
+
+std::string message(const SheetSpec& sheet, const SheetInput& input, const ObstacleSpec& obstacle,
+                    const SurfaceMeeting& found) {
+    if (!found.crossing.empty())
+        return fmt::format(
+            "{}: {} of {} faces of sheet.{} start across its surface, {} the first: move the sheet or the "
+            "obstacle, "
+            "or pin the vertices that it holds",
+            obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name,
+            fault_place(found.crossing.front()));
+    const double half = 0.5 * input.material.thickness;
+    return fmt::format(
+        "{}: sheet.{} starts {:.3g} m from its surface, at {}, where {:.3g} m, half its thickness, is "
+        "touching: "
+        "move the sheet or the obstacle by {:.3g} m, or make it smaller",
+        obstacle.where, sheet.name, found.distance, place_words(found.at), half, half - found.distance);
+}
+
+}  // namespace
+
+void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+                        const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
+                        std::vector<std::string>& warnings) {
+    std::vector<std::string> mistakes;
+    const auto meetings = surface_meetings(all, inputs.size(), obstacles);
+    for (std::size_t s = 0; s < inputs.size(); ++s)
+        for (std::size_t o = 0; o < obstacles.size(); ++o) {
+            const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
+            const bool deep = is_refused(inside_it);
+            if (inside_it.count > 0)
+                (deep ? mistakes : warnings)
+                    .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it));
+            if (deep) continue;
+            const SurfaceMeeting& met = meetings[o][s];
+            if (is_refused(met)) mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
+        }
+    if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+                                        const std::vector<Obstacle>& obstacles) {
+    std::vector<StartFault> faults;
+    const auto meetings = surface_meetings(all, inputs.size(), obstacles);
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        const Mesh& mesh = inputs[s].mesh;
+        for (std::size_t o = 0; o < obstacles.size(); ++o) {
+            const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
+            for (const Vertex v : inside_it.deep)
+                for (const Face face : mesh.faces_around_target(mesh.halfedge(v)))
+                    if (face != Mesh::null_face())
+                        faults.push_back(
+                            {FaultKind::inside_obstacle, s, static_cast<Index>(face), centroid(mesh, face)});
+            if (is_refused(inside_it)) continue;
+            const SurfaceMeeting& met = meetings[o][s];
+            faults.insert(faults.end(), met.near.begin(), met.near.end());
+            faults.insert(faults.end(), met.crossing.begin(), met.crossing.end());
+        }
+    }
+    return faults;
+}
+
+}  // namespace sherd

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/plausibility.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/scene/build/reach.h"
+#include "meshops/mesh_measures.h"
+
+namespace sherd {
+namespace {
+
+// How many times as large as thick a sheet may be. Thin ones are cloth, paper and foil, which are larger.
+constexpr double most_of_plates = 2000, most_of_foils = 20000, least = 5;
+constexpr double foil = 1e-3;              // m
+constexpr double most_short_edges = 0.05;  // share of the edges that may be shorter than the thickness
+
+constexpr double smallest_edge = 0.02;  // of the mean
+constexpr double steps_a_period = 10;   // of the slowest vibration, whose first peak then is 39 % low
+
+/// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
+/// breaks at a millionth, what is as stiff as wood or stiffer not at a fifth (whiskers and fibres: a tenth),
+/// and nothing at ten.
+constexpr double weakest = 1e-6, strongest_stiff = 0.2, strongest = 10;
+constexpr double stiff = 1e9;  // Pa
+
+void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    const MeshMeasures mesh = measure(input.mesh);
+    const double size = (mesh.upper - mesh.lower).norm(), thickness = input.material.thickness;
+    const double most = thickness > foil ? most_of_plates : most_of_foils;
+    if (size >= least * thickness && size <= most * thickness) return;
+    const bool large = size > thickness;
+    const char* advice = "lengths are in m";
+    if (std::holds_alternative<MeshFile>(sheet.mesh))
+        advice =
+            large ? "lengths are in m: a mesh modelled in centimetres needs scale = 0.01, one in millimetres "
+                    "scale = 0.001"
+                  : "lengths are in m: is its scale right?";
+    warnings.push_back(fmt::format("{}: sheet.{} is {:.3g} m large and {:.3g} m thick, {}; {}", sheet.where,
+                                   sheet.name, size, thickness,
+                                   large ? fmt::format("{:.0f} times its thickness", size / thickness)
+                                         : "hardly more than its thickness",
+                                   advice));
+}
+
+void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
+                         std::vector<std::string>& warnings) {
+    const double thickness = input.material.thickness;
+    std::size_t count = 0;
+    for (const Edge edge : input.mesh.edges()) {
+        const Vector3d along = position(input.mesh, input.mesh.vertex(edge, 0)) -
+                               position(input.mesh, input.mesh.vertex(edge, 1));
+        count += along.norm() < thickness;
+    }
+    const double share = static_cast<double>(count) / static_cast<double>(input.mesh.number_of_edges());
+    const double mean = measure(input.mesh).mean_edge;
+    const bool told = stretch_over_bend(input.material, mean) < least_stretch_over_bend;
+    if (share <= most_short_edges || told) return;
+    warnings.push_back(
+        fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({:.3g} m), where the "
+                    "theory of thin "
+                    "shells does not hold; make them longer (edge_length, or remesh on a mesh file)",
+                    sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness));
+}
+
+void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    const MeshMeasures mesh = measure(input.mesh);
+    if (mesh.smallest_edge >= smallest_edge * mesh.mean_edge) return;
+    warnings.push_back(
+        fmt::format("{}: the shortest edge of sheet.{}, {:.3g} m, is far below the mean, {:.3g} m: remesh",
+                    sheet.where, sheet.name, mesh.smallest_edge, mesh.mean_edge));
+}
+
+/// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
+/// = 5.36 at a Poisson ratio of 0.3 (Leissa, Vibration of Plates, 1969). A curved shell vibrates faster.
+double slowest_period(const Material& m, double area) {
+    const double frequency =
+        5.36 * std::numbers::pi / area * std::sqrt(bending_rigidity(m) / (m.density * m.thickness));
+    return 2 * std::numbers::pi / frequency;
+}
+
+void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
+                       std::vector<std::string>& warnings) {
+    const double period = slowest_period(input.material, measure(input.mesh).area);
+    if (!sheet.fracture || scene.solver.step <= period / steps_a_period) return;
+    warnings.push_back(
+        fmt::format("{}: solver.step of {:.2g} s is long even for the slowest vibration of sheet.{}, whose "
+                    "period is {:.2g} s: use "
+                    "{:.2g} s or less, and compare with a run of half the step",
+                    sheet.where, scene.solver.step, sheet.name, period, period / steps_a_period));
+}
+
+/// Strain, of the surface, at which a threshold is reached.
+double strain_at(double threshold, const SheetInput& input) {
+    if (input.strength.measure == Measure::stress) return threshold / mean_young(input.material);
+    return threshold * input.material.thickness / 2;
+}
+
+std::string threshold_words(const SheetSpec& sheet, double threshold, double strain) {
+    const bool stress = sheet.fracture->strength.measure == Measure::stress;
+    return fmt::format("sheet.{} breaks at {:.3g} {}, where its surface is strained by {:.2g}", sheet.name,
+                       threshold, stress ? "Pa" : "1/m", strain);
+}
+
+void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    if (!sheet.fracture) return;
+    const auto& [along, across] = std::pair(input.strength.along, input.strength.across);
+    double low = std::min(along, across), high = std::max(along, across);
+    if (const auto& factors = input.strength.factors; !factors.empty()) {
+        // As a whole: a map may hold the strengths themselves, and lines may be scored or kept whole.
+        high *= *std::max_element(factors.begin(), factors.end());
+        low *= *std::min_element(factors.begin(), factors.end());
+    }
+    const bool stress = input.strength.measure == Measure::stress;
+    if (strain_at(high, input) < weakest)
+        warnings.push_back(
+            fmt::format("{}: {}: no material is so weak; {}", sheet.where,
+                        threshold_words(sheet, high, strain_at(high, input)),
+                        stress ? "strength is in Pa: 60 MPa are 60e6"
+                               : "strain is in 1/m: strain of the surface over half the thickness"));
+    const double most = mean_young(input.material) >= stiff ? strongest_stiff : strongest;
+    if (strain_at(low, input) > most && std::isfinite(low))
+        warnings.push_back(
+            fmt::format("{}: {}: no such material is so strong; {}", sheet.where,
+                        threshold_words(sheet, low, strain_at(low, input)),
+                        stress ? "strength is in Pa: 60 MPa are 60e6"
+                               : "strain is in 1/m: strain of the surface over half the thickness"));
+}
+
+/// A time with one digit, not above this one.
+double rounded_down(double x) {
+    const double digit = std::pow(10.0, std::floor(std::log10(x)));
+    return std::floor(x / digit + 1e-9) * digit;
+}
+
+/// m/s, at most, with which a sheet and anything that it may meet come together at the start.
+double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetInput>& inputs,
+                const SimulationOptions& options) {
+    const SheetInput& input = inputs[sheet];
+    const MeshMeasures mesh = measure(input.mesh);
+    const double spinning = input.spin.norm() * 0.5 * (mesh.upper - mesh.lower).norm();
+    double fastest = options.stepper.contact.obstacles.empty() ? 0 : input.velocity.norm() + spinning;
+    for (const RigidBody& body : options.stepper.contact.bodies)
+        fastest = std::max(fastest, (input.velocity - body.velocity).norm() + spinning);
+    for (std::size_t other = 0; other < inputs.size(); ++other)
+        if (other != sheet && scene.contact.sheets)
+            fastest = std::max(fastest, (input.velocity - inputs[other].velocity).norm() + spinning);
+    return fastest;
+}
+
+void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs,
+                       const SimulationOptions& options, std::vector<std::string>& warnings) {
+    const double step = scene.solver.step;
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        const double speed = approach(s, scene, inputs, options), edge = measure(inputs[s].mesh).mean_edge;
+        if (speed * step <= edge) continue;
+        warnings.push_back(fmt::format(
+            "{}: sheet.{} comes {:.3g} m nearer to what it meets in one solver.step of {:g} s, more than an "
+            "edge "
+            "({:.3g} m): the blow is over before it is felt elsewhere; use a step of {:g} s or less",
+            scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge,
+            rounded_down(edge / speed)));
+    }
+    for (std::size_t b = 0; b < options.stepper.contact.bodies.size(); ++b) {
+        const RigidBody& body = options.stepper.contact.bodies[b];
+        const double size = body.shape->bounds().sizes().minCoeff(), speed = body.velocity.norm();
+        if (speed * step <= size ||
+            (options.stepper.contact.obstacles.empty() && options.stepper.contact.bodies.size() == 1))
+            continue;
+        warnings.push_back(
+            fmt::format("{}: obstacle.{} moves {:.3g} m in one solver.step of {:g} s, more than its size "
+                        "({:.3g} m): it may pass "
+                        "other obstacles unseen; use a step of {:g} s or less",
+                        scene.bodies[b].where, scene.bodies[b].name, speed * step, step, size,
+                        rounded_down(size / speed)));
+    }
+}
+
+}  // namespace
+
+void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
+                         const SimulationOptions& options, std::vector<std::string>& warnings) {
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        warn_of_size(inputs[s], scene.sheets[s], warnings);
+        warn_of_short_edges(inputs[s], scene.sheets[s], warnings);
+        warn_of_tiny_edges(inputs[s], scene.sheets[s], warnings);
+        warn_of_long_step(inputs[s], scene.sheets[s], scene, warnings);
+        warn_of_threshold(inputs[s], scene.sheets[s], warnings);
+    }
+    warn_of_long_ways(scene, inputs, options, warnings);
+    warn_of_unreachable(scene, inputs, options, warnings);
+}
+
+}  // namespace sherd

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/reach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/contact/geometry/solids.h"
+#include "meshops/mesh_measures.h"
+
+namespace sherd {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+constexpr int moments = 400;    // that the duration is looked at
+constexpr double slack = 0.05;  // of a sheet's size: it bends and vibrates while it flies
+constexpr double throwing = 3;  // how much faster than all before it a splinter may be
+constexpr double any_gap = std::numeric_limits<double>::infinity();
+
+/// A sheet or a free body.
+struct Mover {
+    Box box;  ///< at the start
+    Vector3d velocity;
+    double damping;                    ///< 1/s
+    double met = any_gap;              ///< s, from when on it may go anywhere
+    std::optional<Box> met_near = {};  ///< where it was then
+};
+
+/// A fixed or moving obstacle, and how near anything comes to it.
+struct Target {
+    const Obstacle* obstacle;
+    double gap = any_gap;  ///< m
+};
+
+struct Flight {
+    Vector3d gravity;
+    double top_speed;  ///< m/s, of everything in the scene
+};
+
+Box around(const Vector3d& centre, double radius) {
+    return {centre - Vector3d::Constant(radius), centre + Vector3d::Constant(radius)};
+}
+
+Box enlarged(const Box& box, double by) {
+    return {box.min() - Vector3d::Constant(by), box.max() + Vector3d::Constant(by)};
+}
+
+Box moved(const Box& box, const Eigen::Isometry3d& pose) {
+    Box result;
+    for (int corner = 0; corner < 8; ++corner)
+        result.extend(pose * box.corner(static_cast<Box::CornerType>(corner)));
+    return result;
+}
+
+Vector3d flown(const Mover& mover, const Vector3d& gravity, double time) {
+    if (mover.damping == 0) return time * mover.velocity + 0.5 * time * time * gravity;
+    const Vector3d last = gravity / mover.damping;
+    return time * last - std::expm1(-mover.damping * time) / mover.damping * (mover.velocity - last);
+}
+
+Box reach(const Mover& mover, const Flight& flight, double from, double to) {
+    if (mover.met_near) {
+        const double speed = throwing * (flight.top_speed + flight.gravity.norm() * to);
+        return enlarged(*mover.met_near, speed * (to - mover.met));
+    }
+    Box box = mover.box;
+    return Box(box.translated(flown(mover, flight.gravity, from)))
+        .merged(box.translated(flown(mover, flight.gravity, to)));
+}
+
+/// m, less than nought or nought where they may meet.
+double gap(const Box& box, const Obstacle& obstacle, double from, double to) {
+    if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacle.shape.get())) {
+        double least = any_gap;
+        for (const double time : {from, to}) {
+            const Eigen::Isometry3d back = obstacle.motion.at(time).inverse();
+            for (int corner = 0; corner < 8; ++corner)
+                least = std::min(
+                    least, plane->distance(back * box.corner(static_cast<Box::CornerType>(corner))).distance);
+        }
+        return least;
+    }
+    const Box bounds = obstacle.shape->bounds();
+    return box.exteriorDistance(
+        moved(bounds, obstacle.motion.at(from)).merged(moved(bounds, obstacle.motion.at(to))));
+}
+
+/// m/s, of the fastest corner of a box that a motion carries.
+double top_speed(const Motion& motion, const Box& box, double duration) {
+    if (motion.keys.empty()) return 0;
+    double fastest = 0;
+    const double interval = duration / moments;
+    for (int i = 0; i < moments; ++i)
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vector3d at = box.corner(static_cast<Box::CornerType>(corner));
+            const Vector3d way = motion.at((i + 1) * interval) * at - motion.at(i * interval) * at;
+            fastest = std::max(fastest, way.norm() / interval);
+        }
+    return fastest;
+}
+
+Mover mover_of(const SheetInput& input, const SheetSpec& sheet, const Scene& scene) {
+    Box box;
+    for (const Vertex v : input.mesh.vertices()) box.extend(position(input.mesh, v));
+    const double size = box.diagonal().norm();
+    if (sheet.spin != Vector3d::Zero()) box = around(box.center(), size);
+    Mover mover{enlarged(box, slack * size + 0.5 * input.material.thickness), input.velocity,
+                scene.solver.damping.mass};
+    const bool blown = std::any_of(scene.winds.begin(), scene.winds.end(), [&](const WindSpec& wind) {
+        return wind.sheet.empty() || wind.sheet == sheet.name;
+    });
+    if (!input.pinned.empty() || !sheet.symmetries.empty() || blown) {
+        mover.met = 0;
+        mover.met_near = mover.box;
+    }
+    return mover;
+}
+
+Mover mover_of(const RigidBody& body) {
+    return {around(body.centre, 0.5 * body.shape->bounds().diagonal().norm()), body.velocity, 0};
+}
+
+double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, const SimulationOptions& options,
+                  const std::vector<Mover>& movers) {
+    double fastest = 0;
+    for (const Mover& mover : movers) fastest = std::max(fastest, mover.velocity.norm());
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        const double radius = 0.5 * movers[s].box.diagonal().norm();
+        fastest = std::max(fastest, inputs[s].velocity.norm() + inputs[s].spin.norm() * radius);
+        for (const MovingPin& pin : inputs[s].moving_pins)
+            fastest = std::max(fastest, top_speed(pin.motion, movers[s].box, scene.duration));
+    }
+    for (const RigidBody& body : options.stepper.contact.bodies)
+        fastest = std::max(
+            fastest, body.velocity.norm() + body.spin().norm() * body.shape->bounds().diagonal().norm());
+    for (const Obstacle& obstacle : options.stepper.contact.obstacles) {
+        const Box bounds = obstacle.shape->bounds();
+        const Box box = bounds.diagonal().allFinite() ? bounds : movers.front().box;
+        fastest = std::max(fastest, top_speed(obstacle.motion, box, scene.duration));
+    }
+    for (const WindSpec& wind : scene.winds)
+        fastest = std::max(fastest, wind.wind.velocity.norm() + (wind.gust ? 3 * wind.gust->amplitude : 0));
+    return fastest;
+}
+
+/// How near each obstacle and each body, in this order, comes to anything else that moves, m.
+std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t sheets,
+                         std::vector<Mover> movers, const Flight& flight, double duration) {
+    std::vector<double> of_obstacles(obstacles.size(), any_gap), of_movers(movers.size(), any_gap);
+    for (int i = 0; i < moments; ++i) {
+        const double from = duration * i / moments, to = duration * (i + 1) / moments;
+        std::vector<Box> boxes;
+        for (const Mover& mover : movers) boxes.push_back(reach(mover, flight, from, to));
+        std::vector<char> meets(movers.size(), 0);
+        for (std::size_t m = 0; m < movers.size(); ++m) {
+            for (std::size_t o = 0; o < obstacles.size(); ++o) {
+                const double apart = gap(boxes[m], obstacles[o], from, to);
+                of_obstacles[o] = std::min(of_obstacles[o], apart);
+                if (apart <= 0) meets[m] = 1;
+            }
+            for (std::size_t n = 0; n < m; ++n) {
+                const double apart = boxes[m].exteriorDistance(boxes[n]);
+                of_movers[m] = std::min(of_movers[m], apart);
+                of_movers[n] = std::min(of_movers[n], apart);
+                if (apart <= 0) meets[m] = meets[n] = 1;
+            }
+        }
+        for (std::size_t m = 0; m < movers.size(); ++m) {
+            if (!meets[m] || movers[m].met_near) continue;
+            movers[m].met = from;
+            movers[m].met_near = boxes[m];
+        }
+    }
+    of_obstacles.insert(of_obstacles.end(), of_movers.begin() + static_cast<std::ptrdiff_t>(sheets),
+                        of_movers.end());
+    return of_obstacles;
+}
+
+}  // namespace
+
+void warn_of_unreachable(const Scene& scene, const std::vector<SheetInput>& inputs,
+                         const SimulationOptions& options, std::vector<std::string>& warnings) {
+    if (!scene.loads.empty()) return;
+    std::vector<Mover> movers;
+    for (std::size_t s = 0; s < inputs.size(); ++s)
+        movers.push_back(mover_of(inputs[s], scene.sheets[s], scene));
+    for (const RigidBody& body : options.stepper.contact.bodies) movers.push_back(mover_of(body));
+    const Flight flight{scene.gravity, fastest_of(scene, inputs, options, movers)};
+    const std::vector<double> found =
+        gaps(options.stepper.contact.obstacles, inputs.size(), movers, flight, scene.duration);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i] <= 0) continue;
+        const bool fixed = i < scene.obstacles.size();
+        const ObstacleSpec& spec = fixed ? scene.obstacles[i] : scene.bodies[i - scene.obstacles.size()];
+        warnings.push_back(
+            fmt::format("{}: nothing can reach obstacle.{} in {:g} s: by gravity and the velocities at the "
+                        "start, what flies "
+                        "stays {:.3g} m away or more; start nearer or faster, or take a longer duration",
+                        spec.where, spec.name, scene.duration, found[i]));
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "app/scene/score.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// The edges that are scored, each once. Throws Error naming the scene's line and key on a list of edges for
+/// a mesh that is not as in its file, and on what read_edge_list and edge_path throw on.
+std::vector<Edge> scored_edges(const Score& score, const Mesh& placed, const Eigen::Isometry3d& place);
+
+}  // namespace sherd

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "fracture/breakable_sheet.h"
+
+namespace sherd {
+
+/// A sheet of a scene, where the scene places it. Throws Error naming the scene's line and key; warnings are
+/// sentences.
+SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+
+}  // namespace sherd

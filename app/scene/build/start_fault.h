@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/scene/scene.h"
+#include "fracture/breakable_sheet.h"
+
+namespace sherd {
+
+/// Why a scene cannot start with a face as it is; of several the last one is what a picture shows.
+enum class FaultKind {
+    zero_area,
+    repeated,
+    non_manifold,
+    inside_obstacle,
+    near_obstacle,
+    across_obstacle,
+    too_near,
+    crossing
+};
+
+/// A face that a scene cannot start with.
+struct StartFault {
+    FaultKind kind;
+    std::size_t sheet;  ///< in the scene's order
+    Index face;         ///< of the sheet, from 0
+    Vector3d at;        ///< m, its centroid
+};
+
+/// The fault of a face of all sheets together, which are numbered in the scene's order.
+StartFault start_fault(FaultKind kind, Face face, const BreakableSheet& all);
+
+/// "face 12 at (0.1, 0.02, 0.03) m".
+std::string fault_place(const StartFault& fault);
+
+/// "face 12 of sheet.bowl at (0.1, 0.02, 0.03) m".
+std::string fault_words(const StartFault& fault, const Scene& scene);
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/start_faults.h"
+
+#include "app/scene/build/obstacle_start.h"
+#include "app/scene/build/obstacles.h"
+#include "app/scene/build/sheet_parting.h"
+
+namespace sherd {
+
+std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
+                                     const BreakableSheet& all) {
+    std::vector<StartFault> faults = sheet_faults(scene, inputs, all);
+    std::vector<std::string> told;  // by who makes them for the run
+    for (const auto* specs : {&scene.obstacles, &scene.bodies}) {
+        const std::vector<StartFault> found =
+            obstacle_faults(inputs, all, make_obstacles(scene, *specs, told));
+        faults.insert(faults.end(), found.begin(), found.end());
+    }
+    return faults;
+}
+
+}  // namespace sherd

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// Waves that add up to gusts of the size that is given, which the wind carries along. The same seed gives
+/// the same bits. Each component of the sum is nearly Gaussian at any place and time; it has no divergence,
+/// as that of incompressible air.
+std::vector<GustWave> gust_waves(const GustSpec& gust, const Vector3d& wind, std::int64_t seed);
+
+/// mechanics: of all inputs.
+void add_winds(const Scene& scene, const Sheet& mechanics, SimulationOptions& options);
+
+}  // namespace sherd

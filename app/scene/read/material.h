@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/material_axis.h"
+#include "app/scene/toml/toml_table.h"
+#include "core/material/material.h"
+
+namespace sherd {
+
+/// Reads the `axis` of a [material] table; without one it is the mesh's x axis. `directory` is where the
+/// names of textures are understood from.
+MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directory);
+
+/// Reads the rest of a [material] table and ends it: what a preset does not give is needed, save Poisson's
+/// ratio (0.3). Inadmissible constants are a problem at the key that makes them so.
+Material read_material(TomlTable& table);
+
+}  // namespace sherd

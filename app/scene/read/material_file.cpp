@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/read/material_file.h"
+
+#include "app/scene/read/material.h"
+#include "app/scene/toml/toml_file.h"
+
+namespace sherd {
+
+MaterialFile read_material_file(const std::filesystem::path& file) {
+    const toml::table document = parse_toml(read_toml_text(file, "material"), file);
+    Problems problems;
+    TomlTable table(document, "", problems);
+    MaterialFile result;
+    if (table.has("bending_stiffness"))
+        result.bending_stiffness = table.number("bending_stiffness", "N m", positive);
+    result.axis = read_axis(table, file.parent_path());
+    result.material = read_material(table);
+    problems.throw_if_any();
+    return result;
+}
+
+}  // namespace sherd

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/read/scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "app/scene/read/forces.h"
+#include "app/scene/read/obstacle.h"
+#include "app/scene/read/sheet.h"
+#include "app/scene/read/variants.h"
+#include "app/scene/toml/override.h"
+#include "app/scene/toml/toml_file.h"
+#include "app/scene/toml/toml_table.h"
+#include "app/words/nearest_name.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
+
+BendingOptions read_bending(TomlTable& table) {
+    constexpr std::array<std::string_view, 3> models{"cubic", "cubic-2007", "nonlinear"};
+    constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
+    BendingOptions bending;
+    if (table.has("bending")) {
+        const std::string model = table.choice("bending", models);
+        if (model == "cubic-2007") bending.model = BendingModel::cubic_2007;
+        if (model == "nonlinear") bending.model = BendingModel::nonlinear;
+    }
+    bending.jacobian = exact_jacobian(bending.model);
+    if (table.has("jacobian")) {
+        const std::string jacobian = table.choice("jacobian", jacobians);
+        if (jacobian == "constant") bending.jacobian = BendingJacobian::constant;
+        if (jacobian == "cubic") bending.jacobian = BendingJacobian::cubic;
+        if (jacobian == "nonlinear" && bending.model != BendingModel::nonlinear)
+            table.report("jacobian",
+                         "\"nonlinear\" needs bending = \"nonlinear\": a cubic hinge takes \"constant\" "
+                         "or \"cubic\"");
+    }
+    return bending;
+}
+
+ContactSpec read_contact(TomlTable& table) {
+    ContactSpec contact;
+    contact.sheets = table.flag("sheets", contact.sheets);
+    contact.friction = table.number("friction", "", not_negative, contact.friction);
+    table.finish();
+    return contact;
+}
+
+SolverSpec read_solver(TomlTable& table) {
+    SolverSpec solver;
+    constexpr int most = std::numeric_limits<int>::max();
+    solver.step = table.number("step", "s", positive, solver.step);
+    solver.bending = read_bending(table);
+    solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
+    solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
+    if (table.has("rule")) {
+        constexpr std::array<std::string_view, 2> rules{"staged", "paper"};
+        if (table.choice("rule", rules) == "paper") solver.rule = BreakingRule::paper;
+    }
+    solver.max_stages = static_cast<int>(table.integer("max_stages", 1, most, solver.max_stages));
+    if (auto damping = table.table("damping")) {
+        solver.damping.stiffness = damping->number("stiffness", "s", not_negative, 0);
+        solver.damping.mass = damping->number("mass", "1/s", not_negative, 0);
+        damping->finish();
+    }
+    table.finish();
+    return solver;
+}
+
+void read_times(TomlTable& root, Scene& scene) {
+    scene.duration = root.number("duration", "s", positive);
+    if (auto solver = root.table("solver")) {
+        scene.solver = read_solver(*solver);
+        if (scene.solver.step > scene.duration)
+            solver->report("step", fmt::format("is longer than duration ({} s)", scene.duration));
+        if (scene.duration / scene.solver.step > most_steps)
+            solver->report("step", fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one",
+                                               scene.duration / scene.solver.step, most_steps));
+    }
+    scene.frame_interval = std::max(scene.duration / 100, scene.solver.step);
+    if (auto output = root.table("output")) {
+        scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
+        if (output->has("every") && scene.frame_interval < scene.solver.step)
+            output->report("every", fmt::format("is shorter than solver.step ({} s)", scene.solver.step));
+        output->finish();
+    }
+}
+
+void read_sheets(TomlTable& root, Scene& scene) {
+    if (auto sheets = root.table("sheet")) {
+        for (auto& [name, table] : sheets->entries())
+            scene.sheets.push_back(read_sheet(name, table, scene.file.parent_path()));
+    } else if (root.has("sheet")) {
+        return;  // reported as no table
+    }
+    if (scene.sheets.empty())
+        root.report("sheet", "the scene has no sheet: add [sheet.NAME] with mesh and material");
+}
+
+void read_root(TomlTable& root, Scene& scene) {
+    read_times(root, scene);
+    scene.seed = root.integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), scene.seed);
+    read_sheets(root, scene);
+    if (auto obstacles = root.table("obstacle"))
+        for (auto& [name, table] : obstacles->entries()) {
+            const ObstacleSpec obstacle = read_obstacle(name, table, scene.file.parent_path());
+            (obstacle.free ? scene.bodies : scene.obstacles).push_back(obstacle);
+        }
+    if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
+    if (auto force = root.table("force")) read_forces(*force, scene);
+    if (root.has("variant"))
+        root.report("variant",
+                    "has its place in the scene itself only: a variant has none, and --set cannot make one");
+    root.finish();
+}
+
+void choose_variant(toml::table& document, const Scene& scene, Problems& problems) {
+    TomlTable root(document, "", problems);
+    const std::vector<std::string> names = read_variant_names(root);
+    if (!scene.variant.empty() && std::find(names.begin(), names.end(), scene.variant) == names.end()) {
+        const std::string nearest = nearest_name(scene.variant, names);
+        throw Error(fmt::format(
+            "--variant {}: {} has no variant of this name; {}{}", scene.variant, scene.file.string(),
+            nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
+            names.empty() ? "it has no variants at all" : fmt::format("it has: {}", fmt::join(names, ", "))));
+    }
+    apply_variant(document, scene.variant);
+}
+
+}  // namespace
+
+std::vector<std::string> variant_names(const std::filesystem::path& file) {
+    const toml::table document = parse_toml(read_toml_text(file, "scene"), file);
+    Problems problems;
+    TomlTable root(document, "", problems);
+    const std::vector<std::string> names = read_variant_names(root);
+    problems.throw_if_any();
+    return names;
+}
+
+Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice) {
+    return parse_scene(read_toml_text(file, "scene"), file, choice);
+}
+
+Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice) {
+    Scene scene;
+    scene.file = file;
+    scene.variant = choice.variant;
+    toml::table document = parse_toml(text, file);
+    scene.text = recorded_text(std::move(text), choice);
+    Problems problems;
+    choose_variant(document, scene, problems);
+    for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
+    TomlTable root(document, "", problems);
+    read_root(root, scene);
+    problems.throw_if_any();
+    return scene;
+}
+
+}  // namespace sherd

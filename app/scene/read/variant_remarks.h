@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sherd {
+
+/// The mistakes of several variants, or warnings: what all of them share is told once.
+class VariantRemarks {
+  public:
+    /// lines: such as the message of an Error; empty: there is nothing to say of the variant.
+    void add(const std::string& variant, const std::string& lines);
+    /// Each line, with the names of its variants unless all have it.
+    std::vector<std::string> lines() const;
+    /// Throws Error with all lines.
+    void throw_if_any() const;
+
+  private:
+    std::size_t variants = 0;
+    std::vector<std::pair<std::string, std::vector<std::string>>> remarks;  ///< a line, who has it
+};
+
+}  // namespace sherd

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/toml/toml_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "meshops/error.h"
+
+namespace sherd {
+
+std::string read_toml_text(const std::filesystem::path& file, std::string_view kind) {
+    const auto fail = [&](const std::string& reason) {
+        return Error(
+            fmt::format("{}: cannot read the {}: {}; give a TOML file", file.string(), kind, reason));
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw fail("it is a directory");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw fail(std::generic_category().message(errno));
+    try {
+        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    } catch (const std::ios_base::failure&) {
+        throw fail(std::generic_category().message(errno));
+    }
+}
+
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        const toml::source_position at = error.source().begin;
+        throw Error(
+            fmt::format("{}:{}:{}: TOML syntax: {}", file.string(), at.line, at.column, error.description()));
+    }
+}
+
+}  // namespace sherd

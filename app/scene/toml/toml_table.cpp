@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/toml/toml_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/words/nearest_name.h"
+
+namespace sherd {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string_view type_name(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "true or false";
+        default:
+            return "a date or time";
+    }
+}
+
+/// The value as the user wrote it, when it is short enough to be told.
+std::string told(const toml::node& node) {
+    if (const auto* text = node.as_string()) return fmt::format("the string \"{}\"", text->get());
+    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+    if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+    if (const auto* array = node.as_array()) return fmt::format("an array of {}", array->size());
+    return std::string(type_name(node));
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+    const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::string with_unit(std::string_view words, std::string_view unit) {
+    return unit.empty() ? std::string(words) : fmt::format("{} ({})", words, unit);
+}
+
+std::string left_out(double fallback) {
+    return std::isfinite(fallback) ? fmt::format("; left out, it is {}", fallback) : "";
+}
+
+}  // namespace
+
+TomlTable::TomlTable(const toml::table& table, std::string path, Problems& problems)
+    : content(&table), path(std::move(path)), problems(&problems) {}
+
+bool TomlTable::has(std::string_view key) {
+    return find(key) != nullptr;
+}
+
+double TomlTable::number(std::string_view key, std::string_view unit, const Range& range,
+                         std::optional<double> fallback) {
+    const toml::node* node = find(key);
+    if (!node && fallback) return *fallback;
+    const std::optional<double> value = node ? finite_number(*node) : std::nullopt;
+    if (value && range.contains(*value)) return *value;
+    reject(key, with_unit(range.words, unit), fallback ? left_out(*fallback) : "");
+    return not_a_number;
+}
+
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t smallest, std::int64_t largest,
+                                std::int64_t fallback) {
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    const auto* value = node->as_integer();
+    if (value && value->get() >= smallest && value->get() <= largest) return value->get();
+    reject(key, fmt::format("an integer from {} to {}", smallest, largest),
+           fmt::format("; left out, it is {}", fallback));
+    return fallback;
+}
+
+bool TomlTable::flag(std::string_view key, bool fallback) {
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    if (node->is_boolean()) return node->as_boolean()->get();
+    reject(key, "true or false", fmt::format("; left out, it is {}", fallback));
+    return fallback;
+}
+
+std::string TomlTable::string(std::string_view key, std::string_view what) {
+    const toml::node* node = find(key);
+    if (node && node->is_string() && !node->as_string()->get().empty()) return node->as_string()->get();
+    reject(key, fmt::format("{} in quotes", what));
+    return {};
+}
+
+std::string TomlTable::choice(std::string_view key, std::span<const std::string_view> names) {
+    const toml::node* node = find(key);
+    const std::string value = node && node->is_string() ? node->as_string()->get() : "";
+    if (std::find(names.begin(), names.end(), value) != names.end()) return value;
+    const std::vector<std::string> known_names(names.begin(), names.end());
+    const std::string nearest = value.empty() ? "" : nearest_name(value, known_names);
+    const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
+    reject(key, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")), hint);
+    return {};
+}
+
+Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
+                                  std::optional<Eigen::Vector3d> fallback) {
+    const toml::node* node = find(key);
+    if (!node && fallback) return *fallback;
+    const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
+    if (value && value->size() == 3) return *value;
+    reject(key, with_unit("an array of 3 finite numbers", unit),
+           fallback ? fmt::format("; left out, it is [{}]", fmt::join(*fallback, ", ")) : "");
+    return Eigen::Vector3d::Constant(not_a_number);
+}
+
+Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, const Range& range,
+                                bool or_one) {
+    const toml::node* node = find(key);
+    const std::optional<Eigen::VectorXd> value = node ? numbers(*node) : std::nullopt;
+    if (value && value->size() == 2 && range.contains((*value)[0]) && range.contains((*value)[1]))
+        return *value;
+    const std::string words = or_one ? fmt::format("{}, or an array of 2 of them", range.words)
+                                     : fmt::format("an array of 2, each {}", range.words);
+    reject(key, with_unit(words, unit));
+    return Eigen::Vector2d::Constant(not_a_number);
+}
+
+std::vector<Eigen::VectorXd> TomlTable::rows(std::string_view key, std::string_view unit, std::size_t least,
+                                             std::size_t columns) {
+    const toml::node* node = find(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    std::vector<Eigen::VectorXd> result;
+    bool good = array && array->size() >= least;
+    for (std::size_t i = 0; good && i < array->size(); ++i) {
+        const std::optional<Eigen::VectorXd> row = numbers(*array->get(i));
+        good = row && static_cast<std::size_t>(row->size()) == columns;
+        if (good) result.push_back(*row);
+    }
+    if (good) return result;
+    reject(key, with_unit(fmt::format("an array of at least {} arrays of {} finite numbers", least, columns),
+                          unit));
+    return {};
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (const toml::table* inner = node->as_table()) return TomlTable(*inner, dotted(key), *problems);
+    reject(key, "a table");
+    return std::nullopt;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    if (const toml::table* only = node->as_table()) return {TomlTable(*only, dotted(key), *problems)};
+    std::vector<TomlTable> result;
+    const toml::array* array = node->as_array();
+    for (std::size_t i = 0; array && i < array->size(); ++i)
+        if (const toml::table* item = array->get(i)->as_table())
+            result.emplace_back(*item, fmt::format("{}[{}]", dotted(key), i), *problems);
+    if (!array || result.size() != array->size()) reject(key, "a table or an array of tables");
+    return result;
+}
+
+std::vector<std::pair<std::string, TomlTable>> TomlTable::entries() {
+    std::vector<std::string> names;
+    for (const auto& [key, node] : *content) names.emplace_back(key.str());
+    // What an override adds has no place in the file and comes last.
+    const auto order = [this](const std::string& key) {
+        const toml::source_region& source = content->get(key)->source();
+        return std::pair(source.path != content->source().path, source.begin);
+    };
+    std::stable_sort(names.begin(), names.end(),
+                     [&](const std::string& a, const std::string& b) { return order(a) < order(b); });
+    std::vector<std::pair<std::string, TomlTable>> result;
+    for (const std::string& key : names)
+        if (auto entry = table(key)) result.emplace_back(key, std::move(*entry));
+    return result;
+}
+
+void TomlTable::report(std::string_view key, const std::string& what) {
+    problems->add(source(key), dotted(key), what);
+}
+
+std::string TomlTable::where(std::string_view key) const {
+    return fmt::format("{}: {}", place_of(source(key)), dotted(key));
+}
+
+void TomlTable::finish() {
+    for (const auto& [key, node] : *content) {
+        const std::string name(key.str());
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string nearest = nearest_name(name, known);
+        const std::string hint = nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest);
+        problems->add(key.source(), dotted(name),
+                      fmt::format("unknown key; {}known here: {}", hint, fmt::join(known, ", ")));
+    }
+}
+
+const toml::node* TomlTable::find(std::string_view key) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) known.emplace_back(key);
+    return content->get(key);
+}
+
+const toml::source_region& TomlTable::source(std::string_view key) const {
+    const toml::node* node = content->get(key);
+    return node ? node->source() : content->source();
+}
+
+std::string TomlTable::dotted(std::string_view key) const {
+    if (key.empty()) return path;
+    return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+void TomlTable::reject(std::string_view key, std::string_view wanted, std::string_view hint) {
+    const toml::node* node = content->get(key);
+    report(key, node ? fmt::format("must be {}, not {}{}", wanted, told(*node), hint)
+                     : fmt::format("is missing: give {}", wanted));
+}
+
+std::optional<Eigen::VectorXd> TomlTable::numbers(const toml::node& node) const {
+    const toml::array* array = node.as_array();
+    if (!array) return std::nullopt;
+    Eigen::VectorXd values(static_cast<Eigen::Index>(array->size()));
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const std::optional<double> value = finite_number(*array->get(i));
+        if (!value) return std::nullopt;
+        values[static_cast<Eigen::Index>(i)] = *value;
+    }
+    return values;
+}
+
+}  // namespace sherd

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/scene/toml/problems.h"
+
+namespace sherd {
+
+/// The values that a number may take, and the words for them.
+struct Range {
+    bool (*contains)(double);
+    std::string_view words;
+};
+inline constexpr Range any_number{[](double) { return true; }, "a finite number"};
+inline constexpr Range positive{[](double x) { return x > 0; }, "a positive number"};
+inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number of 0 or more"};
+
+/// Reads the keys of one TOML table. A missing key without a fallback, a wrong type, length or range is added
+/// to the problems, and the caller gets a value that no later comparison holds for (NaN) or that is empty.
+/// A problem tells the fallback. Every key asked for becomes a known one; `finish` reports the others.
+class TomlTable {
+  public:
+    TomlTable(const toml::table& table, std::string path, Problems& problems);
+
+    bool has(std::string_view key);
+    /// `unit` is told to the user: "m", "kg/m^3".
+    double number(std::string_view key, std::string_view unit, const Range& range,
+                  std::optional<double> fallback = {});
+    std::int64_t integer(std::string_view key, std::int64_t smallest, std::int64_t largest,
+                         std::int64_t fallback);
+    bool flag(std::string_view key, bool fallback);
+    /// `what` is told to the user: "a file name".
+    std::string string(std::string_view key, std::string_view what);
+    /// One of `names`; empty after a problem.
+    std::string choice(std::string_view key, std::span<const std::string_view> names);
+    Eigen::Vector3d vector(std::string_view key, std::string_view unit,
+                           std::optional<Eigen::Vector3d> fallback = {});
+    /// `or_one`: the user is told that a single number would do as well.
+    Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
+    /// An array of arrays of `columns` numbers, with at least `least` rows.
+    std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
+                                      std::size_t columns);
+    /// The table at `key`; none when it is missing or not a table.
+    std::optional<TomlTable> table(std::string_view key);
+    /// The tables at `key`: one, or an array of them; empty when missing.
+    std::vector<TomlTable> tables(std::string_view key);
+    /// All entries of this table by name, as tables, in the order of the file.
+    std::vector<std::pair<std::string, TomlTable>> entries();
+
+    /// Adds a problem at `key`, or at the table itself when the key is missing.
+    void report(std::string_view key, const std::string& what);
+    /// "FILE:LINE: dotted.key", for errors found later.
+    std::string where(std::string_view key) const;
+    bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
+    bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
+    /// Reports every key that was never asked for, with the nearest one that was.
+    void finish();
+
+  private:
+    const toml::node* find(std::string_view key);
+    const toml::source_region& source(std::string_view key) const;
+    std::string dotted(std::string_view key) const;
+    void reject(std::string_view key, std::string_view wanted, std::string_view hint = {});
+    std::optional<Eigen::VectorXd> numbers(const toml::node& node) const;
+
+    const toml::table* content;
+    std::string path;
+    Problems* problems;
+    std::vector<std::string> known;
+};
+
+}  // namespace sherd

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# find_package(sherd): the libraries sherd::meshops, sherd::core and sherd::fracture; of the program, sherd::scene (reads
+# scenes and makes simulations of them), sherd::recording (writes and reads recordings) and sherd::run (runs scenes).
+include(CMakeFindDependencyMacro)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_dependency(Eigen3 3.4)
+find_dependency(CGAL 5.5)
+find_dependency(CHOLMOD)
+find_dependency(OpenVDB 10)
+find_dependency(HDF5 1.10 COMPONENTS C)
+find_dependency(PNG 1.6)
+find_dependency(fmt)
+find_dependency(tomlplusplus)
+list(REMOVE_ITEM CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+include(${CMAKE_CURRENT_LIST_DIR}/sherdTargets.cmake)

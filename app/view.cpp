@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "app/commands.h"
+#include "app/files/pending_file.h"
+#include "app/files/xml_text.h"
+#include "app/playback/slow_motion.h"
+#include "app/slow_motion_options.h"
+#include "app/view/view_assets.h"
+#include "app/view/view_data.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+/// JSON that may stand in a script element, whatever the scene is called.
+std::string script_json(const nlohmann::json& data) {
+    std::string text = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+        text.replace(at, 1, "\\u003c");
+    return text;
+}
+
+using Filling = std::pair<std::string_view, std::string_view>;  ///< %NAME% and what takes its place
+
+std::string filled(std::string_view page, std::initializer_list<Filling> fillings) {
+    std::string text;
+    while (!page.empty()) {
+        std::size_t next = page.size();
+        const Filling* chosen = nullptr;
+        for (const Filling& filling : fillings)
+            if (const std::size_t at = page.find(filling.first); at < next) {
+                next = at;
+                chosen = &filling;
+            }
+        text += page.substr(0, next);
+        page.remove_prefix(next);
+        if (!chosen) break;
+        text += chosen->second;
+        page.remove_prefix(chosen->first.size());
+    }
+    return text;
+}
+
+// About what a vertex takes in the page: in each frame, and its two faces once, in base64.
+constexpr double frame_bytes = (3 * 2 + 1 + 1) * 4 / 3.0, face_bytes = 2 * (3 + 1 + 1) * 4 * 4 / 3.0;
+// Rather than leave out more frames, the mesh is thinned.
+constexpr std::size_t enough_frames = 20;
+
+/// None when enough frames fit into so many bytes as they are.
+std::optional<MeshThinning> thinning_for(const Recording& recording, double most_bytes) {
+    const RecordingHeader header = recording.header();
+    const Snapshot last = recording.frame(recording.frame_count() - 1);
+    const auto frames = static_cast<double>(std::min(recording.frame_count(), enough_frames));
+    const double most = most_bytes / (frames * frame_bytes + face_bytes);
+    if (static_cast<double>(last.position.cols()) <= most) return std::nullopt;
+    const double area = std::accumulate(header.rest_area.begin(), header.rest_area.end(), 0.0);
+    double cube = std::sqrt(area / most);
+    while (true) {
+        MeshThinning thinning(header, last.face_sheet, cube);
+        if (static_cast<double>(thinning.thinned(last).position.cols()) <= most) return thinning;
+        cube *= 1.1;
+    }
+}
+
+/// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
+nlohmann::json fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
+                            std::vector<std::string>& warnings) {
+    const double most_bytes = 1e6 * megabytes;
+    const std::optional<MeshThinning> thinning = thinning_for(recording, most_bytes);
+    Snapshot last = recording.frame(recording.frame_count() - 1);
+    const Eigen::Index whole = last.position.cols();
+    if (thinning) {
+        last = thinning->thinned(last);
+        warnings.push_back(
+            fmt::format("the page has {} of {} vertices, so that its data stay near {:g} MB: those within "
+                        "{:.2g} m are merged, and fragments smaller than that may be missing; --megabytes "
+                        "makes room for more",
+                        last.position.cols(), whole, megabytes, thinning->cube_length()));
+    }
+    const auto vertices = static_cast<double>(last.position.cols());
+    const double room = std::max(0.0, most_bytes - vertices * face_bytes);
+    const std::vector<std::size_t> frames =
+        shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes),
+                     static_cast<std::size_t>(room));
+    if (frames.size() < recording.frame_count())
+        warnings.push_back(
+            fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
+                        "makes room for more",
+                        frames.size(), recording.frame_count(), megabytes));
+    return view_data(recording, stage, frames, thinning);
+}
+
+/// How fast the page plays at first.
+Pace pace_of_page(const ViewOptions& options, const Recording& recording) {
+    return pace_of({options.slow, {}}, recording.time(recording.frame_count() - 1) - recording.time(0));
+}
+
+int view(ViewOptions options) {
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.recording).replace_extension(".html");
+    const OutputLock lock(options.output);
+    check_free(options.output, options.force);
+    std::vector<std::string> warnings;
+    const std::string page = view_page(options, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    PendingFile pending(lock, Fault::input);
+    pending.write(page);
+    pending.publish(options.force);
+    fmt::print(stderr, "sherd: {}\n", pace_of_page(options, Recording(options.recording)).words());
+    fmt::print("{}\n", options.output.string());
+    return 0;
+}
+
+}  // namespace
+
+std::string view_page(const ViewOptions& options, std::vector<std::string>& warnings) {
+    check_slow_motion({options.slow, {}});
+    const Recording recording(options.recording);
+    StageOptions stage_options;
+    stage_options.colour = RenderColour::strain;
+    const RenderStage stage(recording, stage_options, warnings);
+    const std::string title = xml_escaped(options.recording.stem().string());
+    nlohmann::json data = fitting_data(recording, stage, options.megabytes, warnings);
+    data["plain"] = options.plain;
+    data["slow"] = pace_of_page(options, recording).slowdown;
+    return filled(view_assets::page, {{"%TITLE%", title},
+                                      {"%THREE%", view_assets::three},
+                                      {"%CONTROLS%", view_assets::controls},
+                                      {"%PLAYBACK%", view_assets::playback},
+                                      {"%RECORDING%", script_json(data)}});
+}
+
+void add_view(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("view", "Make a page that plays a run in a browser");
+    auto options = std::make_shared<ViewOptions>();
+    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+        ->required()
+        ->option_text("RUN.h5");
+    command->add_option("-o,--output", options->output, "HTML file (default: beside RUN.h5)")
+        ->option_text("FILE.html");
+    add_slow_motion_option(*command, options->slow);
+    command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
+        ->check(CLI::Range(1.0, 400.0))
+        ->option_text("N");
+    command->add_flag("--plain", options->plain,
+                      "Without the colour bar and the caption that come with strain");
+    command->add_flag("--force", options->force, "Replace a file that exists");
+    command->footer("Example:\n  sherd view plate_drop.h5 -o plate.html");
+    command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });
+}
+
+}  // namespace sherd

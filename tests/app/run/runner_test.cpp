@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whoever runs scenes relies on what observers are told: a step, a frame or an end that is told late, twice
+// or not at all is a recording with holes.
+#include "app/run/runner.h"
+
+#include <gtest/gtest.h>
+
+#include "app/run/run_totals.h"
+#include "app/scene/read/scene.h"
+#include "meshops/error.h"
+
+namespace sherd::test {
+namespace {
+
+/// A disc that falls, ten steps of it, a frame every four.
+const std::string falling = R"(duration = 0.01
+[sheet.disc]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.05 }
+spin = [30, 20, 0]
+material = { preset = "stoneware" }
+[solver]
+step = 1e-3
+[output]
+every = 4e-3
+)";
+
+Runner runner_of(const std::string& text) {
+    const Scene scene = parse_scene(text, "scene.toml");
+    std::vector<std::string> warnings;
+    return {scene, build_scene(scene, warnings)};
+}
+
+/// Writes down what it is told: steps as numbers, frames and the end as words.
+struct Witness : RunObserver {
+    std::string told;
+    std::int64_t last_step = 1000;   ///< after which it wants an end
+    std::int64_t worst_step = 1000;  ///< in which it throws
+
+    void stepped(const StepReport& report, const CrackEvents&) override {
+        told += " " + std::to_string(report.step);
+        steps = report.step;
+        if (steps == worst_step) throw Error("enough", Fault::run);
+    }
+    void frame_due(const Simulation&) override { told += " frame"; }
+    bool wants_end() const override { return steps >= last_step; }
+    void ended(const RunEnd& end) override { told += " " + end.how; }
+
+  private:
+    std::int64_t steps = 0;
+};
+
+TEST(Runner, TellsEveryStepAndTheFramesOfTheScene) {
+    Runner runner = runner_of(falling);
+    Witness witness;
+    RunTotals totals;
+    runner.add(witness);
+    runner.add(totals);
+    const RunEnd end = runner.run();
+    EXPECT_TRUE(end.is_complete());
+    EXPECT_GT(end.wall_seconds, 0);
+    EXPECT_EQ(witness.told, " frame 1 2 3 4 frame 5 6 7 8 frame 9 10 frame complete");
+    EXPECT_EQ(totals.last.step, 10);
+    EXPECT_GE(totals.newton_iterations, 10);
+}
+
+TEST(Runner, EndsWithAFrameWhereAnObserverWantsIt) {
+    Runner runner = runner_of(falling);
+    Witness witness;
+    witness.last_step = 3;
+    runner.add(witness);
+    EXPECT_EQ(runner.run().how, "interrupted");
+    EXPECT_EQ(witness.told, " frame 1 2 3 frame interrupted");
+}
+
+TEST(Runner, TellsAllObserversThatItHasFailed) {
+    Runner runner = runner_of(falling);
+    Witness failing, other;
+    failing.worst_step = 2;
+    runner.add(other);
+    runner.add(failing);
+    EXPECT_THROW(runner.run(), Error);
+    EXPECT_EQ(other.told, " frame 1 2 failed: enough");
+    EXPECT_EQ(failing.told, " frame 1 2 failed: enough");
+}
+
+TEST(Runner, GoesOnFromWhereSingleStepsHaveLed) {
+    Runner whole = runner_of(falling), stepped = runner_of(falling);
+    whole.run();
+    Witness witness;
+    stepped.add(witness);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(stepped.step().step, i + 1);
+    EXPECT_TRUE(stepped.run().is_complete());
+    EXPECT_EQ(witness.told, " 1 2 3 4 5 frame 6 7 8 frame 9 10 frame complete");
+    const Snapshot one = whole.simulation().snapshot(), other = stepped.simulation().snapshot();
+    EXPECT_TRUE(one.position == other.position);
+    EXPECT_TRUE(one.velocity == other.velocity);
+}
+
+}  // namespace
+}  // namespace sherd::test

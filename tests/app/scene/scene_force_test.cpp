@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A load or a support that arrives wrongly, or nowhere, makes a run worthless without a word.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/scene/build/built_scene.h"
+#include "app/scene/read/forces.h"
+#include "app/scene/read/scene.h"
+#include "meshops/error.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+// The plate 0 <= x <= 2, 0 <= y <= 1.
+const std::string plate = R"(duration = 0.1
+[sheet.plate]
+mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
+material = { density = 1000, thickness = 0.01, young = 1e8, poisson = 0 }
+)";
+
+struct Prepared {
+    Scene scene;
+    std::vector<SheetInput> inputs;
+    SimulationOptions options;
+};
+
+Prepared prepare(const std::string& text) {
+    const TemporaryDirectory directory;
+    Prepared result;
+    result.scene = read_scene(directory.write("scene.toml", text));
+    std::vector<std::string> warnings;
+    const BuiltScene built = build_scene(result.scene, warnings);
+    result.inputs = built.inputs;
+    result.options = built.options;
+    return result;
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        prepare(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+Vector3d total(const Load& load) {
+    Vector3d sum = Vector3d::Zero();
+    for (const CornerForce& dead : load.dead) sum += dead.force;
+    return sum;
+}
+
+TEST(SceneForce, LoadsArriveWithTheirUnits) {
+    const Prepared prepared = prepare(plate + R"([[force.load]]
+line = [0, 0, 3]
+box = [[1.999, -1, -1], [2.001, 2, 1]]
+ramp = 0.5
+[[force.load]]
+area = [1, 2, 0]
+[[force.load]]
+pressure = -7
+sheet = "plate"
+[[force.load]]
+point = [0, 5, 0]
+box = [[-0.001, -0.001, -1], [0.001, 0.001, 1]]
+[solver]
+damping = { stiffness = 1e-4, mass = 2 }
+)");
+    const std::vector<Load>& loads = prepared.options.stepper.shell.loads;
+    ASSERT_EQ(loads.size(), 4u);
+    EXPECT_LT((total(loads[0]) - Vector3d(0, 0, 3)).norm(), 1e-12) << "the right side is 1 m long";
+    EXPECT_EQ(loads[0].ramp, 0.5);
+    EXPECT_LT((total(loads[1]) - Vector3d(2, 4, 0)).norm(), 1e-12) << "the plate has 2 m^2";
+    EXPECT_EQ(loads[2].pressed.size(), prepared.inputs[0].mesh.number_of_faces());
+    EXPECT_EQ(loads[2].pressure, -7);
+    EXPECT_LT((total(loads[3]) - Vector3d(0, 5, 0)).norm(), 1e-12) << "one corner";
+    EXPECT_EQ(prepared.options.stepper.shell.damping.stiffness, 1e-4);
+    EXPECT_EQ(prepared.options.stepper.shell.damping.mass, 2);
+}
+
+// A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
+TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
+    const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
+symmetry = [{ point = [0, 1, 0], normal = [0, 2, 0] }, { point = [2, 0, 0], normal = [1, 0, 0] }]
+[solver]
+step = 1e-2
+)");
+    Simulation simulation(prepared.inputs, prepared.options);
+    for (int i = 0; i < 10; ++i) simulation.step();
+    const Sheet& sheet = simulation.sheet().mechanics();
+    double drop = 0;
+    for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
+        const Vector3d rest = sheet.rest.col(v), now = sheet.position.col(v);
+        if (rest.x() < 1e-6) {
+            EXPECT_EQ(now, rest);
+        }
+        if (rest.y() > 1 - 1e-9) {
+            EXPECT_EQ(now.y(), rest.y());
+        }
+        if (rest.x() > 2 - 1e-9) {
+            EXPECT_EQ(now.x(), rest.x());
+        }
+        drop = std::max(drop, -now.z());
+    }
+    EXPECT_GT(drop, 1e-3);
+}
+
+// The left side turns about its own middle, the right one about the place that is given.
+TEST(SceneSupport, PinsAndClampsMoveAsTheirKeysSay) {
+    const Prepared prepared = prepare(plate + R"(
+pin = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], motion = "linear", keys = [
+    { time = 0 }, { time = 0.1, translate = [0.1, 0, 0], rotate = { axis = [1, 0, 0], degrees = 90 } } ] }
+clamp = { box = [[1.999, -1, -1], [3, 2, 1]], centre = [2, 0, 0], keys = [
+    { time = 0.02 }, { time = 0.04, rotate = { axis = [0, 1, 0], degrees = -90 } } ] }
+[solver]
+step = 5e-3
+)");
+    Simulation simulation(prepared.inputs, prepared.options);
+    const Sheet& sheet = simulation.sheet().mechanics();
+    const auto expect_place = [&](double x, const Vector3d& centre, const Vector3d& way,
+                                  const Vector3d& turn) {
+        for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
+            if (std::abs(sheet.rest(0, v) - x) > 1e-6) continue;
+            const Vector3d arm = Vector3d(sheet.rest.col(v)) - centre;
+            const Vector3d turned =
+                turn.isZero() ? arm : Eigen::AngleAxisd(turn.norm(), turn.normalized()) * arm;
+            EXPECT_LT((sheet.position.col(v) - centre - way - turned).norm(), 1e-12);
+        }
+    };
+    for (int i = 0; i < 4; ++i) simulation.step();
+    expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    for (int i = 0; i < 6; ++i) simulation.step();
+    expect_place(0, {0, 0.5, 0}, {0.05, 0, 0}, {std::numbers::pi / 4, 0, 0});
+    expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, -std::numbers::pi / 2, 0});
+    EXPECT_GT(linear_momentum(sheet).norm(), 0.1) << "the pinned vertices are a part of the momentum";
+    for (const MirrorHinge& hinge : prepared.options.stepper.shell.mirrors) EXPECT_EQ(hinge.carrier, 2);
+}
+
+TEST(SceneSupport, MotionsThatCannotBeAreRefused) {
+    const auto pin = [](const std::string& keys) {
+        return message_of(plate + "pin = [{ boundary = true, " + keys + " }]\n");
+    };
+    const std::string later = "{ time = 1, translate = [0, 0, 1] }";
+    const auto says = [](const std::string& message, const std::string& wanted) {
+        EXPECT_NE(message.find("scene.toml:5: sheet.plate.pin" + wanted), std::string::npos) << message;
+    };
+    says(pin("keys = [" + later + "]"), "[0].keys: must begin where the sheet is placed");
+    says(pin("keys = [{ time = 1 }, " + later + "]"), "[0].keys[1].time: must be later");
+    says(pin("motion = \"linear\""), "[0].motion: needs keys");
+    says(pin("centre = [0, 0, 0]"), "[0].centre: needs keys");
+    says(pin("keys = [{ time = 0 }, " + later + "] }, { box = [[-1, -1, -1], [9, 9, 9]]"),
+         "[1]: holds a vertex that");
+}
+
+TEST(SceneForce, WhatReachesNothingIsNamed) {
+    const std::string far = "box = [[8, 8, 8], [9, 9, 9]]\n";
+    EXPECT_NE(message_of(plate + "[[force.load]]\npressure = 1\n" + far).find("force.load"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "[[force.load]]\nline = [1, 0, 0]\n" + far).find("edge of the boundary"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "clamp = { box = [[-1, -1, -1], [1e-6, 1e-6, 1]] }\n").find("no tangent"),
+              std::string::npos);
+    EXPECT_NE(message_of(plate + "symmetry = { point = [5, 0, 0], normal = [1, 0, 0] }\n").find("symmetry"),
+              std::string::npos);
+}
+
+TEST(SceneForce, ContradictionsAreRefused) {
+    const auto load = [](const std::string& keys) { return message_of(plate + "[[force.load]]\n" + keys); };
+    EXPECT_NE(load("pressure = 1\narea = [1, 0, 0]\n").find("conflicts"), std::string::npos);
+    EXPECT_NE(load("ramp = 1\n").find("has no size"), std::string::npos);
+    EXPECT_NE(load("pressure = 1\nsheet = \"plat\"\n").find("names no sheet"), std::string::npos);
+    EXPECT_NE(load("point = [1, 0, 0]\n").find("acts on no vertex"), std::string::npos);
+    EXPECT_NE(load("pressure = 1\nramp = -1\n").find("ramp"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sherd::test

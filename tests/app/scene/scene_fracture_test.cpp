@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The strength of a sheet must arrive as it was written: a threshold in another unit breaks everything, or
+// nothing.
+#include <gtest/gtest.h>
+
+#include "app/scene/build/built_scene.h"
+#include "app/scene/build/sheet.h"
+#include "app/scene/read/scene.h"
+#include "meshops/error.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+Scene scene_of(const std::string& fracture, const std::string& solver = "", int seed = 1) {
+    const TemporaryDirectory directory;
+    return read_scene(directory.write(
+        "scene.toml",
+        "duration = 0.0002\nseed = " + std::to_string(seed) +
+            "\n[sheet.plate]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
+            "material = { preset = \"glass\" }\n[sheet.plate.fracture]\n" +
+            fracture + "\n[solver]\n" + solver + "\n"));
+}
+
+const FractureSpec& fracture_of(const Scene& scene) {
+    return *scene.sheets[0].fracture;
+}
+
+SheetInput input_of(const Scene& scene) {
+    std::vector<std::string> warnings;
+    return make_sheet(scene.sheets[0], scene, warnings);
+}
+
+TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
+    const Scene strain = scene_of("strain = 0.4\ncrack_tip = 1");
+    EXPECT_EQ(fracture_of(strain).strength.measure, Measure::strain);
+    EXPECT_EQ(fracture_of(strain).strength.across, 0.4);
+    EXPECT_EQ(fracture_of(strain).strength.crack_tip_factor, 1);
+    EXPECT_EQ(strain.solver.rule, BreakingRule::staged);
+    const Scene stress = scene_of("strength = [4e7, 1e7]");
+    EXPECT_EQ(fracture_of(stress).strength.measure, Measure::stress);
+    EXPECT_EQ(fracture_of(stress).strength.along, 4e7);
+    EXPECT_EQ(fracture_of(stress).strength.across, 1e7);
+    EXPECT_EQ(fracture_of(stress).strength.crack_tip_factor, 0.7) << "the default";
+    const Scene paper = scene_of("strain = 0.4\nmeasure = \"bending\"", "rule = \"paper\"");
+    EXPECT_EQ(fracture_of(paper).strength.measure, Measure::bending);
+    EXPECT_EQ(paper.solver.rule, BreakingRule::paper);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(build_scene(paper, warnings).options.rule, BreakingRule::paper);
+}
+
+// Glass is the same in all directions, its strength need not be.
+TEST(SceneFracture, ADirectedStrengthGetsItsAxes) {
+    const SheetInput input = input_of(scene_of("strength = [4e7, 1e7]"));
+    EXPECT_EQ(input.axes.size(), input.mesh.number_of_faces());
+    EXPECT_NO_THROW(BreakableSheet({input}));
+    EXPECT_TRUE(input_of(scene_of("strength = 4e7")).axes.empty());
+}
+
+TEST(SceneFracture, ScatterComesFromTheSeed) {
+    const std::string weibull = "strain = 1\nweibull = 8";
+    const std::vector<double> first = input_of(scene_of(weibull)).strength.factors;
+    ASSERT_FALSE(first.empty());
+    EXPECT_EQ(first, input_of(scene_of(weibull)).strength.factors);
+    EXPECT_NE(first, input_of(scene_of(weibull, "", 2)).strength.factors);
+    EXPECT_NE(first, input_of(scene_of(weibull + "\nweibull_area = 1e-4")).strength.factors);
+    EXPECT_TRUE(input_of(scene_of("strain = 1")).strength.factors.empty());
+}
+
+struct BadFracture {
+    std::string fracture, message;
+};
+
+class BadSceneFracture : public testing::TestWithParam<BadFracture> {};
+
+TEST_P(BadSceneFracture, NamesTheKey) {
+    try {
+        scene_of(GetParam().fracture);
+        FAIL() << "was accepted";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos) << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneFracture, BadSceneFracture,
+    testing::Values(
+        BadFracture{"", "fracture: needs strain (1/m) or strength (Pa)"},
+        BadFracture{"strain = 1\nstrength = 1e7", "fracture.strength: conflicts with strain"},
+        BadFracture{"strength = [1e7]", "fracture.strength: must be"},
+        BadFracture{"strain = [1, -1]", "fracture.strain: must be"},
+        BadFracture{"strength = 1e7\nmeasure = \"bending\"", "fracture.measure: \"bending\" is a strain"},
+        BadFracture{"strain = 1\nmeasure = \"stress\"", "fracture.measure"},
+        BadFracture{"strain = 1\ncrack_tip = 1.5", "fracture.crack_tip: must be a number above 0, up to 1"},
+        BadFracture{"strain = 1\nweibull = 0", "fracture.weibull: must be a positive number"},
+        BadFracture{"strain = 1\nweibull_area = 1", "fracture.weibull_area: needs weibull"},
+        BadFracture{"strain = 1\nwiebull = 3", "did you mean 'weibull'?"}));
+
+}  // namespace
+}  // namespace sherd::test
