@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
-#include "fracture/grid_shape.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 
@@ -80,7 +80,8 @@ std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<Obsta
         for (const std::string& warning : found)
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
         obstacles.push_back(
-            {{std::move(made.shape), shared(std::move(made.surface)), spec.young, spec.friction}, spec.motion});
+            {{std::move(made.shape), shared(std::move(made.surface)), spec.young, spec.friction},
+             spec.motion});
     }
     return obstacles;
 }
