@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/vector.h"
@@ -36,6 +37,13 @@ void remove_hinge(std::vector<T>& of_hinges, Index hinge) {
 template <class T>
 void follow_hinges(const ShellChange& change, std::vector<T>& of_hinges) {
     for (const Index hinge : change.removed_hinges) remove_hinge(of_hinges, hinge);
+}
+
+/// Appends the born faces whose first parent is in a list of faces to it.
+inline void follow_faces(const ShellChange& change, std::vector<Index>& faces) {
+    for (const auto& [face, parents] : change.faces)
+        if (!parents.empty() && std::find(faces.begin(), faces.end(), parents.front().element) != faces.end())
+            faces.push_back(face);
 }
 
 }  // namespace sherd

@@ -82,6 +82,11 @@ void LoadEnergy::begin(const StepContext& step) {
     if (pressed.size() > 0) complete_pressure();
 }
 
+void LoadEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
+    for (Load& load : loads) follow_faces(change, load.pressed);
+    begin(step);
+}
+
 void LoadEnergy::sum_loads(double time) {
     force = Positions::Zero(3, sheet.position.cols());
     pressed.triangles.clear();

@@ -59,6 +59,8 @@ class LoadEnergy : public Energy {
     /// The shell must outlive this object.
     LoadEnergy(const Sheet& sheet, std::vector<Load> loads) : sheet(sheet), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
+    /// Faces that are born under pressure stay under it. Dead forces stay on the corners of their triangles.
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;

@@ -29,6 +29,11 @@ Vector3d Wind::at(const Vector3d& place, double time) const {
     return ramp > 0 ? std::clamp(time / ramp, 0.0, 1.0) * sum : sum;
 }
 
+void WindEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
+    for (Wind& wind : winds) follow_faces(change, wind.triangles);
+    begin(step);
+}
+
 void WindEnergy::begin(const StepContext& step) {
     elements.corners.clear();
     for (const Wind& wind : winds)

@@ -72,6 +72,7 @@ class WindEnergy : public ElementEnergy<WindCorners> {
     WindEnergy(const Sheet& sheet, std::vector<Wind> winds)
         : ElementEnergy({}), sheet(sheet), winds(std::move(winds)) {}
     void begin(const StepContext& step) override;
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
     Task task() const override { return Task::loads; }
 
   private:

@@ -71,6 +71,13 @@ TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
     EXPECT_EQ(sheet.edge_strength[6], sheet.edge_strength[5]);
 }
 
+// What presses on a face, or blows on it, must go on doing so on all of its parts.
+TEST(ShellChange, ListsOfFacesGetTheFacesThatAreBornOfTheirs) {
+    std::vector<Index> faces{1, 4};
+    follow_faces({.faces = {{7, {{4, 1}}}, {8, {{2, 1}}}, {9, {{7, 1}}}, {10, {}}}}, faces);
+    EXPECT_EQ(faces, (std::vector<Index>{1, 4, 7, 9}));
+}
+
 // Energies keep a list for each hinge: it must lose what the shell loses, in the same places.
 TEST(ShellChange, ListsOfHingesFollowTheHingesThatAreRemoved) {
     Sheet sheet = test::tetrahedron(Material{});
