@@ -42,7 +42,7 @@ class Simulation {
     /// Advances by one time step: solve, judge the hinges, break the most overloaded, and solve the same step
     /// again until none is over its strength (or, by the paper's rule, break all overloaded ones at its end).
     /// A step that cannot be solved is halved and tried again; what broke in it was judged on a solution, and
-    /// stays broken. Throws std::runtime_error when the smallest step cannot be solved.
+    /// stays broken. Throws Error (run) when the smallest step cannot be solved.
     StepReport step();
 
     Snapshot snapshot() const;
