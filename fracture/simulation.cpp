@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "fracture/hinge_measures.h"
+#include "meshops/error.h"
 
 namespace sherd {
 namespace {
@@ -77,7 +77,7 @@ void Simulation::give_up(const StepReport& report) const {
                     [](const Obstacle& obstacle) { return obstacle.moves(); });
     if (obstacle_moves || !breakable.mechanics().motions.empty())
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
-    throw std::runtime_error(text.str());
+    throw Error(text.str(), Fault::run);
 }
 
 bool Simulation::attempt(StepReport& report) {

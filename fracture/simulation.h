@@ -42,8 +42,8 @@ class Simulation {
     /// Advances by one time step: solves it, compares the hinges with their strengths, breaks the most
     /// overloaded ones and solves the same step again until no hinge is overloaded (or, by the paper's rule,
     /// breaks all overloaded hinges at the end). A step that cannot be solved is halved and tried again;
-    /// hinges that broke in it stay broken, since they failed in a solution. Throws std::runtime_error when
-    /// the smallest step cannot be solved.
+    /// hinges that broke in it stay broken, since they failed in a solution. Throws Error (run) when the
+    /// smallest step cannot be solved.
     StepReport step();
 
     Snapshot snapshot() const;
