@@ -20,23 +20,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const std::vector<Index>& face_sheet) {
+std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& frame) {
     std::vector<SheetInfo> sheets;
     for (const std::string& name : header.sheet_names) sheets.push_back({name, 0, 0});
-    for (std::size_t f = 0; f < face_sheet.size(); ++f) {
-        SheetInfo& sheet = sheets.at(face_sheet[f]);
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        SheetInfo& sheet = sheets.at(frame.face_sheet[f]);
         ++sheet.faces;
-        sheet.area += header.rest_area[f];
+        sheet.area += frame.rest.area[f];
     }
     return sheets;
 }
 
 /// Fragments by id, those without a face included. The mass of a vertex goes to its faces as their rest
 /// areas.
-std::vector<FragmentInfo> fragments_of(const RecordingHeader& header, const Snapshot& frame) {
+std::vector<FragmentInfo> fragments_of(const Snapshot& frame) {
     VectorXd vertex_area = VectorXd::Zero(frame.mass.size());
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
-        for (const Index v : frame.faces[f]) vertex_area[v] += header.rest_area[f];
+        for (const Index v : frame.faces[f]) vertex_area[v] += frame.rest.area[f];
     std::vector<FragmentInfo> fragments;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         const Index id = frame.face_fragment[f];
@@ -44,21 +44,20 @@ std::vector<FragmentInfo> fragments_of(const RecordingHeader& header, const Snap
             fragments.push_back({.id = static_cast<Index>(fragments.size())});
         FragmentInfo& fragment = fragments[id];
         ++fragment.faces;
-        fragment.area += header.rest_area[f];
+        fragment.area += frame.rest.area[f];
         for (const Index v : frame.faces[f])
-            fragment.mass += frame.mass[v] * header.rest_area[f] / vertex_area[v];
+            fragment.mass += frame.mass[v] * frame.rest.area[f] / vertex_area[v];
     }
     return fragments;
 }
 
 /// None without faces. A NaN wins: the frame is worthless.
-std::optional<MembraneStrainInfo> largest_membrane_strain(const RecordingHeader& header,
-                                                          const Snapshot& frame) {
+std::optional<MembraneStrainInfo> largest_membrane_strain(const Snapshot& frame) {
     std::optional<MembraneStrainInfo> largest;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         // Strain does not depend on the elasticity.
         const MembraneTriangle triangle =
-            membrane_triangle(columns(header.rest_position, header.rest_faces[f]), Matrix3d::Zero());
+            membrane_triangle(columns(frame.rest.position, frame.rest.faces[f]), Matrix3d::Zero());
         const double strain =
             principal_strain(green_strain(triangle, columns(frame.position, frame.faces[f])));
         if (!largest || std::isnan(strain) || std::abs(strain) > std::abs(largest->strain))
@@ -69,14 +68,11 @@ std::optional<MembraneStrainInfo> largest_membrane_strain(const RecordingHeader&
 }
 
 void add_last_frame(RunInfo& info, const RecordingHeader& header, const Snapshot& frame) {
-    if (frame.faces.size() != header.rest_faces.size())
-        throw Error(fmt::format("the recording is damaged: its last frame has {} faces, the unbroken mesh {}",
-                                frame.faces.size(), header.rest_faces.size()));
     info.vertices = frame.position.cols();
     info.faces = frame.faces.size();
-    info.sheets = sheets_of(header, frame.face_sheet);
-    info.fragments = fragments_of(header, frame);
-    info.membrane_strain = largest_membrane_strain(header, frame);
+    info.sheets = sheets_of(header, frame);
+    info.fragments = fragments_of(frame);
+    info.membrane_strain = largest_membrane_strain(frame);
 }
 
 void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
@@ -94,6 +90,8 @@ void add_events(RunInfo& info, const CrackEvents& events) {
     info.failures = events.failures.size();
     info.openings = events.openings.size();
     info.splits = events.splits.size();
+    info.vertex_births = events.vertex_births.size();
+    info.face_births = events.face_births.size();
     for (const FragmentBirth& birth : events.births)
         if (birth.fragment >= 0 && static_cast<std::size_t>(birth.fragment) < info.fragments.size())
             info.fragments[birth.fragment].parent = birth.parent;
@@ -183,7 +181,9 @@ std::string run_info_json(const RunInfo& info) {
               {"faces", info.faces},
               {"crack_events", info.failures},
               {"edges_opened", info.openings},
-              {"vertices_split", info.splits}};
+              {"vertices_split", info.splits},
+              {"vertices_born", info.vertex_births},
+              {"faces_born", info.face_births}};
     json["fragments"] = Json::array();
     for (const FragmentInfo& f : info.fragments)
         json["fragments"].push_back(
@@ -227,8 +227,11 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);
-    fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split\n", info.failures,
+    fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split", info.failures,
                    info.openings, info.splits);
+    if (info.vertex_births + info.face_births > 0)
+        fmt::format_to(out, "; {} vertices and {} faces born", info.vertex_births, info.face_births);
+    text += "\n";
     if (info.last) add_last_step(text, info);
     if (info.membrane_strain)
         fmt::format_to(out, "membrane     strain {:.4g} at most in the last frame, of face {}\n",

@@ -37,7 +37,7 @@ struct RunInfo {
     std::int64_t seed = 0;
     double wall_seconds = 0;
     std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
-    std::size_t failures = 0, openings = 0, splits = 0;
+    std::size_t failures = 0, openings = 0, splits = 0, vertex_births = 0, face_births = 0;
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one

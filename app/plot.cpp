@@ -99,11 +99,10 @@ int plot(PlotOptions options) {
 
 }  // namespace
 
-std::vector<Vector2d> crack_length(const RecordingHeader& header, const Snapshot& last,
-                                   const CrackEvents& events, double end) {
+std::vector<Vector2d> crack_length(const Snapshot& last, const CrackEvents& events, double end) {
     std::vector<Vector2d> points{Vector2d::Zero()};
     const auto rest = [&](Index vertex) -> Vector3d {
-        return header.rest_position.col(last.original.at(vertex));
+        return last.rest.position.col(last.original.at(vertex));
     };
     for (const EdgeFailure& failure : events.failures) {
         const double length = (rest(failure.vertices[0]) - rest(failure.vertices[1])).norm();
@@ -113,9 +112,9 @@ std::vector<Vector2d> crack_length(const RecordingHeader& header, const Snapshot
     return points;
 }
 
-std::vector<Vector2d> fragment_sizes(const RecordingHeader& header, const Snapshot& last) {
+std::vector<Vector2d> fragment_sizes(const Snapshot& last) {
     std::map<Index, double> areas;
-    for (std::size_t f = 0; f < last.faces.size(); ++f) areas[last.face_fragment[f]] += header.rest_area[f];
+    for (std::size_t f = 0; f < last.faces.size(); ++f) areas[last.face_fragment[f]] += last.rest.area[f];
     std::vector<Vector2d> sizes;
     for (const auto& [fragment, area] : areas) sizes.emplace_back(area, 0);
     std::ranges::sort(sizes, {}, [](const Vector2d& size) { return size.x(); });
@@ -136,11 +135,11 @@ std::string plot_svg(const Recording& recording) {
                        {.name = "length at rest", .unit = "m", .from_zero = true},
                        {{.name = "cracks",
                          .colour = vermillion,
-                         .points = crack_length(header, last, recording.events(), steps.back().time),
+                         .points = crack_length(last, recording.events(), steps.back().time),
                          .stepped = true}}};
     const Chart charts[] = {motion_chart(steps),   elastic_chart(steps),
                             fragment_chart(steps), cracks,
-                            strain_chart(steps),   size_chart(fragment_sizes(header, last))};
+                            strain_chart(steps),   size_chart(fragment_sizes(last))};
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
         "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"

@@ -11,11 +11,10 @@ namespace sherd {
 
 /// Time (s) and length (m) of all edges that have failed until then, as long as they are at rest; from 0 to
 /// `end`. last: the last frame.
-std::vector<Vector2d> crack_length(const RecordingHeader& header, const Snapshot& last,
-                                   const CrackEvents& events, double end);
+std::vector<Vector2d> crack_length(const Snapshot& last, const CrackEvents& events, double end);
 
 /// Area (m^2, at rest) of each fragment, ascending, and how many are as large or larger.
-std::vector<Vector2d> fragment_sizes(const RecordingHeader& header, const Snapshot& last);
+std::vector<Vector2d> fragment_sizes(const Snapshot& last);
 
 /// An SVG picture of a run: energies, fragments, crack length and peak strain over time, and the sizes of the
 /// fragments in the last frame. Throws Error (input) when nothing has been recorded yet.

@@ -4,22 +4,17 @@
 namespace sherd {
 
 void set_time(CrackEvents& events, std::int64_t step, double time) {
-    const auto set = [&](auto& of_kind) {
+    visit_kinds([&](auto kind) {
+        auto& of_kind = events.*kind;
         for (auto event = of_kind.rbegin(); event != of_kind.rend() && event->step == step; ++event)
             event->time = time;
-    };
-    set(events.failures);
-    set(events.openings);
-    set(events.splits);
-    set(events.births);
+    });
 }
 
 void append(CrackEvents& events, const CrackEvents& later) {
-    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    add(events.failures, later.failures);
-    add(events.openings, later.openings);
-    add(events.splits, later.splits);
-    add(events.births, later.births);
+    visit_kinds([&](auto kind) {
+        (events.*kind).insert((events.*kind).end(), (later.*kind).begin(), (later.*kind).end());
+    });
 }
 
 }  // namespace sherd

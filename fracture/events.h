@@ -45,13 +45,43 @@ struct FragmentBirth {
     Index parent = 0;  ///< the fragment that it was a part of, which keeps its number
 };
 
+/// A vertex that was born inside an edge or a face.
+struct VertexBirth {
+    double time = 0;
+    std::int64_t step = 0;
+    Index created = 0;
+    std::array<Index, 3> parents{};   ///< vertices between which it was born, as they were numbered then
+    std::array<double, 3> weights{};  ///< their shares at rest, which sum to 1; inside an edge the last is 0
+};
+
+/// A face that was born when another one was split: both are parts of what `parent` was before.
+struct FaceBirth {
+    double time = 0;
+    std::int64_t step = 0;
+    Index created = 0;
+    Index parent = 0;
+};
+
 /// The events of fracture, in order.
 struct CrackEvents {
     std::vector<EdgeFailure> failures;
     std::vector<EdgeOpening> openings;
     std::vector<VertexSplit> splits;
     std::vector<FragmentBirth> births;
+    std::vector<VertexBirth> vertex_births;
+    std::vector<FaceBirth> face_births;
 };
+
+/// Calls visit(kind) for every kind of event: a pointer to its member of CrackEvents.
+template <class Visit>
+void visit_kinds(Visit visit) {
+    visit(&CrackEvents::failures);
+    visit(&CrackEvents::openings);
+    visit(&CrackEvents::splits);
+    visit(&CrackEvents::births);
+    visit(&CrackEvents::vertex_births);
+    visit(&CrackEvents::face_births);
+}
 
 /// Sets the time (s) of the events of step `step`, which are the last ones.
 void set_time(CrackEvents& events, std::int64_t step, double time);

@@ -1,10 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/snapshot.h"
 
+#include <numeric>
+#include <utility>
+
 #include "fracture/breakable_sheet.h"
 #include "fracture/hinge_measures.h"
 
 namespace sherd {
+namespace {
+
+/// Cracks of today copy vertices and split no face: the vertices that the sheet began with come first.
+RestMesh rest_of(const Sheet& mechanics, std::span<const Index> original) {
+    Eigen::Index unbroken = 0;
+    while (unbroken < mechanics.rest.cols() && original[unbroken] == unbroken) ++unbroken;
+    std::vector<std::array<Index, 3>> faces;
+    std::vector<double> area, thickness;
+    for (const TriangleStencil& triangle : mechanics.triangles) {
+        const auto& [a, b, c] = triangle.vertices;
+        faces.push_back({original[a], original[b], original[c]});
+        area.push_back(triangle.membrane.area);
+        thickness.push_back(mechanics.thickness[a]);
+    }
+    return unbroken_mesh(mechanics.rest.leftCols(unbroken), std::move(faces), std::move(area),
+                         std::move(thickness));
+}
+
+}  // namespace
+
+RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
+                       std::vector<double> thickness) {
+    RestMesh rest{.position = std::move(position),
+                  .faces = std::move(faces),
+                  .area = std::move(area),
+                  .thickness = std::move(thickness),
+                  .vertex_parents = {},
+                  .vertex_weights = {},
+                  .face_parent = {},
+                  .unbroken_faces = {}};
+    for (Index v = 0; v < static_cast<Index>(rest.position.cols()); ++v)
+        rest.vertex_parents.push_back({v, v, v});
+    rest.vertex_weights.assign(rest.vertex_parents.size(), {1, 0, 0});
+    rest.face_parent.resize(rest.faces.size());
+    std::iota(rest.face_parent.begin(), rest.face_parent.end(), Index{0});
+    rest.unbroken_faces = rest.faces;
+    return rest;
+}
+
+Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner) {
+    const Index vertex = rest.faces[face][corner];
+    const std::array<Index, 3>& parent = rest.unbroken_faces[rest.face_parent[face]];
+    Vector3d place = Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+            if (rest.vertex_parents[vertex][i] == parent[k]) place[k] += rest.vertex_weights[vertex][i];
+    return place;
+}
 
 Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_fragment) {
     const Sheet& mechanics = sheet.mechanics();
@@ -20,6 +71,7 @@ Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_
     const Mesh& mesh = sheet.mesh();
     for (const Vertex vertex : mesh.vertices())
         snapshot.original.push_back(static_cast<Index>(sheet.cracks().original(vertex)));
+    snapshot.rest = rest_of(mechanics, snapshot.original);
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});

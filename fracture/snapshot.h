@@ -10,16 +10,33 @@
 
 namespace sherd {
 
+/// The mesh of a snapshot at rest, with copies of a vertex as the one that they are copies of, and how it
+/// lies in the unbroken mesh: a crack may split faces, so that vertices are born inside edges and faces, and
+/// parts of a face become faces. Part of a face lies in that face, which is flat at rest.
+struct RestMesh {
+    Positions position;                       ///< [3, R] m; the first are the vertices of the unbroken mesh
+    std::vector<std::array<Index, 3>> faces;  ///< [F] corners, columns of position
+    std::vector<double> area;                 ///< [F] m^2
+    std::vector<double> thickness;            ///< [F] m; empty in recordings of before there was any
+
+    std::vector<std::array<Index, 3>> vertex_parents;   ///< [R] vertices of the unbroken mesh, and
+    std::vector<std::array<double, 3>> vertex_weights;  ///< [R] their shares, which sum to 1
+    std::vector<Index> face_parent;                     ///< [F] face of the unbroken mesh that it is part of
+    std::vector<std::array<Index, 3>> unbroken_faces;   ///< [F0] of the unbroken mesh
+};
+
 /// The shell at one moment, as plain arrays: what a recording stores of a frame. From one snapshot of a run
-/// to the next vertices and edges are only appended; faces stay the same.
+/// to the next vertices, edges and faces are only appended. A face that is split keeps its number for one of
+/// its parts.
 struct Snapshot {
     std::int64_t step = 0;
     double time = 0;  ///< s
 
-    Positions position;           ///< [3, V] m
-    Positions velocity;           ///< [3, V] m/s
-    VectorXd mass;                ///< [V] kg
-    std::vector<Index> original;  ///< [V] vertex of the unbroken mesh that this one is, or is a copy of
+    Positions position;  ///< [3, V] m
+    Positions velocity;  ///< [3, V] m/s
+    VectorXd mass;       ///< [V] kg
+    std::vector<Index>
+        original;  ///< [V] vertex that this one is a copy of, or itself: a column of rest.position
 
     std::vector<std::array<Index, 3>> faces;  ///< [F]
     std::vector<Index> face_fragment;         ///< [F] number of each face's fragment
@@ -28,7 +45,16 @@ struct Snapshot {
     std::vector<std::array<Index, 2>> edges;  ///< [E] end points
     std::vector<EdgeState> edge_state;        ///< [E]
     std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
+
+    RestMesh rest;  ///< of the same faces
 };
+
+/// A mesh of which nothing has been split.
+RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> faces, std::vector<double> area,
+                       std::vector<double> thickness);
+
+/// Barycentric coordinates of a face's corner (0, 1, 2) in the face that it is a part of.
+Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner);
 
 class BreakableSheet;
 

@@ -7,8 +7,8 @@ From a shell: blender --python sherd_recording.py -- RUN.h5
 The run plays as many times slower than reality as the object's custom property `sherd_slow` says, at first so that it
 lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
 attributes `fragment` and `strain` (1/m, the largest in absolute value of the face's edges) on its faces and
-`velocity` (m/s) and `original` (the vertex of the unbroken mesh) on its vertices. Needs h5py; on Debian Blender uses
-the system's Python, and python3-h5py suffices."""
+`velocity` (m/s) and `original` (the vertex that it is a copy of, or itself) on its vertices. Needs h5py; on Debian
+Blender uses the system's Python, and python3-h5py suffices."""
 
 import math
 import os
@@ -24,7 +24,7 @@ from bpy_extras.io_utils import ImportHelper
 bl_info = {
     "name": "Sherd recording",
     "author": "The Sherd authors",
-    "version": (1, 1, 0),
+    "version": (1, 2, 0),
     "blender": (3, 4, 0),
     "location": "File > Import > Sherd recording (.h5)",
     "description": "Plays recordings of breaking plates and shells",
@@ -33,6 +33,7 @@ bl_info = {
 
 PATH, SLOW, SHOWN = "sherd_recording", "sherd_slow", "sherd_frame"  # properties of an object that plays a recording
 NEAR = 1e-6  # of the way between two frames: round-off
+NEWEST = 3  # version of the recording's format
 
 
 def absolute(path):
@@ -42,6 +43,8 @@ def absolute(path):
 def frame_names(file):
     if file.attrs.get("format") != "sherd recording":
         raise ValueError(f"{file.filename} is not a recording of sherd")
+    if file.attrs["format_version"] > NEWEST:
+        raise ValueError(f"{file.filename} was written by a newer sherd; use the player that came with it")
     return sorted(file["frames"])
 
 
@@ -99,8 +102,9 @@ def set_attribute(mesh, name, kind, domain, values):
 
 
 def recorded(frame):
-    """What is shown of a frame."""
+    """What is shown of a frame, and its group."""
     return {
+        "group": frame,
         "faces": frame["face/vertices"][:],
         "fragment": frame["face/fragment"][:],
         "strain": face_strain(frame),
@@ -110,16 +114,59 @@ def recorded(frame):
     }
 
 
+def places_in_parents(state):
+    """Of each face the one of the unbroken mesh that it is a part of, and its corners' barycentric coordinates there."""
+    rest = state["group"]["rest"]
+    parent, faces = rest["face_parent"][:], rest["faces"][:]
+    corners = state["group"].file["rest/faces"][:][parent]
+    same = rest["vertex_parents"][:][faces][:, :, None, :] == corners[:, None, :, None]
+    return parent, (same * rest["vertex_weights"][:][faces][:, :, None, :]).sum(axis=3)
+
+
+def find_births(earlier, later, changed, vertices, shares, wholes):
+    """Corrects what ancestry() says of the later frame's `changed` faces, which have been split or were born: each lies
+    flat in the earlier face in which its middle is."""
+    (parent, places), (old_parent, old_places) = places_in_parents(later), places_in_parents(earlier)
+    old_corners = earlier["original"][earlier["faces"]]
+    for face in changed:
+        parts = np.flatnonzero(old_parent == parent[face])
+        parts = parts[np.linalg.det(old_places[parts]) != 0]
+        middle = places[face].mean(axis=0) @ np.linalg.inv(old_places[parts])
+        whole = wholes[face] = parts[middle.min(axis=1).argmax()]
+        for corner, vertex in enumerate(later["faces"][face]):
+            same = np.flatnonzero(old_corners[whole] == later["original"][vertex])
+            if len(same):
+                vertices[vertex], shares[vertex] = earlier["faces"][whole][same[0]], (1, 0, 0)
+            else:
+                vertices[vertex] = earlier["faces"][whole]
+                shares[vertex] = np.linalg.solve(old_places[whole].T, places[face, corner])
+
+
+def ancestry(earlier, later):
+    """Where the later frame's mesh was in the earlier one: of each vertex three vertices between which it was and their
+    shares, of each face the one that it was or was a part of. Faces keep their corners, so they know which vertices
+    cracks have split."""
+    count, faces = len(earlier["faces"]), later["faces"]
+    before = np.minimum(np.arange(len(later["position"])), len(earlier["position"]) - 1)
+    vertices, shares = np.repeat(before[:, None], 3, axis=1), np.tile((1.0, 0.0, 0.0), (len(before), 1))
+    wholes = np.arange(len(faces))
+    same = (earlier["original"][earlier["faces"]] == later["original"][faces[:count]]).all(axis=1)
+    vertices[faces[:count][same].ravel()] = earlier["faces"][same].ravel()[:, None]
+    changed = np.append(np.flatnonzero(~same), np.arange(count, len(faces)))
+    if len(changed):
+        find_births(earlier, later, changed, vertices, shares, wholes)
+    return vertices, shares, wholes
+
+
 def between(earlier, later, share):
     """The mesh of the later frame with its vertices on their way there: one that a crack made in between comes from
-    where its face's corner was before. Fragments are the earlier frame's until the later one is reached."""
-    before = np.minimum(np.arange(len(later["position"])), len(earlier["position"]) - 1)
-    before[later["faces"].ravel()] = earlier["faces"].ravel()
-    shown = {**later, "fragment": earlier["fragment"]}
+    where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
+    vertices, shares, wholes = ancestry(earlier, later)
+    shown = {**later, "fragment": earlier["fragment"][wholes]}
     for name, start in (
-        ("position", earlier["position"][before]),
-        ("velocity", earlier["velocity"][before]),
-        ("strain", earlier["strain"]),
+        ("position", np.einsum("vi,vix->vx", shares, earlier["position"][vertices])),
+        ("velocity", np.einsum("vi,vix->vx", shares, earlier["velocity"][vertices])),
+        ("strain", earlier["strain"][wholes]),
     ):
         shown[name] = start + share * (later[name] - start)
     return shown

@@ -7,7 +7,8 @@
 namespace sherd {
 
 /// Moments of the run on the topology of the last of the chosen frames: where a crack is still to come, the
-/// vertices that it will part are in the same place, that of the vertex they come from.
+/// vertices that it will part are in the same place, that of the vertex they come from, and the parts of a
+/// face that it will split lie flat in that face.
 class Clip {
   public:
     /// moments: of or between the chosen frames, the last one that of the last frame.
@@ -26,8 +27,8 @@ class Clip {
     ExportSource& source;
     std::vector<Moment> moments;
     Playback playback;
-    TriangleSheet last, last_sheet;
-    std::vector<Index> origin;
+    TriangleSheet last;
+    Snapshot last_frame;
 };
 
 }  // namespace sherd

@@ -17,18 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<double> thickness_of_faces(const ExportOptions& options, const RecordingHeader& header) {
-    if (!options.thickness) return header.rest_thickness;
-    return std::vector<double>(header.rest_faces.size(), *options.thickness);
-}
-
 }  // namespace
 
 ExportSource::ExportSource(const ExportOptions& options_, const std::string& extension, bool all_frames)
-    : options(options_),
-      header(Recording(options.recording).header()),
-      recording(options.recording),
-      face_thickness(thickness_of_faces(options, header)) {
+    : options(options_), recording(options.recording) {
     const std::string wanted = !options.frames.empty() ? options.frames : all_frames ? "all" : "last";
     chosen = selected_frames(wanted, recording.frame_count());
     fs::path output = options.output;
@@ -47,10 +39,6 @@ const Snapshot& ExportSource::frame(std::size_t number) {
     if (loaded == number) return current;
     loaded.reset();
     current = recording.frame(number);
-    if (current.faces.size() != header.rest_faces.size())
-        throw Error(fmt::format("the recording '{}' is damaged: frame {} has {} faces, /rest has {}",
-                                options.recording.string(), number, current.faces.size(),
-                                header.rest_faces.size()));
     loaded = number;
     return current;
 }
@@ -65,13 +53,14 @@ Pace ExportSource::pace() const {
     return pace_of(options.slow, recording.time(chosen.back()) - recording.time(chosen.front()));
 }
 
-const std::vector<double>& ExportSource::thickness() const {
-    if (face_thickness.empty())
+std::vector<double> ExportSource::thickness(const Snapshot& frame) const {
+    if (options.thickness) return std::vector<double>(frame.faces.size(), *options.thickness);
+    if (frame.rest.thickness.empty())
         throw Error(
             fmt::format("'{}' does not say how thick its sheets are, it was made by an earlier version; give "
                         "--thickness, in m",
                         options.recording.string()));
-    return face_thickness;
+    return frame.rest.thickness;
 }
 
 const TriangleSheet& ExportSource::sheet(std::size_t number) {
@@ -81,7 +70,7 @@ const TriangleSheet& ExportSource::sheet(std::size_t number) {
     current_sheet = frame_sheet(shown);
     current_sheet.quality = face_quality(shown, options.quality);
     if (options.solid) {
-        current_sheet = thickened(current_sheet, thickness(), shown.original);
+        current_sheet = thickened(current_sheet, thickness(shown), shown.original);
         check_bodies(number);
     }
     made = number;

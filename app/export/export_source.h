@@ -29,8 +29,8 @@ class ExportSource {
     Pace pace() const;                                                 ///< how fast they are to be shown
     /// Keeps the frame until another one is asked for. Throws Error (run) when interrupted().
     const Snapshot& frame(std::size_t number);
-    /// m, of each face. Throws Error (input) when the recording does not say and the options do not either.
-    const std::vector<double>& thickness() const;
+    /// m, of each face of a frame. Throws Error (input) when neither the recording says it nor the options.
+    std::vector<double> thickness(const Snapshot& frame) const;
 
     /// A frame as it is to be written: a solid when that is asked for, and a warning for each fragment whose
     /// body intersects itself. The groups are the fragments. Keeps it, too.
@@ -43,7 +43,6 @@ class ExportSource {
     std::filesystem::path numbered_file(std::size_t frame, const std::string& extension) const;
 
     const ExportOptions options;
-    const RecordingHeader header;
     std::vector<std::string> warnings;  ///< what the user should know at the end
     std::string pace_words;             ///< how fast the run is shown; may be empty
 
@@ -52,7 +51,6 @@ class ExportSource {
 
     Recording recording;
     std::vector<std::size_t> chosen;
-    std::vector<double> face_thickness;
     std::filesystem::path stem;  ///< without number and extension
     bool single = false;
     std::optional<std::size_t> loaded, made;

@@ -17,14 +17,15 @@ constexpr double most_voxels = 3e8;
 
 /// m; throws Error (input) when the sheets would have holes or the grid be too large.
 double voxel_size(ExportSource& source) {
-    const double thinnest = *std::ranges::min_element(source.thickness());
+    const Snapshot& first = source.frame(source.frames().front());
+    const std::vector<double> thickness = source.thickness(first);
+    const double thinnest = *std::ranges::min_element(thickness);
     const double voxel = source.options.voxel.value_or(thinnest / 4);
     if (voxel > thinnest / 2)
         throw Error(
             fmt::format("--voxel {:g}: a sheet {:g} m thick would have holes; give at most half of that",
                         voxel, thinnest));
-    const TriangleSheet sheet = frame_sheet(source.frame(source.frames().front()));
-    const double voxels = expected_voxels(sheet, source.thickness(), voxel);
+    const double voxels = expected_voxels(frame_sheet(first), thickness, voxel);
     if (voxels > most_voxels)
         throw Error(fmt::format(
             "voxels of {:g} m: a frame would fill {:.2g} of them, the most is {:.2g}; give a larger "
@@ -41,8 +42,8 @@ std::vector<ExportJob> plan_vdb(ExportSource& source) {
     for (const std::size_t number : source.frames())
         jobs.push_back({source.frame_file(number, ".vdb"), nullptr,
                         [&source, number, voxel](const std::filesystem::path& file) {
-                            write_level_set(frame_sheet(source.frame(number)), source.thickness(), voxel,
-                                            file);
+                            const Snapshot& frame = source.frame(number);
+                            write_level_set(frame_sheet(frame), source.thickness(frame), voxel, file);
                         }});
     return jobs;
 }

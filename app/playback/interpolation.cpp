@@ -1,24 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/playback/interpolation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
 
-#include "meshops/error.h"
+#include "app/playback/ancestry.h"
 
 namespace sherd {
 namespace {
 
-/// The earlier frame's vertex that each of the later one was, which faces know: they keep their corners.
-std::vector<Index> vertices_before(const Snapshot& earlier, const Snapshot& later) {
-    std::vector<Index> before(later.position.cols());
-    for (std::size_t v = 0; v < before.size(); ++v)
-        before[v] = std::min(static_cast<Index>(v), static_cast<Index>(earlier.position.cols() - 1));
-    for (std::size_t f = 0; f < later.faces.size(); ++f)
-        for (int k = 0; k < 3; ++k) before[later.faces[f][k]] = earlier.faces[f][k];
-    return before;
-}
+/// Finds the edge of the earlier frame on which an edge that was born since lies.
+class EdgeSearch {
+  public:
+    EdgeSearch(const Snapshot& earlier, const Ancestry& ancestry) : ancestry(ancestry) {
+        for (std::size_t e = 0; e < earlier.edges.size(); ++e) {
+            const auto [low, high] = std::minmax(earlier.edges[e][0], earlier.edges[e][1]);
+            numbers[{low, high}] = e;
+        }
+    }
+
+    /// None: it lies inside a face.
+    std::optional<std::size_t> below(const std::array<Index, 2>& edge) const {
+        constexpr double round_off = 1e-9;
+        std::set<Index> ends;
+        for (const Index v : edge)
+            for (int k = 0; k < 3; ++k)
+                if (std::abs(ancestry.weights[v][k]) > round_off) ends.insert(ancestry.vertices[v][k]);
+        const auto found = ends.size() == 2 ? numbers.find({*ends.begin(), *ends.rbegin()}) : numbers.end();
+        return found == numbers.end() ? std::nullopt : std::optional(found->second);
+    }
+
+  private:
+    const Ancestry& ancestry;
+    std::map<std::array<Index, 2>, std::size_t> numbers;
+};
 
 /// Edges that the crack made on the way are its rim: they carry no hinge.
 void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
@@ -32,24 +50,34 @@ void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
     }
 }
 
+/// Those with a hinge are parts of an edge that was split, or lie where a face was, which does not bend.
+void say_of_born_edges(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
+    std::optional<EdgeSearch> search;
+    for (std::size_t e = earlier.edges.size(); e < between.edges.size(); ++e) {
+        if (between.edge_state[e] != EdgeState::interior) continue;
+        if (!search) search.emplace(earlier, ancestry);
+        const std::optional<std::size_t> below = search->below(between.edges[e]);
+        const double before = below ? earlier.edge_strain[*below] : 0;
+        between.edge_strain[e] = before + share * (between.edge_strain[e] - before);
+    }
+}
+
 }  // namespace
 
 Snapshot interpolated(const Snapshot& earlier, const Snapshot& later, double share) {
-    if (earlier.faces.size() != later.faces.size())
-        throw Error(
-            fmt::format("the frames at {:g} s and {:g} s have {} and {} faces: there is nothing between",
-                        earlier.time, later.time, earlier.faces.size(), later.faces.size()));
+    const Ancestry before = ancestry(earlier, later);
     Snapshot between = later;
     between.step = earlier.step;
     between.time = earlier.time + share * (later.time - earlier.time);
-    const std::vector<Index> before = vertices_before(earlier, later);
     const auto on_the_way = [&](const auto& from, const auto& to) {
         return (from + share * (to - from)).eval();
     };
-    between.position = on_the_way(earlier.position(Eigen::all, before), later.position);
-    between.velocity = on_the_way(earlier.velocity(Eigen::all, before), later.velocity);
-    between.face_fragment = earlier.face_fragment;
+    between.position = on_the_way(before.carried(earlier.position), later.position);
+    between.velocity = on_the_way(before.carried(earlier.velocity), later.velocity);
+    for (std::size_t f = 0; f < between.faces.size(); ++f)
+        between.face_fragment[f] = earlier.face_fragment[before.faces[f]];
     say_of_edges(earlier, share, between);
+    say_of_born_edges(earlier, before, share, between);
     return between;
 }
 

@@ -228,6 +228,11 @@ void remove(hid_t where, const std::string& name) {
     checked(H5Ldelete(where, name.c_str(), H5P_DEFAULT), "cannot remove '" + name + "'");
 }
 
+void create_link(hid_t where, const std::string& name, const std::string& target) {
+    checked(H5Lcreate_soft(target.c_str(), where, name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            "cannot create link '" + name + "'");
+}
+
 void write_attribute(hid_t where, const std::string& name, const std::string& value) {
     const char* text = value.c_str();
     store_attribute(where, name, text_type(), &text);

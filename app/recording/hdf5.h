@@ -90,6 +90,8 @@ Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
 void remove(hid_t where, const std::string& name);
+/// A name for the object at the path `target` of the same file.
+void create_link(hid_t where, const std::string& name, const std::string& target);
 
 /// Attributes of a file, group or dataset; writing one again replaces its value.
 void write_attribute(hid_t where, const std::string& name, const std::string& value);

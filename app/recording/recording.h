@@ -50,8 +50,9 @@ struct RecordingOutput {
 
 /// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
 /// replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
-/// later append fails. The layout of the file is in app/README.md. The program must ignore SIGXFSZ, so that a
-/// file size limit is an error like a full disk.
+/// later append fails. A mesh at rest is written when it is another one than in the frame before. The layout
+/// of the file is in app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error
+/// like a full disk.
 class RecordingWriter {
   public:
     /// Creates the file. Throws Error (input) when it cannot be created; nothing is left behind then.
@@ -74,13 +75,16 @@ class RecordingWriter {
 
     RecordingOutput output;
     std::vector<XdmfFrame> frames;
+    RestMesh rest;                    ///< of the last frame, or unbroken
+    std::string rest_path = "/rest";  ///< where it stands
+    std::size_t unbroken_vertices = 0;
 };
 
 /// Reads a recording, while it is being written too. Every member throws Error (input) when what it reads is
 /// damaged, or when the file is not the one any more that was opened at first.
 class Recording {
   public:
-    /// Throws Error when the file is missing, not HDF5 or not a recording of ours.
+    /// Throws Error when the file is missing, not HDF5 or not a recording of ours, of a version that is read.
     explicit Recording(const std::filesystem::path& file);
 
     RecordingHeader header() const;
@@ -100,6 +104,7 @@ class Recording {
     auto read_with(Read read) const;
 
     std::filesystem::path file;
+    std::int64_t version = 0;
     std::pair<dev_t, ino_t> identity;  ///< a run with --force puts another file in its place
 };
 

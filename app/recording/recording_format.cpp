@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 namespace sherd::recording_format {
 
@@ -22,6 +24,93 @@ bool any_outside(const std::vector<std::array<Index, N>>& rows, std::size_t end)
     });
 }
 
+struct Length {
+    const char* name;
+    std::size_t rows;
+};
+
+/// Of arrays that must be as long as the first one.
+std::string difference(std::initializer_list<Length> arrays) {
+    for (const Length& array : arrays)
+        if (array.rows != arrays.begin()->rows)
+            return fmt::format("{} and {} differ in length", arrays.begin()->name, array.name);
+    return "";
+}
+
+std::string first_of(std::initializer_list<std::string> faults) {
+    const auto found = std::ranges::find_if(faults, [](const std::string& fault) { return !fault.empty(); });
+    return found == faults.end() ? "" : *found;
+}
+
+/// Of an array that names rows of something with `end` rows.
+template <class Numbers>
+std::string outside(const char* name, const Numbers& numbers, std::size_t end, const char* what) {
+    return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
+}
+
+std::string length_fault(const Snapshot& s) {
+    const RestMesh& rest = s.rest;
+    return first_of(
+        {difference({{"vertex/position", static_cast<std::size_t>(s.position.cols())},
+                     {"vertex/velocity", static_cast<std::size_t>(s.velocity.cols())},
+                     {"vertex/mass", static_cast<std::size_t>(s.mass.size())},
+                     {"vertex/original", s.original.size()}}),
+         difference({{"face/vertices", s.faces.size()},
+                     {"face/fragment", s.face_fragment.size()},
+                     {"face/sheet", s.face_sheet.size()},
+                     {"rest/faces", rest.faces.size()},
+                     {"rest/area", rest.area.size()},
+                     {"rest/thickness", rest.thickness.empty() ? s.faces.size() : rest.thickness.size()},
+                     {"rest/face_parent", rest.face_parent.size()}}),
+         difference({{"edge/vertices", s.edges.size()},
+                     {"edge/state", s.edge_state.size()},
+                     {"edge/strain", s.edge_strain.size()}}),
+         difference({{"rest/position", static_cast<std::size_t>(rest.position.cols())},
+                     {"rest/vertex_parents", rest.vertex_parents.size()},
+                     {"rest/vertex_weights", rest.vertex_weights.size()}})});
+}
+
+std::string number_fault(const Snapshot& s, std::size_t unbroken_vertices) {
+    const auto vertices = static_cast<std::size_t>(s.position.cols()),
+               rest_vertices = static_cast<std::size_t>(s.rest.position.cols());
+    if (s.faces.size() < s.rest.unbroken_faces.size())
+        return "face/vertices has fewer faces than /rest/faces";
+    return first_of({outside("face/vertices", s.faces, vertices, "vertex"),
+                     outside("edge/vertices", s.edges, vertices, "vertex"),
+                     outside("vertex/original", s.original, rest_vertices, "vertex"),
+                     outside("face/fragment", s.face_fragment, s.faces.size(), "fragment"),
+                     outside("face/sheet", s.face_sheet, s.faces.size(), "sheet"),
+                     outside("rest/faces", s.rest.faces, rest_vertices, "vertex"),
+                     outside("rest/vertex_parents", s.rest.vertex_parents, unbroken_vertices, "vertex"),
+                     outside("rest/face_parent", s.rest.face_parent, s.rest.unbroken_faces.size(), "face"),
+                     outside("/rest/faces", s.rest.unbroken_faces, unbroken_vertices, "vertex")});
+}
+
+constexpr double weight_tolerance = 1e-9;
+
+bool are_shares(const auto& weights) {
+    return std::ranges::all_of(weights, [](double weight) { return weight >= -weight_tolerance; }) &&
+           std::abs(weights[0] + weights[1] + weights[2] - 1) <= weight_tolerance;
+}
+
+/// Of arrays that are long enough and name what exists.
+std::string ancestry_fault(const Snapshot& s) {
+    const RestMesh& rest = s.rest;
+    for (std::size_t v = 0; v < rest.vertex_weights.size(); ++v)
+        if (!are_shares(rest.vertex_weights[v]))
+            return fmt::format("rest/vertex_weights of vertex {} are no shares that sum to 1", v);
+    for (std::size_t f = 0; f < s.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            if (s.original[s.faces[f][k]] != rest.faces[f][k])
+                return fmt::format("face {} has other corners in rest/faces than in face/vertices", f);
+            if (!are_shares(place_in_parent(rest, f, k)))
+                return fmt::format(
+                    "rest/vertex_parents: vertex {}, a corner of face {}, is not in its rest/face_parent",
+                    rest.faces[f][k], f);
+        }
+    return "";
+}
+
 }  // namespace
 
 std::string frame_group(std::size_t number) {
@@ -32,23 +121,18 @@ std::string obstacle_group(std::size_t number) {
     return fmt::format("obstacles/{}", number);
 }
 
-std::string inconsistency(const Snapshot& s) {
-    const auto vertices = static_cast<std::size_t>(s.position.cols());
-    if (s.velocity.cols() != s.position.cols() || s.mass.size() != s.position.cols() ||
-        s.original.size() != vertices)
-        return "the arrays of its vertices differ in length";
-    if (s.face_fragment.size() != s.faces.size() || s.face_sheet.size() != s.faces.size())
-        return "the arrays of its faces differ in length";
-    if (s.edge_state.size() != s.edges.size() || s.edge_strain.size() != s.edges.size())
-        return "the arrays of its edges differ in length";
-    if (any_outside(s.faces, vertices)) return "a face names a vertex that does not exist";
-    if (any_outside(s.edges, vertices)) return "an edge names a vertex that does not exist";
-    if (any_outside(s.original, vertices)) return "a vertex comes from one that does not exist";
-    if (any_outside(s.face_fragment, s.faces.size())) return "a face is in a fragment that does not exist";
-    if (any_outside(s.face_sheet, s.faces.size())) return "a face is in a sheet that does not exist";
+RestMesh unbroken_mesh(const RecordingHeader& header) {
+    return sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
+                                header.rest_thickness);
+}
+
+std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
+    if (const std::string fault = first_of({length_fault(s), number_fault(s, unbroken_vertices)});
+        !fault.empty())
+        return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
-        return "an edge has an unknown state";
-    return "";
+        return "edge/state has an unknown state";
+    return ancestry_fault(s);
 }
 
 std::string inconsistency(const RecordingHeader& header) {

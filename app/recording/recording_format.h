@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <type_traits>
+
 #include "app/recording/hdf5.h"
 #include "app/recording/recording.h"
 #include "fracture/events.h"
@@ -12,7 +14,9 @@
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
-inline constexpr std::int64_t version = 2;
+inline constexpr std::int64_t version = 3;
+/// Oldest version that can be read: it knows no faces that change.
+inline constexpr std::int64_t oldest_version = 2;
 
 /// Calls visit(dataset name, meaning, array) for every array of a frame.
 template <class S, class Visit>
@@ -20,7 +24,8 @@ void visit_arrays(S& snapshot, Visit visit) {
     visit("vertex/position", {"m"}, snapshot.position);
     visit("vertex/velocity", {"m/s"}, snapshot.velocity);
     visit("vertex/mass", {"kg"}, snapshot.mass);
-    visit("vertex/original", {"1", "vertex of the unbroken mesh (/rest) that this one came from"},
+    visit("vertex/original",
+          {"1", "vertex that this one is a copy of, or its own number: a row of rest/position"},
           snapshot.original);
     visit("face/vertices", {"1", "the three corners, as rows of vertex/*"}, snapshot.faces);
     visit("face/fragment", {"1", "number of the piece, which lasts: see /events/fragment"},
@@ -33,13 +38,28 @@ void visit_arrays(S& snapshot, Visit visit) {
     visit("edge/strain", {"1/m", "hinge strain, signed; 0 where there is no hinge"}, snapshot.edge_strain);
 }
 
-/// A table with a row for each `Row`: its group, and visit(column name, meaning, member) for every column.
+/// Calls visit(dataset name, meaning, array) for every array of a mesh at rest.
+template <class R, class Visit>
+void visit_rest_arrays(R& rest, Visit visit) {
+    visit("position", {"m"}, rest.position);
+    visit("faces", {"1", "the three corners, as rows of position"}, rest.faces);
+    visit("area", {"m^2", "of each face"}, rest.area);
+    visit("thickness", {"m", "of each face"}, rest.thickness);
+    visit("vertex_parents", {"1", "vertices of the unbroken mesh (/rest) between which it lies"},
+          rest.vertex_parents);
+    visit("vertex_weights", {"1", "shares of vertex_parents, which sum to 1"}, rest.vertex_weights);
+    visit("face_parent", {"1", "face of the unbroken mesh (/rest) that it is a part of"}, rest.face_parent);
+}
+
+/// A table with a row for each `Row`: its group, the version of the format since which there is one, and
+/// visit(column name, meaning, member) for every column.
 template <class Row>
 struct Table;
 
 template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
+    static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
         using R = StepReport;
@@ -77,6 +97,7 @@ struct Table<StepReport> {
 template <>
 struct Table<EdgeFailure> {
     static constexpr const char* group = "events/failure";
+    static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
         using R = EdgeFailure;
@@ -95,6 +116,7 @@ struct Table<EdgeFailure> {
 template <>
 struct Table<EdgeOpening> {
     static constexpr const char* group = "events/opening";
+    static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
         using R = EdgeOpening;
@@ -108,6 +130,7 @@ struct Table<EdgeOpening> {
 template <>
 struct Table<VertexSplit> {
     static constexpr const char* group = "events/split";
+    static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
         using R = VertexSplit;
@@ -121,6 +144,7 @@ struct Table<VertexSplit> {
 template <>
 struct Table<FragmentBirth> {
     static constexpr const char* group = "events/fragment";
+    static constexpr std::int64_t since = 2;
     template <class Visit>
     static void visit(Visit visit) {
         using R = FragmentBirth;
@@ -132,6 +156,44 @@ struct Table<FragmentBirth> {
     }
 };
 
+template <>
+struct Table<VertexBirth> {
+    static constexpr const char* group = "events/vertex_birth";
+    static constexpr std::int64_t since = 3;
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = VertexBirth;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("created", {"1", "the vertex that was born, a row of vertex/* of the frames"}, &R::created);
+        visit("parents", {"1", "vertices between which it was born, rows of vertex/* of the frames"},
+              &R::parents);
+        visit("weights", {"1", "their shares at rest, which sum to 1; inside an edge the last is 0"},
+              &R::weights);
+    }
+};
+
+template <>
+struct Table<FaceBirth> {
+    static constexpr const char* group = "events/face_birth";
+    static constexpr std::int64_t since = 3;
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = FaceBirth;
+        visit("time", {"s"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("created", {"1", "the face that was born, a row of face/* of the frames"}, &R::created);
+        visit("parent", {"1", "the face that was split, a part of which keeps the number"}, &R::parent);
+    }
+};
+
+/// Calls visit(std::type_identity<Row>) for every table of a recording.
+template <class Visit>
+void visit_tables(Visit visit) {
+    visit(std::type_identity<StepReport>{});
+    visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*) { visit(std::type_identity<Event>{}); });
+}
+
 /// Name of the group of a frame.
 std::string frame_group(std::size_t number);
 
@@ -141,8 +203,12 @@ std::string obstacle_group(std::size_t number);
 /// An obstacle's pose as it is stored: the three rows of rotation | translation.
 using StoredPose = std::array<double, 12>;
 
-/// What is wrong with the array lengths and indices of a snapshot; empty when nothing is.
-std::string inconsistency(const Snapshot& snapshot);
+/// The unbroken mesh.
+RestMesh unbroken_mesh(const RecordingHeader& header);
+
+/// What is wrong with the array lengths and indices of a snapshot of a run whose unbroken mesh has so many
+/// vertices; empty when nothing is.
+std::string inconsistency(const Snapshot& snapshot, std::size_t unbroken_vertices);
 /// Likewise of the mesh at rest.
 std::string inconsistency(const RecordingHeader& header);
 /// Likewise of an obstacle's surface.

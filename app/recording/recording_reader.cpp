@@ -26,6 +26,32 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
+void read_unbroken_mesh(hid_t file, RecordingHeader& header) {
+    read_array(file, "rest/position", header.rest_position);
+    read_array(file, "rest/faces", header.rest_faces);
+    read_array(file, "rest/area", header.rest_area);
+    if (hdf5::contains(file, "rest/thickness")) read_array(file, "rest/thickness", header.rest_thickness);
+    if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
+}
+
+RestMesh read_unbroken_mesh(hid_t file) {
+    RecordingHeader header;
+    read_unbroken_mesh(file, header);
+    return unbroken_mesh(header);
+}
+
+/// Of a frame's group.
+RestMesh read_rest(hid_t file, hid_t frame) {
+    RestMesh rest;
+    visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning, auto& values) {
+        read_array(frame, std::string("rest/") + name, values);
+    });
+    read_array(file, "rest/faces", rest.unbroken_faces);
+    if (rest.thickness.empty() && hdf5::row_count(file, "rest/thickness", 1) > 0)
+        throw Error("rest/thickness is empty");
+    return rest;
+}
+
 std::pair<dev_t, ino_t> identity_of(const std::filesystem::path& file) {
     struct stat status {};
     stat(file.c_str(), &status);
@@ -61,12 +87,12 @@ Recording::Recording(const std::filesystem::path& file) : file(file), identity(i
     if (!is_recording(opened))
         throw Error(
             fmt::format("'{}' is an HDF5 file, but not a recording written by 'sherd run'", file.string()));
-    const std::int64_t found = hdf5::read_integer_attribute(opened, "format_version");
-    if (found != version)
-        throw Error(
-            fmt::format("'{}' has format version {}, this program reads version {}; use the sherd that "
-                        "wrote it",
-                        file.string(), found, version));
+    version = hdf5::read_integer_attribute(opened, "format_version");
+    if (version < oldest_version || version > recording_format::version)
+        throw Error(fmt::format(
+            "'{}' has format version {}, this program reads versions {} to {}; use the sherd that "
+            "wrote it",
+            file.string(), version, oldest_version, recording_format::version));
 }
 
 RecordingHeader Recording::header() const {
@@ -76,12 +102,7 @@ RecordingHeader Recording::header() const {
         header.scene_text = hdf5::read_text(opened, "scene");
         header.seed = hdf5::read_integer_attribute(opened, "seed");
         header.sheet_names = hdf5::read_texts(opened, "rest/sheet_names");
-        read_array(opened, "rest/position", header.rest_position);
-        read_array(opened, "rest/faces", header.rest_faces);
-        read_array(opened, "rest/area", header.rest_area);
-        if (hdf5::contains(opened, "rest/thickness"))
-            read_array(opened, "rest/thickness", header.rest_thickness);
-        if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
+        read_unbroken_mesh(opened, header);
         return header;
     });
 }
@@ -91,14 +112,16 @@ std::size_t Recording::frame_count() const {
 }
 
 Snapshot Recording::frame(std::size_t number) const {
-    return read_with([number](hid_t opened) {
+    return read_with([this, number](hid_t opened) {
         Snapshot snapshot;
         const hdf5::Handle group = hdf5::open_group(opened, frame_group(number));
         snapshot.time = hdf5::read_real_attribute(group, "time");
         snapshot.step = hdf5::read_integer_attribute(group, "step");
         visit_arrays(snapshot,
                      [&](const char* name, hdf5::Meaning, auto& values) { read_array(group, name, values); });
-        if (const std::string what = inconsistency(snapshot); !what.empty())
+        snapshot.rest = version < 3 ? read_unbroken_mesh(opened) : read_rest(opened, group);
+        const std::size_t unbroken_vertices = hdf5::row_count(opened, "rest/position", 3);
+        if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
             throw Error(fmt::format("frame {}: {}", number, what));
         return snapshot;
     });
@@ -148,9 +171,12 @@ std::vector<StepReport> Recording::steps() const {
 }
 
 CrackEvents Recording::events() const {
-    return read_with([](hid_t opened) {
-        return CrackEvents{read_table<EdgeFailure>(opened), read_table<EdgeOpening>(opened),
-                           read_table<VertexSplit>(opened), read_table<FragmentBirth>(opened)};
+    return read_with([this](hid_t opened) {
+        CrackEvents events;
+        visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
+            if (version >= Table<Event>::since) events.*kind = read_table<Event>(opened);
+        });
+        return events;
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cstring>
 #include <functional>
 
 #include "app/files/disk_room.h"
@@ -38,6 +39,12 @@ void write_array(hid_t where, const std::string& name, const hdf5::Meaning& mean
     hdf5::write<T>(where, name, values, meaning);
 }
 
+void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
+    visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
+        write_array(where, group + "/" + name, meaning, values);
+    });
+}
+
 void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "format", std::string(format));
     hdf5::write_attribute(file, "format_version", version);
@@ -48,16 +55,9 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "wall_seconds", 0.0);
     hdf5::write_text(file, "scene", header.scene_text);
     hdf5::write_texts(file, "rest/sheet_names", header.sheet_names);
-    write_array(file, "rest/position", {"m"}, header.rest_position);
-    write_array(file, "rest/faces", {"1", "the three corners, as rows of /rest/position"}, header.rest_faces);
-    write_array(file, "rest/area", {"m^2", "of each face"}, header.rest_area);
-    write_array(file, "rest/thickness", {"m", "of each face"}, header.rest_thickness);
+    write_rest(file, "rest", unbroken_mesh(header));
     hdf5::create_group(file, "frames");
-    create_table<StepReport>(file);
-    create_table<EdgeFailure>(file);
-    create_table<EdgeOpening>(file);
-    create_table<VertexSplit>(file);
-    create_table<FragmentBirth>(file);
+    visit_tables([&]<class Row>(std::type_identity<Row>) { create_table<Row>(file); });
 }
 
 void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
@@ -85,7 +85,8 @@ void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {
                 stored);
 }
 
-void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot,
+/// same_rest: the path of a mesh at rest that is this frame's, too; empty: there is none.
+void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest,
                  std::span<const Eigen::Isometry3d> poses) {
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
@@ -95,58 +96,77 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot,
     });
     const VectorXd speed = snapshot.velocity.colwise().norm();
     write_array(group, "vertex/speed", {"m/s"}, speed);
+    if (same_rest.empty())
+        write_rest(group, "rest", snapshot.rest);
+    else
+        hdf5::create_link(group, "rest", same_rest);
     write_poses(group, poses);
 }
 
-/// How much of a recording there is.
-struct Extent {
-    explicit Extent(hid_t file)
-        : steps(table_rows<StepReport>(file)),
-          failures(table_rows<EdgeFailure>(file)),
-          openings(table_rows<EdgeOpening>(file)),
-          splits(table_rows<VertexSplit>(file)),
-          births(table_rows<FragmentBirth>(file)) {}
-
-    std::size_t steps, failures, openings, splits, births;
-};
-
-/// Makes the file what it was before an append that failed half-way.
-void roll_back(hid_t file, std::size_t frame, const Extent& before) {
-    if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
-    shorten_table<StepReport>(file, before.steps);
-    shorten_table<EdgeFailure>(file, before.failures);
-    shorten_table<EdgeOpening>(file, before.openings);
-    shorten_table<VertexSplit>(file, before.splits);
-    shorten_table<FragmentBirth>(file, before.births);
+/// Rows of each table of a recording.
+std::vector<std::size_t> extent(hid_t file) {
+    std::vector<std::size_t> rows;
+    visit_tables([&]<class Row>(std::type_identity<Row>) { rows.push_back(table_rows<Row>(file)); });
+    return rows;
 }
 
-void add(hid_t file, std::size_t frame, const Snapshot& snapshot, std::span<const StepReport> steps,
-         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
-    const Extent before(file);
+/// Makes the file what it was before an append that failed half-way.
+void roll_back(hid_t file, std::size_t frame, std::span<const std::size_t> rows_before) {
+    if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
+    auto rows = rows_before.begin();
+    visit_tables([&]<class Row>(std::type_identity<Row>) { shorten_table<Row>(file, *rows++); });
+}
+
+void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
+         std::span<const StepReport> steps, const CrackEvents& events,
+         std::span<const Eigen::Isometry3d> poses) {
+    const std::vector<std::size_t> before = extent(file);
     try {
         append_table<StepReport>(file, steps);
-        append_table<EdgeFailure>(file, events.failures);
-        append_table<EdgeOpening>(file, events.openings);
-        append_table<VertexSplit>(file, events.splits);
-        append_table<FragmentBirth>(file, events.births);
-        write_frame(file, frame, snapshot, poses);
+        visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
+            append_table<Event>(file, events.*kind);
+        });
+        write_frame(file, frame, snapshot, same_rest, poses);
     } catch (const Error&) {
         roll_back(file, frame, before);
         throw;
     }
 }
 
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same_bits(const Positions& a, const Positions& b) {
+    return a.size() == b.size() &&
+           std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
+}
+
+bool same_bits(const RestMesh& a, const RestMesh& b) {
+    return same_bits(a.position, b.position) && same_bits(a.faces, b.faces) && same_bits(a.area, b.area) &&
+           same_bits(a.thickness, b.thickness) && same_bits(a.vertex_parents, b.vertex_parents) &&
+           same_bits(a.vertex_weights, b.vertex_weights) && same_bits(a.face_parent, b.face_parent);
+}
+
 /// What HDF5 itself takes for a head, an append or an attribute at most, measured and doubled.
 constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, attribute_overhead = 16 << 10;
 
+std::size_t rest_bytes(std::size_t vertices, std::size_t faces) {
+    return 72 * vertices + 40 * faces;
+}
+
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
-std::size_t append_bytes(const Snapshot& snapshot, std::span<const StepReport> steps,
+std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<const StepReport> steps,
                          const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
+    std::size_t of_events = 0;
+    visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
+        of_events += 2 * sizeof(Event) * (events.*kind).size();
+    });
     return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
            24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
-           2 * sizeof(EdgeFailure) * events.failures.size() +
-           2 * sizeof(EdgeOpening) * events.openings.size() + 2 * sizeof(VertexSplit) * events.splits.size() +
-           2 * sizeof(FragmentBirth) * events.births.size() + append_overhead;
+           of_events + (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
+           append_overhead;
 }
 
 std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedObstacle> obstacles) {
@@ -154,7 +174,7 @@ std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedOb
     for (const RecordedObstacle& o : obstacles)
         surfaces +=
             32 * (o.surface.points.size() + o.surface.triangles.size()) + o.name.size() + attribute_overhead;
-    return surfaces + 32 * header.rest_position.cols() + 32 * header.rest_faces.size() +
+    return surfaces + rest_bytes(header.rest_position.cols(), header.rest_faces.size()) +
            header.scene_text.size() + head_overhead;
 }
 
@@ -176,7 +196,9 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
                                  std::span<const RecordedObstacle> obstacles)
-    : output(std::move(output_)) {
+    : output(std::move(output_)),
+      rest(unbroken_mesh(header)),
+      unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {
     PendingFile pending(output.recording, Fault::input);
     {
         const DiskRoom room(pending.path(), head_bytes(header, obstacles));
@@ -196,15 +218,24 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Record
 
 void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
                              const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) try {
-    if (const std::string what = inconsistency(snapshot); !what.empty()) throw Error(what, Fault::run);
+    if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
+        throw Error(what, Fault::run);
+    if (!same_bits(snapshot.rest.unbroken_faces, rest.unbroken_faces))
+        throw Error("its unbroken mesh is not that of /rest", Fault::run);
+    const bool new_rest = !same_bits(snapshot.rest, rest);
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
                       snapshot.faces.size(), snapshot.edges.size()});
     // All that needs space comes before the recording is touched; what follows it is only a change of name.
     PendingFile index(output.index, Fault::run);
     index.write(xdmf_text(file().filename().string(), longer));
-    change(file(), append_bytes(snapshot, steps, events, poses),
-           [&](hid_t opened) { add(opened, frames.size(), snapshot, steps, events, poses); });
+    change(file(), append_bytes(snapshot, new_rest, steps, events, poses), [&](hid_t opened) {
+        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, poses);
+    });
+    if (new_rest) {
+        rest = snapshot.rest;
+        rest_path = "/" + frame_group(frames.size()) + "/rest";
+    }
     index.publish(true);
     frames = std::move(longer);
 } catch (const Error& error) {

@@ -19,11 +19,11 @@ struct Piece {
 };
 
 /// The pieces of each sheet, by number of sheet and fragment.
-std::map<Index, std::vector<Piece>> pieces_of(const Snapshot& frame, std::span<const double> rest_area) {
+std::map<Index, std::vector<Piece>> pieces_of(const Snapshot& frame) {
     std::map<std::pair<Index, Index>, Piece> pieces;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         Piece& piece = pieces[{frame.face_sheet[f], frame.face_fragment[f]}];
-        piece.area += rest_area[f];
+        piece.area += frame.rest.area[f];
         for (const Index v : frame.faces[f])
             if (frame.position.col(v).allFinite()) piece.box.extend(Vector3d(frame.position.col(v)));
     }
@@ -72,9 +72,9 @@ double reach_of(const Eigen::AlignedBox3d& box, const Vector3d& middle) {
 
 }  // namespace
 
-Eigen::AlignedBox3d focus_box(const Snapshot& frame, std::span<const double> rest_area) {
+Eigen::AlignedBox3d focus_box(const Snapshot& frame) {
     Eigen::AlignedBox3d focus;
-    for (auto& [sheet, pieces] : pieces_of(frame, rest_area)) {
+    for (auto& [sheet, pieces] : pieces_of(frame)) {
         const Vector3d middle = middle_of(pieces);
         for (Piece& piece : pieces) piece.reach = reach_of(piece.box, middle);
         const double radius = focus_radius(pieces);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <span>
 
 #include "fracture/snapshot.h"
 
@@ -11,7 +10,7 @@ namespace sherd {
 /// The box (m) of a frame that a camera should show: around every fragment but the strays of each sheet,
 /// small pieces that are farther from its middle than the rest. Strays have at most a twentieth of their
 /// sheet's area, so that a sheet in one or in a few large pieces has none. Vertices that are not finite are
-/// left out; empty when none is. rest_area: [F] m^2.
-Eigen::AlignedBox3d focus_box(const Snapshot& frame, std::span<const double> rest_area);
+/// left out; empty when none is.
+Eigen::AlignedBox3d focus_box(const Snapshot& frame);
 
 }  // namespace sherd

@@ -11,6 +11,8 @@ namespace {
 
 using Eigen::Vector3f;
 
+constexpr double round_off = 1e-9;  // of places in a face
+
 Vector3d face_normal(const Positions& position, const std::array<Index, 3>& face) {
     const Vector3d a = position.col(face[0]);
     const Vector3d normal = (position.col(face[1]) - a).cross(position.col(face[2]) - a);
@@ -52,18 +54,16 @@ VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::sp
 
 class SolidBuilder {
   public:
-    SolidBuilder(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
-                 const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
+    SolidBuilder(const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
                  const Vector3d& origin)
-        : header(header),
-          rest_open(rest_open),
-          frame(frame),
+        : frame(frame),
           paint(paint),
           origin(origin),
           normals(vertex_normals(frame.position, frame.faces)),
-          rest_normals(vertex_normals(header.rest_position, header.rest_faces)),
+          rest_normals(vertex_normals(frame.rest.position, frame.rest.faces)),
           offsets(vertex_offsets(normals, frame, thickness)),
-          open(open_edges(frame.faces)) {}
+          open(open_edges(frame.faces)),
+          rim(rim_edges(frame.rest)) {}
 
     RenderMesh build() {
         mesh.striped = paint.stripe.size() > 0;
@@ -82,14 +82,12 @@ class SolidBuilder {
     void add_wall(std::size_t f, int k, const std::array<Vector3d, 2>& outward, bool broken);
     Vector3d outward(Index a, Index b) const;
 
-    const RecordingHeader& header;
-    std::span<const std::array<bool, 3>> rest_open;
     const Snapshot& frame;
     const SheetPaint& paint;
     Vector3d origin;
     Positions normals, rest_normals;
     VectorXd offsets;
-    std::vector<std::array<bool, 3>> open;
+    std::vector<std::array<bool, 3>> open, rim;
     RenderMesh mesh;
 };
 
@@ -100,7 +98,7 @@ RenderVertex SolidBuilder::vertex(Index v, double side) const {
     vertex.normal = (side * normals.col(v)).cast<float>();
     vertex.colour = paint.colour[v];
     vertex.material =
-        (header.rest_position.col(rest) + side * offsets[v] * rest_normals.col(rest)).cast<float>();
+        (frame.rest.position.col(rest) + side * offsets[v] * rest_normals.col(rest)).cast<float>();
     return vertex;
 }
 
@@ -144,19 +142,19 @@ void SolidBuilder::add_walls() {
     const auto each = [this](const auto& visit) {
         for (std::size_t f = 0; f < frame.faces.size(); ++f)
             for (int k = 0; k < 3; ++k)
-                if (open[f][k]) visit(f, k, frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rest_open[f][k]);
+                if (open[f][k]) visit(f, k, frame.faces[f][k], frame.faces[f][(k + 1) % 3], !rim[f][k]);
     };
     // A rim that was made is smooth; one that broke is not.
-    Positions rim = Positions::Zero(3, frame.position.cols());
+    Positions smooth = Positions::Zero(3, frame.position.cols());
     each([&](std::size_t, int, Index a, Index b, bool broken) {
         if (broken) return;
-        for (const Index v : {a, b}) rim.col(v) += outward(a, b);
+        for (const Index v : {a, b}) smooth.col(v) += outward(a, b);
     });
     each([&](std::size_t f, int k, Index a, Index b, bool broken) {
         const Vector3d flat = outward(a, b);
         std::array<Vector3d, 2> normal{flat, flat};
         for (const int end : {0, 1}) {
-            const Vector3d round = rim.col(end == 0 ? a : b).normalized();
+            const Vector3d round = smooth.col(end == 0 ? a : b).normalized();
             if (!broken && round.dot(flat) > 0.85) normal[end] = round;
         }
         add_wall(f, k, normal, broken);
@@ -201,10 +199,24 @@ std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>
     return open;
 }
 
-RenderMesh sheet_solid(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
-                       const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
+std::vector<std::array<bool, 3>> rim_edges(const RestMesh& rest) {
+    const std::vector<std::array<bool, 3>> unbroken = open_edges(rest.unbroken_faces);
+    std::vector<std::array<bool, 3>> rim(rest.faces.size(), {false, false, false});
+    for (std::size_t f = 0; f < rest.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d a = place_in_parent(rest, f, k), b = place_in_parent(rest, f, (k + 1) % 3);
+            for (int side = 0; side < 3; ++side) {
+                const int opposite = (side + 2) % 3;
+                if (std::abs(a[opposite]) < round_off && std::abs(b[opposite]) < round_off)
+                    rim[f][k] = unbroken[rest.face_parent[f]][side];
+            }
+        }
+    return rim;
+}
+
+RenderMesh sheet_solid(const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
                        const Vector3d& origin) {
-    return SolidBuilder(header, rest_open, frame, thickness, paint, origin).build();
+    return SolidBuilder(frame, thickness, paint, origin).build();
 }
 
 }  // namespace sherd

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "app/recording/recording.h"
 #include "app/render/render_scene.h"
+#include "fracture/snapshot.h"
 
 namespace sherd {
 
@@ -19,11 +19,13 @@ struct SheetPaint {
 /// Which edges of each face (corner i to the next one) no other face has.
 std::vector<std::array<bool, 3>> open_edges(std::span<const std::array<Index, 3>> faces);
 
+/// Which edges of each face lie on the rim of the unbroken mesh.
+std::vector<std::array<bool, 3>> rim_edges(const RestMesh& rest);
+
 /// The sheets of a frame as bodies: the surface moved by half the thickness to both sides along the vertices'
-/// normals, closed by walls along its edges. Walls that are no edge at rest are broken. thickness: [F] m;
-/// rest_open: open_edges(header.rest_faces); origin: subtracted from all positions.
-RenderMesh sheet_solid(const RecordingHeader& header, std::span<const std::array<bool, 3>> rest_open,
-                       const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
+/// normals, closed by walls along its edges. Walls that are not on the rim of the unbroken mesh are broken.
+/// thickness: [F] m; origin: subtracted from all positions.
+RenderMesh sheet_solid(const Snapshot& frame, std::span<const double> thickness, const SheetPaint& paint,
                        const Vector3d& origin);
 
 }  // namespace sherd

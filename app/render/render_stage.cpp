@@ -31,10 +31,7 @@ Scene recorded_scene(const RecordingHeader& header) {
 
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
                          std::vector<std::string>& warnings)
-    : options(options),
-      header(recording.header()),
-      obstacles(recording.obstacles()),
-      rest_open(open_edges(header.rest_faces)) {
+    : options(options), header(recording.header()), obstacles(recording.obstacles()) {
     read_scene(warnings);
     find_thickness(warnings);
     measure(recording);
@@ -67,11 +64,10 @@ void RenderStage::read_scene(std::vector<std::string>& warnings) {
 }
 
 void RenderStage::find_thickness(std::vector<std::string>& warnings) {
-    thickness = header.rest_thickness;
-    if (!thickness.empty()) return;
+    if (!header.rest_thickness.empty()) return;
     const Positions& rest = header.rest_position;
     const double guess = 0.005 * (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
-    thickness.assign(header.rest_faces.size(), guess);
+    guessed_thickness = guess;
     warnings.push_back(
         fmt::format("the recording, made by an earlier version, does not say how thick its "
                     "sheets are: they are drawn {:.2g} m thick, which is a guess",
@@ -90,7 +86,7 @@ void RenderStage::measure(const Recording& recording) {
             box.extend(p);
             lowest = std::min(lowest, p.dot(up));
         }
-        const Eigen::AlignedBox3d shown = focus_box(frame, header.rest_area);
+        const Eigen::AlignedBox3d shown = focus_box(frame);
         if (!shown.isEmpty()) boxes.push_back(shown);
         focus.extend(shown);
         end = frame.time;
@@ -153,13 +149,19 @@ SheetPaint RenderStage::paint(const Snapshot& frame) const {
     const std::vector<double> values = render_scalar(frame, options.colour).values;
     for (std::size_t v = 0; v < values.size(); ++v)
         paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / (range.second - range.first)));
-    if (options.colour == RenderColour::axis) paint.stripe = stripes.cast<float>();
+    if (options.colour == RenderColour::axis)
+        paint.stripe = stripes_of_parts(frame.rest, stripes).cast<float>();
     return paint;
+}
+
+std::vector<double> RenderStage::thickness_of(const Snapshot& frame) const {
+    if (!guessed_thickness) return frame.rest.thickness;
+    return std::vector<double>(frame.faces.size(), *guessed_thickness);
 }
 
 RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const {
     RenderScene scene;
-    scene.meshes.push_back(sheet_solid(header, rest_open, frame, thickness, paint(frame), centre()));
+    scene.meshes.push_back(sheet_solid(frame, thickness_of(frame), paint(frame), centre()));
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (poses[i].matrix().allFinite())
             scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], centre()));

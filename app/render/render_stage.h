@@ -55,22 +55,22 @@ class RenderStage {
     void measure_obstacles(const Recording& recording);
     void add_ground();
     SheetPaint paint(const Snapshot& frame) const;
+    std::vector<double> thickness_of(const Snapshot& frame) const;  ///< [F] m
 
     StageOptions options;
     RecordingHeader header;
     std::vector<RecordedObstacle> obstacles;
-    std::optional<Scene> scene_spec;  ///< none: it cannot be read any more
-    std::vector<std::array<bool, 3>> rest_open;
-    std::vector<double> thickness;           ///< [F] m
-    std::vector<Eigen::AlignedBox3d> boxes;  ///< m, that the camera shows: in each frame, and obstacles
-    Eigen::AlignedBox3d focus;               ///< m, of the action: of focus_box() in all frames
-    Eigen::AlignedBox3d box;                 ///< m, of the sheets in all frames
+    std::optional<Scene> scene_spec;          ///< none: it cannot be read any more
+    std::optional<double> guessed_thickness;  ///< m; none: the recording says it
+    std::vector<Eigen::AlignedBox3d> boxes;   ///< m, that the camera shows: in each frame, and obstacles
+    Eigen::AlignedBox3d focus;                ///< m, of the action: of focus_box() in all frames
+    Eigen::AlignedBox3d box;                  ///< m, of the sheets in all frames
     Vector3d up = Vector3d::UnitZ();
     double lowest = 0;                                    ///< m, along up
     double end = 0;                                       ///< s, time of the last frame
     std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
     std::string scalar_name, scalar_unit;
-    Eigen::Matrix3Xd stripes;  ///< [3, F] of the material's axes
+    Eigen::Matrix3Xd stripes;  ///< [3, F0] of the material's axes, at corners of the unbroken mesh
     std::vector<RenderPlane> planes;
     Camera placed;
 };

@@ -193,4 +193,12 @@ Eigen::Matrix3Xd axis_stripes(const RecordingHeader& header, std::span<const Vec
     return stripes;
 }
 
+Eigen::Matrix3Xd stripes_of_parts(const RestMesh& rest, const Eigen::Matrix3Xd& stripes) {
+    Eigen::Matrix3Xd parts(3, rest.faces.size());
+    for (std::size_t f = 0; f < rest.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k)
+            parts(k, f) = place_in_parent(rest, f, k).dot(stripes.col(rest.face_parent[f]));
+    return parts;
+}
+
 }  // namespace sherd

@@ -23,4 +23,7 @@ std::vector<Vector3d> recorded_axes(const Scene& scene, const RecordingHeader& h
 /// (Knoppel, Crane, Pinkall, Schroder, Stripe Patterns on Surfaces, 2015.)
 Eigen::Matrix3Xd axis_stripes(const RecordingHeader& header, std::span<const Vector3d> axes, double spacing);
 
+/// Those at the corners of a frame's faces [3, F], which are parts of the faces of the unbroken mesh.
+Eigen::Matrix3Xd stripes_of_parts(const RestMesh& rest, const Eigen::Matrix3Xd& stripes);
+
 }  // namespace sherd

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/files/base64.h"
+#include "app/playback/ancestry.h"
 #include "app/render/render_colour.h"
 #include "app/render/render_solid.h"
 
@@ -38,14 +39,14 @@ struct Line {
 };
 
 /// Edges that are drawn: those that failed, and all that are open; the rim as it was made counts as unbroken.
-std::vector<Line> lines_of(const Snapshot& frame, std::span<const std::array<bool, 3>> rest_open) {
+std::vector<Line> lines_of(const Snapshot& frame) {
     std::vector<Line> lines;
-    const std::vector<std::array<bool, 3>> open = open_edges(frame.faces);
+    const std::vector<std::array<bool, 3>> open = open_edges(frame.faces), rim = rim_edges(frame.rest);
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (int k = 0; k < 3; ++k)
             if (open[f][k])
-                lines.push_back({frame.faces[f][k], frame.faces[f][(k + 1) % 3],
-                                 rest_open[f][k] ? unbroken : cracked_open});
+                lines.push_back(
+                    {frame.faces[f][k], frame.faces[f][(k + 1) % 3], rim[f][k] ? unbroken : cracked_open});
     for (std::size_t e = 0; e < frame.edges.size(); ++e)
         if (frame.edge_state[e] == EdgeState::fractured_interior)
             lines.push_back({frame.edges[e][0], frame.edges[e][1], failed_closed});
@@ -82,26 +83,60 @@ std::vector<std::uint32_t> owners_of(const Snapshot& frame) {
     return {frame.face_fragment.begin(), frame.face_fragment.end()};
 }
 
-/// Pairs of a place and its new value.
+/// Pairs of a place and its new value; there may be more of them than before.
 std::vector<std::uint32_t> changes(const std::vector<std::uint32_t>& before,
                                    const std::vector<std::uint32_t>& after) {
     std::vector<std::uint32_t> pairs;
     for (std::size_t i = 0; i < after.size(); ++i)
-        if (before[i] != after[i]) pairs.insert(pairs.end(), {static_cast<std::uint32_t>(i), after[i]});
+        if (i >= before.size() || before[i] != after[i])
+            pairs.insert(pairs.end(), {static_cast<std::uint32_t>(i), after[i]});
     return pairs;
+}
+
+/// What corners that faces keep do not say of where a frame's mesh was in the one before.
+struct Births {
+    std::vector<std::uint32_t> vertices;  ///< number, and three of before between which it was
+    std::vector<float> shares;            ///< of these three
+    std::vector<std::uint32_t> parts;     ///< pairs of a face and the one of before that it is a part of
+};
+
+/// By corners that faces keep alone, as the page knows it.
+std::vector<Index> vertices_before(const Snapshot& earlier, const Snapshot& later) {
+    std::vector<Index> before(later.position.cols());
+    for (std::size_t v = 0; v < before.size(); ++v)
+        before[v] = std::min(static_cast<Index>(v), static_cast<Index>(earlier.position.cols() - 1));
+    for (std::size_t f = 0; f < earlier.faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) before[later.faces[f][k]] = earlier.faces[f][k];
+    return before;
+}
+
+Births births(const Snapshot& earlier, const Snapshot& later) {
+    const Ancestry exact = ancestry(earlier, later);
+    const std::vector<Index> known = vertices_before(earlier, later);
+    Births births;
+    for (std::size_t v = 0; v < known.size(); ++v) {
+        if (exact.weights[v][0] == 1 && exact.vertices[v][0] == known[v]) continue;
+        births.vertices.push_back(static_cast<std::uint32_t>(v));
+        births.vertices.insert(births.vertices.end(), exact.vertices[v].begin(), exact.vertices[v].end());
+        for (const double share : exact.weights[v]) births.shares.push_back(static_cast<float>(share));
+    }
+    for (std::size_t f = 0; f < exact.faces.size(); ++f)
+        if (exact.faces[f] != static_cast<Index>(f))
+            births.parts.insert(births.parts.end(),
+                                {static_cast<std::uint32_t>(f), static_cast<std::uint32_t>(exact.faces[f])});
+    return births;
 }
 
 /// Packs one frame after the other.
 class Packer {
   public:
-    Packer(const RecordingHeader& header, const RenderStage& stage)
-        : rest_open(open_edges(header.rest_faces)),
-          low(stage.everything().min()),
+    explicit Packer(const RenderStage& stage)
+        : low(stage.everything().min()),
           step((stage.everything().sizes() / 65535).cwiseMax(1e-12)),
           largest(stage.largest()) {}
 
     Json frame(const Snapshot& snapshot) {
-        const std::vector<Line> lines = lines_of(snapshot, rest_open);
+        const std::vector<Line> lines = lines_of(snapshot);
         std::vector<std::uint8_t> state(snapshot.position.cols(), unbroken);
         std::vector<std::uint32_t> ends;
         for (const Line& line : lines) {
@@ -111,21 +146,26 @@ class Packer {
         }
         std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
         const bool first = corners.empty();
+        const Births born = first ? Births() : births(before, snapshot);
         const Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
                           {"strain", base64_of(packed_strain(snapshot, largest))},
                           {"state", base64_of(state)},
                           {"lines", base64_of(ends)},
                           {"corners", first ? "" : base64_of(changes(corners, new_corners))},
-                          {"owners", first ? "" : base64_of(changes(owners, new_owners))}};
+                          {"owners", first ? "" : base64_of(changes(owners, new_owners))},
+                          {"born", base64_of(born.vertices)},
+                          {"shares", base64_of(born.shares)},
+                          {"parts", base64_of(born.parts)}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
+        before = snapshot;
         return packed;
     }
 
-    std::vector<std::array<bool, 3>> rest_open;
     Vector3d low, step;
     double largest;
     std::vector<std::uint32_t> corners, owners;  ///< of the frame before
+    Snapshot before;
 };
 
 /// Their shapes, each in its own frame.
@@ -189,8 +229,7 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
 
 Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
                const std::optional<MeshThinning>& thinning) {
-    const RecordingHeader header = thinning ? thinning->thinned(recording.header()) : recording.header();
-    Packer packer(header, stage);
+    Packer packer(stage);
     Json data = stage_json(stage), packed = Json::array(), times = Json::array(), captions = Json::array();
     for (const std::size_t number : frames) {
         const Snapshot snapshot =
@@ -203,8 +242,8 @@ Json view_data(const Recording& recording, const RenderStage& stage, const std::
         data["faces"] = base64_of(packer.corners);
         data["fragments"] = base64_of(packer.owners);
     }
-    data["thickness"] =
-        base64_of(std::vector<float>(header.rest_thickness.begin(), header.rest_thickness.end()));
+    const std::vector<double>& thickness = packer.before.rest.thickness;
+    data["thickness"] = base64_of(std::vector<float>(thickness.begin(), thickness.end()));
     data["obstacles"] = obstacles_json(recording.obstacles());
     data["low"] = vector_json(packer.low - stage.centre());
     data["step"] = vector_json(packer.step);

@@ -17,8 +17,9 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
 
 /// What the page of a recording has to know, as view_page.html reads it. Arrays are in base64: positions as
 /// 16 bits of the box of the action in each direction; corners and owners of the faces (fragments) as pairs
-/// of a place and its new value, against the frame before; the thickness of the faces (none in recordings of
-/// before there was any); the shapes of obstacles, and in each frame where they are.
+/// of a place and its new value, against the frame before; where vertices and faces that were born since the
+/// frame before were in that; the thickness of the last frame's faces (none in recordings of before there was
+/// any); the shapes of obstacles, and in each frame where they are.
 /// thinning: of the meshes; none: as recorded.
 nlohmann::json view_data(const Recording& recording, const RenderStage& stage,
                          const std::vector<std::size_t>& frames,

@@ -26,11 +26,20 @@ class Topology {
         if (frame < this.frame) this.restart();
         while (this.frame < frame) {
             const change = this.recording.frames[++this.frame];
-            const corners = decoded(change.corners, Uint32Array), owners = decoded(change.owners, Uint32Array);
-            for (let i = 0; i < corners.length; i += 2) this.faces[corners[i]] = corners[i + 1];
-            for (let i = 0; i < owners.length; i += 2) this.fragments[owners[i]] = owners[i + 1];
+            this.faces = Topology.changed(this.faces, decoded(change.corners, Uint32Array));
+            this.fragments = Topology.changed(this.fragments, decoded(change.owners, Uint32Array));
         }
         return this;
+    }
+
+    // pairs of a place and its new value; faces that were born make the array longer.
+    static changed(numbers, pairs) {
+        let length = numbers.length;
+        for (let i = 0; i < pairs.length; i += 2) length = Math.max(length, pairs[i] + 1);
+        const result = length == numbers.length ? numbers : new Uint32Array(length);
+        if (result !== numbers) result.set(numbers);
+        for (let i = 0; i < pairs.length; i += 2) result[pairs[i]] = pairs[i + 1];
+        return result;
     }
 }
 
@@ -68,7 +77,9 @@ class Playback {
             const packed = this.recording.frames[number], whole = decoded(packed.position, Uint16Array);
             const place = Float32Array.from(whole, (x, i) => this.recording.low[i % 3] + x * this.recording.step[i % 3]);
             this.unpacked.set(number, { place, lines: decoded(packed.lines, Uint32Array), poses: decoded(packed.poses, Float32Array),
-                                        strain: decoded(packed.strain, Uint8Array), state: decoded(packed.state, Uint8Array) });
+                                        strain: decoded(packed.strain, Uint8Array), state: decoded(packed.state, Uint8Array),
+                                        born: decoded(packed.born, Uint32Array), shares: decoded(packed.shares, Float32Array),
+                                        parts: decoded(packed.parts, Uint32Array) });
         }
         return this.unpacked.get(number);
     }
@@ -81,19 +92,40 @@ class Playback {
         if (!(share > 0) || number == this.last)
             return { ...from, frame: number, share: 0, faces, fragments, place: from.place.slice() };
         const to = this.frame(number + 1), later = this.later.goTo(number + 1).faces;
-        const before = Playback.before(faces, later, from.place.length / 3, to.place.length / 3);
-        const place = to.place.map((x, i) => { const y = from.place[3 * before[Math.floor(i / 3)] + i % 3]; return y + share * (x - y); });
-        const strain = to.strain.map((x, v) => Math.round(from.strain[before[v]] + share * (x - from.strain[before[v]])));
+        const before = Playback.before(faces, later, to, from.place.length / 3);
+        const places = Playback.carried(from.place, 3, before, to), strains = Playback.carried(from.strain, 1, before, to);
+        const place = to.place.map((x, i) => places[i] + share * (x - places[i]));
+        const strain = to.strain.map((x, v) => Math.round(strains[v] + share * (x - strains[v])));
         const state = to.state.map((_, v) => from.state[before[v]]);
+        const owners = Uint32Array.from({ length: later.length / 3 }, (_, f) => fragments[f]);
+        for (let i = 0; i < to.parts.length; i += 2) owners[to.parts[i]] = fragments[to.parts[i + 1]];
         const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
-        return { frame: number, share, faces: later, fragments, place, strain, state, lines: to.lines, poses };
+        return { frame: number, share, faces: later, fragments: owners, place, strain, state, lines: to.lines, poses };
     }
 
-    // The earlier frame's vertex that each of the later one was: faces keep their corners.
-    static before(earlierFaces, laterFaces, earlierCount, laterCount) {
-        const before = Uint32Array.from({ length: laterCount }, (_, v) => Math.min(v, earlierCount - 1));
-        for (let i = 0; i < laterFaces.length; ++i) before[laterFaces[i]] = earlierFaces[i];
+    // The earlier frame's vertex that each of the later one was: faces keep their corners. One that was born since
+    // then lies between three; the one with the largest share stands for it.
+    static before(earlierFaces, laterFaces, later, earlierCount) {
+        const before = Uint32Array.from({ length: later.place.length / 3 }, (_, v) => Math.min(v, earlierCount - 1));
+        for (let i = 0; i < earlierFaces.length; ++i) before[laterFaces[i]] = earlierFaces[i];
+        for (let i = 0; i < later.born.length; i += 4) {
+            const shares = later.shares.subarray(i / 4 * 3, i / 4 * 3 + 3);
+            before[later.born[i]] = later.born[i + 1 + shares.indexOf(Math.max(...shares))];
+        }
         return before;
+    }
+
+    // Values of the earlier frame's vertices, so many for each, at the vertices of the later one.
+    static carried(values, width, before, later) {
+        const result = new Float32Array(width * before.length);
+        before.forEach((from, v) => { for (let x = 0; x < width; ++x) result[width * v + x] = values[width * from + x]; });
+        for (let i = 0; i < later.born.length; i += 4)
+            for (let x = 0; x < width; ++x) {
+                let sum = 0;
+                for (let k = 0; k < 3; ++k) sum += later.shares[i / 4 * 3 + k] * values[width * later.born[i + 1 + k] + x];
+                result[width * later.born[i] + x] = sum;
+            }
+        return result;
     }
 
     static poseBetween(from, to, number, share, middle) {

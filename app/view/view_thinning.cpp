@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace sherd {
@@ -45,6 +46,30 @@ void merge_edges(const Snapshot& frame, std::span<const Index> merged_vertex, Sn
     }
 }
 
+/// For each face of the unbroken mesh, the part of it that has corners in three cubes; itself when none has.
+std::vector<std::size_t> faces_standing_for_their_parents(const RestMesh& rest, std::span<const Index> cube) {
+    std::vector<std::size_t> standing(rest.unbroken_faces.size());
+    std::iota(standing.begin(), standing.end(), std::size_t{0});
+    for (std::size_t f = rest.faces.size(); f-- > 0;) {
+        const auto& [a, b, c] = rest.faces[f];
+        if (cube[a] != cube[b] && cube[b] != cube[c] && cube[c] != cube[a]) standing[rest.face_parent[f]] = f;
+    }
+    return standing;
+}
+
+/// The middle of the vertices that are merged to each of `count`.
+Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_vertex, Index count) {
+    Positions position = Positions::Zero(3, count);
+    VectorXd members = VectorXd::Zero(count);
+    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
+        if (const Index merged = merged_vertex[v]; merged >= 0) {
+            position.col(merged) += frame.position.col(v);
+            ++members[merged];
+        }
+    position.array().rowwise() /= members.transpose().array();
+    return position;
+}
+
 }  // namespace
 
 MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index> face_sheet, double cube)
@@ -71,52 +96,54 @@ MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index>
         if (cube_number >= 0) cube_number = number[cube_number];
 }
 
-RecordingHeader MeshThinning::thinned(const RecordingHeader& header) const {
-    RecordingHeader coarse;
-    for (const std::size_t f : kept) {
-        const auto& [a, b, c] = header.rest_faces[f];
-        coarse.rest_faces.push_back({cubes[a], cubes[b], cubes[c]});
-        if (!header.rest_thickness.empty()) coarse.rest_thickness.push_back(header.rest_thickness[f]);
+/// Of each vertex at rest: that of the nearest vertex of the unbroken mesh between which it lies.
+std::vector<Index> MeshThinning::cubes_of(const RestMesh& rest) const {
+    std::vector<Index> result;
+    for (std::size_t v = 0; v < rest.vertex_parents.size(); ++v) {
+        const auto nearest =
+            std::ranges::max_element(rest.vertex_weights[v]) - rest.vertex_weights[v].begin();
+        result.push_back(cubes[rest.vertex_parents[v][nearest]]);
     }
-    return coarse;
+    return result;
 }
 
 Snapshot MeshThinning::thinned(const Snapshot& frame) const {
     Snapshot coarse;
     coarse.step = frame.step;
     coarse.time = frame.time;
+    const std::vector<Index> cube = cubes_of(frame.rest);
+    const std::vector<std::size_t> standing = faces_standing_for_their_parents(frame.rest, cube);
     // Of cube and fragment. One of each cube has the cube's number, so that few numbers change with the
     // fragments.
     std::map<std::pair<Index, Index>, Index> numbers;
     std::vector<char> given(count, 0);
     Index more = count;
+    std::vector<std::array<Index, 3>> rest_faces;
+    std::vector<double> thickness;
     for (const std::size_t f : kept) {
-        const Index fragment = frame.face_fragment[f];
-        std::array<Index, 3> face;
+        const std::size_t part = standing[f];
+        const Index fragment = frame.face_fragment[part];
+        std::array<Index, 3> face, rest_face;
         for (int k = 0; k < 3; ++k) {
-            const std::pair key(cubes[frame.original[frame.faces[f][k]]], fragment);
-            const auto [place, is_new] = numbers.try_emplace(key, key.first);
-            if (is_new && std::exchange(given[key.first], 1)) place->second = more++;
+            rest_face[k] = cubes[frame.rest.unbroken_faces[f][k]];
+            const auto [place, is_new] = numbers.try_emplace({rest_face[k], fragment}, rest_face[k]);
+            if (is_new && std::exchange(given[rest_face[k]], 1)) place->second = more++;
             face[k] = place->second;
         }
         coarse.faces.push_back(face);
         coarse.face_fragment.push_back(fragment);
+        rest_faces.push_back(rest_face);
+        if (!frame.rest.thickness.empty()) thickness.push_back(frame.rest.thickness[part]);
     }
+    coarse.rest = unbroken_mesh(Positions::Zero(3, count), std::move(rest_faces), {}, std::move(thickness));
     // All faces at a vertex are of one fragment.
     std::vector<Index> merged_vertex(frame.position.cols(), -1);
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (const Index v : frame.faces[f])
-            if (const auto found = numbers.find({cubes[frame.original[v]], frame.face_fragment[f]});
+            if (const auto found = numbers.find({cube[frame.original[v]], frame.face_fragment[f]});
                 found != numbers.end())
                 merged_vertex[v] = found->second;
-    coarse.position = Positions::Zero(3, more);
-    VectorXd members = VectorXd::Zero(more);
-    for (Eigen::Index v = 0; v < frame.position.cols(); ++v)
-        if (const Index merged = merged_vertex[v]; merged >= 0) {
-            coarse.position.col(merged) += frame.position.col(v);
-            ++members[merged];
-        }
-    coarse.position.array().rowwise() /= members.transpose().array();
+    coarse.position = merged_positions(frame, merged_vertex, more);
     merge_edges(frame, merged_vertex, coarse);
     return coarse;
 }

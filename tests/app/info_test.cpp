@@ -174,14 +174,16 @@ TEST(Info, RefusesWhatIsNoRecording) {
     run.header.sheet_names.pop_back();
     record(run, folder.path / "nameless.h5");
     EXPECT_THROW(read_run_info(folder.path / "nameless.h5"), Error);
-    run = synthetic_run();
-    run.header.rest_faces.pop_back();
-    run.header.rest_area.pop_back();
-    record(run, folder.path / "short.h5");
+    for (const bool shorter : {true, false}) {
+        const std::filesystem::path file = folder.path / (shorter ? "short.h5" : "astray.h5");
+        record(synthetic_run(), file);
+        std::vector<std::array<Index, 3>> faces = run.header.rest_faces;
+        shorter ? faces.pop_back() : void(faces[5][1] = 1000000);
+        const hdf5::Handle opened = hdf5::open_to_write(file);
+        hdf5::remove(opened, "rest/faces");
+        hdf5::write<std::array<Index, 3>>(opened, "rest/faces", faces, {});
+    }
     EXPECT_THROW(read_run_info(folder.path / "short.h5"), Error);
-    run = synthetic_run();
-    run.header.rest_faces[5][1] = 1000000;
-    record(run, folder.path / "astray.h5");
     EXPECT_THROW(read_run_info(folder.path / "astray.h5"), Error);
 }
 

@@ -65,7 +65,7 @@ TEST(Plot, CrackLengthIsThatOfTheFailedEdgesAtRest) {
     const SyntheticRun run = synthetic_run();
     const CrackEvents events = all_events(run);
     const Snapshot& last = run.frames.back();
-    const std::vector<Vector2d> length = crack_length(run.header, last, events, 0.5);
+    const std::vector<Vector2d> length = crack_length(last, events, 0.5);
     ASSERT_EQ(length.size(), events.failures.size() + 2);
     EXPECT_EQ(length.front(), Vector2d(0, 0));
     EXPECT_EQ(length.back().x(), 0.5);
@@ -82,7 +82,7 @@ TEST(Plot, CrackLengthIsThatOfTheFailedEdgesAtRest) {
 
 TEST(Plot, FragmentSizesShareOutTheSheet) {
     const SyntheticRun run = synthetic_run();
-    const std::vector<Vector2d> sizes = fragment_sizes(run.header, run.frames.back());
+    const std::vector<Vector2d> sizes = fragment_sizes(run.frames.back());
     ASSERT_EQ(sizes.size(), 3u);
     double area = 0;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (argc > 1) {
         const Recording recording(argv[1]);
-        Sheet sheet = test::recorded_sheet(recording.header(), recording.frame(recording.frame_count() - 1));
+        Sheet sheet = test::recorded_sheet(recording.frame(recording.frame_count() - 1));
         for (int times = 0; times < 3; ++times) {
             add_benchmarks(sheet);
             sheet = in_four(sheet);

@@ -22,7 +22,7 @@ def check_units(name, item):
 
 def check_head(file):
     assert file.attrs["format"] == "sherd recording"
-    assert file.attrs["format_version"] == 2
+    assert file.attrs["format_version"] == 3
     assert file.attrs["sherd_version"]
     assert file.attrs["wall_seconds"] >= 0
     assert file.attrs["end"] and file.attrs["scene_file"]
@@ -35,12 +35,13 @@ def check_head(file):
 
 
 def check_tables(file):
-    for group in ("steps", "events/failure", "events/opening", "events/split", "events/fragment"):
+    kinds = ("failure", "opening", "split", "fragment", "vertex_birth", "face_birth")
+    for group in ("steps", *(f"events/{kind}" for kind in kinds)):
         rows = {column.shape[0] for column in file[group].values()}
         assert len(rows) == 1, f"the columns of {group} differ in length: {rows}"
     assert np.all(np.diff(file["steps/step"][:]) == 1)
     assert np.all(np.diff(file["steps/time"][:]) > 0)
-    for group in ("failure", "opening", "split", "fragment"):
+    for group in kinds:
         assert np.all(np.diff(file[f"events/{group}/time"][:]) >= 0)
 
 
@@ -61,6 +62,18 @@ def check_obstacles(file, frame):
     assert np.allclose(rotation @ rotation.transpose(0, 2, 1), np.eye(3))
 
 
+def check_rest(file, rest, faces):
+    """faces: of the frame, by the vertices that theirs are copies of."""
+    assert np.array_equal(faces, rest["faces"][:])
+    assert rest["area"].shape == rest["thickness"].shape == rest["face_parent"].shape == (len(faces),)
+    parents, weights = rest["vertex_parents"][:], rest["vertex_weights"][:]
+    assert np.allclose(weights.sum(axis=1), 1, rtol=0, atol=1e-12) and weights.min() >= 0
+    places = np.einsum("vi,vix->vx", weights, file["rest/position"][:][parents])
+    assert np.allclose(places, rest["position"][:], rtol=0, atol=1e-12), "vertices are not where their parents say"
+    shares = np.bincount(rest["face_parent"][:], rest["area"][:], len(file["rest/area"]))
+    assert np.allclose(shares, file["rest/area"][:], rtol=1e-9), "the parts of a face are not all of it"
+
+
 def check_frame(file, frame):
     vertices = frame["vertex/position"].shape[0]
     faces, edges = frame["face/vertices"][:], frame["edge/vertices"][:]
@@ -74,7 +87,7 @@ def check_frame(file, frame):
     assert np.allclose(speed, frame["vertex/speed"][:], rtol=1e-14, atol=0)
     assert np.array_equal(np.unique(faces), np.arange(vertices)), "a vertex without a face"
     # A face keeps its corners, up to which copy of a vertex it holds.
-    assert np.array_equal(frame["vertex/original"][:][faces], file["rest/faces"][:])
+    check_rest(file, frame["rest"], frame["vertex/original"][:][faces])
     fragments = np.unique(frame["face/fragment"][:])
     assert np.array_equal(fragments, np.arange(len(fragments))), "fragments are not numbered from 0"
     counts = edge_face_counts(faces)

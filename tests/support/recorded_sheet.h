@@ -32,19 +32,19 @@ inline Sheet bare_sheet(const Positions& rest, const Positions& position,
 }
 
 /// The sheets of a frame as such a surface. Vertices that a crack has split are twins, however far apart.
-inline Sheet recorded_sheet(const RecordingHeader& header, const Snapshot& frame) {
+inline Sheet recorded_sheet(const Snapshot& frame) {
     const std::size_t count = frame.position.cols();
     Positions rest(3, count);
     std::vector<double> thickness(count);
     std::vector<Index> body(count);
-    std::vector<std::vector<Index>> copies(header.rest_position.cols());
+    std::vector<std::vector<Index>> copies(frame.rest.position.cols());
     for (std::size_t v = 0; v < count; ++v) {
-        rest.col(v) = header.rest_position.col(frame.original[v]);
+        rest.col(v) = frame.rest.position.col(frame.original[v]);
         copies[frame.original[v]].push_back(static_cast<Index>(v));
     }
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (const Index v : frame.faces[f]) {
-            thickness[v] = header.rest_thickness[f];
+            thickness[v] = frame.rest.thickness[f];
             body[v] = frame.face_sheet[f];
         }
     Sheet sheet = bare_sheet(rest, frame.position, frame.faces, thickness, body);

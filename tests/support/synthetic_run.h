@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/recording/recording.h"
+#include "app/recording/recording_format.h"
 
 namespace sherd::test {
 
@@ -142,6 +143,11 @@ inline StepReport step(Index i) {
 
 }  // namespace synthetic
 
+/// Gives all frames the unbroken mesh of the header, of which nothing has been split.
+inline void set_rest(SyntheticRun& run) {
+    for (Snapshot& frame : run.frames) frame.rest = recording_format::unbroken_mesh(run.header);
+}
+
 inline SyntheticRun synthetic_run() {
     using namespace synthetic;
     SyntheticRun run;
@@ -173,6 +179,7 @@ inline SyntheticRun synthetic_run() {
         run.steps.push_back(steps);
         run.events.push_back(events);
     }
+    set_rest(run);
     return run;
 }
 

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/export_fixture.h"
+#include "tests/support/glb_content.h"
 #include "tests/support/program.h"
 
 namespace sherd::test {
 namespace {
 
 using Json = nlohmann::json;
-using Cloud = std::vector<Eigen::Vector3f>;
 
 /// The vertex of the frame that a vertex of the last frame was split from, by the recorded splits.
 Index ancestor(const SyntheticRun& run, Index vertex, std::size_t frame) {
@@ -123,57 +122,6 @@ TEST_F(Export, CacheKeepsAMeshThatIsThere) {
     EXPECT_NE(error_of(options("pc2", "out.pc2")).find("out.obj"), std::string::npos);
     EXPECT_EQ(folder.contents(), before);
 }
-
-/// A .glb file taken apart.
-struct Glb {
-    explicit Glb(const std::string& content) {
-        Bytes bytes(content);
-        EXPECT_EQ(bytes.text(4), "glTF");
-        EXPECT_EQ(bytes.next<std::uint32_t>(), 2u);
-        EXPECT_EQ(bytes.next<std::uint32_t>(), content.size());
-        const auto json_size = bytes.next<std::uint32_t>();
-        EXPECT_EQ(bytes.text(4), "JSON");
-        json = Json::parse(bytes.text(json_size));
-        const auto size = bytes.next<std::uint32_t>();
-        EXPECT_EQ(bytes.text(4), std::string("BIN\0", 4));
-        EXPECT_EQ(size % 4, 0u);
-        data = bytes.text(size);
-        EXPECT_TRUE(bytes.at_end());
-    }
-
-    template <class T>
-    std::vector<T> values(std::size_t accessor, int width) const {
-        const Json& a = json["accessors"][accessor];
-        const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
-        Bytes bytes(data, view.value("byteOffset", std::size_t{0}));
-        std::vector<T> result;
-        for (std::size_t i = 0; i < width * a["count"].get<std::size_t>(); ++i)
-            result.push_back(bytes.next<T>());
-        EXPECT_EQ(view["byteLength"], result.size() * sizeof(T));
-        return result;
-    }
-    Cloud cloud(std::size_t accessor) const {
-        EXPECT_EQ(json["accessors"][accessor]["type"], "VEC3");
-        const auto numbers = values<float>(accessor, 3);
-        Cloud cloud;
-        for (std::size_t i = 0; i < numbers.size(); i += 3) cloud.emplace_back(&numbers[i]);
-        return cloud;
-    }
-    const Json& primitive(const Json& node) const {
-        return json["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0];
-    }
-    /// Output of the animation of a node's property.
-    std::size_t track(std::size_t node, const std::string& path) const {
-        const Json& animation = json["animations"][0];
-        for (const Json& channel : animation["channels"])
-            if (channel["target"]["node"] == node && channel["target"]["path"] == path)
-                return animation["samplers"][channel["sampler"].get<std::size_t>()]["output"];
-        throw std::out_of_range("no track " + path);
-    }
-
-    Json json;
-    std::string data;
-};
 
 /// Whether each edge is walked through once in each direction.
 bool is_closed(const std::vector<std::uint32_t>& indices) {

@@ -180,6 +180,7 @@ TEST_F(Export, SolidsAreClosedBodiesOnePerFragment) {
 // The recording of an earlier version has no thickness: the user can say it.
 TEST_F(Export, ThicknessComesFromTheRecordingOrTheUser) {
     run.header.rest_thickness.clear();
+    set_rest(run);
     record(run, folder.path / "old.h5");
     ExportOptions wanted = options("obj", "out.obj");
     wanted.recording = folder.path / "old.h5";

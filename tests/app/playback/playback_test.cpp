@@ -115,6 +115,7 @@ std::array<Snapshot, 2> torn_pair() {
     whole.edges = {{1, 2}, {0, 1}};
     whole.edge_state = {EdgeState::interior, EdgeState::boundary};
     whole.edge_strain = {8, 0};
+    whole.rest = unbroken_mesh(whole.position, whole.faces, {0.5, 0.5}, {0.001, 0.001});
     Snapshot torn = whole;
     torn.time = 2;
     torn.step = 20;

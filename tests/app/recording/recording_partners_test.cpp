@@ -5,7 +5,8 @@
 
 #include <cstdlib>
 
-#include "tests/support/synthetic_run.h"
+#include "tests/support/program.h"
+#include "tests/support/split_run.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -28,30 +29,33 @@ std::string python_with_h5py() {
     return "";
 }
 
-/// A recording, with a name that has all that could confuse a reader, and what h5py finds in it.
-class RecordingPartners : public ::testing::Test {
+/// A recording, with a name that has all that could confuse a reader, and what h5py finds in it; of runs in
+/// which vertices are copied, or faces split.
+class RecordingPartners : public ::testing::TestWithParam<SyntheticRun (*)()> {
   protected:
     void SetUp() override {
-        record(synthetic_run(), recording);
-        const std::string python = python_with_h5py();
+        record(GetParam()(), recording);
+        python = python_with_h5py();
         ASSERT_FALSE(python.empty()) << "h5py is missing: install python3-h5py";
-        ASSERT_EQ(std::system((python + " " + script("check_recording.py") + " " + quoted(recording) + " " +
-                               quoted(summary))
-                                  .c_str()),
-                  0);
+        ASSERT_TRUE(passes("check_recording.py", quoted(recording) + " " + quoted(summary)));
+    }
+
+    bool passes(const std::string& name, const std::string& arguments) const {
+        return std::system((python + " " + script(name) + " " + arguments).c_str()) == 0;
     }
 
     TemporaryDirectory folder;
+    std::string python;
     fs::path recording = folder.path / "a <run> & more: 1.h5";
     fs::path index = fs::path(recording).replace_extension(".xdmf");
     fs::path summary = folder.path / "summary.json";
 };
 
-TEST_F(RecordingPartners, H5pyReadsWhatIsPromised) {
+TEST_P(RecordingPartners, H5pyReadsWhatIsPromised) {
     EXPECT_TRUE(fs::exists(summary));
 }
 
-TEST_F(RecordingPartners, ParaViewStepsThroughAllFrames) {
+TEST_P(RecordingPartners, ParaViewStepsThroughAllFrames) {
     ASSERT_EQ(std::system("command -v pvpython >/dev/null"), 0) << "ParaView is missing: install paraview";
     const fs::path moved = folder.path / "moved";
     fs::create_directory(moved);
@@ -62,6 +66,26 @@ TEST_F(RecordingPartners, ParaViewStepsThroughAllFrames) {
                               .c_str()),
               0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(synthetic_run));
+INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(split_run));
+
+// The player needs Blender only to show what it reads.
+class SplitPartners : public RecordingPartners {};
+
+TEST_P(SplitPartners, TheBlenderPlayerGivesBlenderWhatWasRecorded) {
+    const fs::path player = fs::path(__FILE__).parent_path() / "../../app/blender/sherd_recording.py";
+    EXPECT_TRUE(passes("check_player.py", quoted(player) + " " + quoted(recording)));
+}
+
+TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
+    const fs::path page = folder.path / "page.html";
+    const ProgramResult result = run_sherd({"view", recording.string(), "-o", page.string()}, folder.path);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(passes("check_view_births.py", quoted(page) + " " + quoted(recording)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(split_run));
 
 }  // namespace
 }  // namespace sherd::test

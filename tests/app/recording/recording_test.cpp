@@ -17,6 +17,7 @@
 
 #include "app/recording/hdf5.h"
 #include "meshops/error.h"
+#include "tests/support/same_snapshot.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 
@@ -42,21 +43,6 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 }
 bool same(double a, double b) {
     return same_bits(&a, &b, 1);
-}
-
-void expect_same(const Snapshot& a, const Snapshot& b) {
-    EXPECT_EQ(a.step, b.step);
-    EXPECT_TRUE(same(a.time, b.time));
-    EXPECT_TRUE(same(a.position, b.position));
-    EXPECT_TRUE(same(a.velocity, b.velocity));
-    EXPECT_TRUE(same(a.mass, b.mass));
-    EXPECT_TRUE(same(a.original, b.original));
-    EXPECT_TRUE(same(a.faces, b.faces));
-    EXPECT_TRUE(same(a.face_fragment, b.face_fragment));
-    EXPECT_TRUE(same(a.face_sheet, b.face_sheet));
-    EXPECT_TRUE(same(a.edges, b.edges));
-    EXPECT_TRUE(same(a.edge_state, b.edge_state));
-    EXPECT_TRUE(same(a.edge_strain, b.edge_strain));
 }
 
 void expect_same(const StepReport& a, const StepReport& b) {
@@ -103,6 +89,18 @@ void expect_same(const CrackEvents& a, const CrackEvents& b) {
         EXPECT_EQ(std::tie(x.time, x.step, x.fragment, x.parent),
                   std::tie(y.time, y.step, y.fragment, y.parent));
     }
+    ASSERT_EQ(a.vertex_births.size(), b.vertex_births.size());
+    for (std::size_t i = 0; i < a.vertex_births.size(); ++i) {
+        const VertexBirth &x = a.vertex_births[i], &y = b.vertex_births[i];
+        EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parents, x.weights),
+                  std::tie(y.time, y.step, y.created, y.parents, y.weights));
+    }
+    ASSERT_EQ(a.face_births.size(), b.face_births.size());
+    for (std::size_t i = 0; i < a.face_births.size(); ++i) {
+        const FaceBirth &x = a.face_births[i], &y = b.face_births[i];
+        EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parent),
+                  std::tie(y.time, y.step, y.created, y.parent));
+    }
 }
 
 /// What the first `frames` appends of `run` must have left in `file`.
@@ -112,13 +110,9 @@ void expect_recorded(const fs::path& file, const SyntheticRun& run, std::size_t 
     std::vector<StepReport> steps;
     CrackEvents events;
     for (std::size_t k = 0; k < frames; ++k) {
-        expect_same(recording.frame(k), run.frames[k]);
+        test::expect_same(recording.frame(k), run.frames[k]);
         steps.insert(steps.end(), run.steps[k].begin(), run.steps[k].end());
-        const CrackEvents& e = run.events[k];
-        events.failures.insert(events.failures.end(), e.failures.begin(), e.failures.end());
-        events.openings.insert(events.openings.end(), e.openings.begin(), e.openings.end());
-        events.splits.insert(events.splits.end(), e.splits.begin(), e.splits.end());
-        events.births.insert(events.births.end(), e.births.begin(), e.births.end());
+        append(events, run.events[k]);
     }
     const std::vector<StepReport> recorded = recording.steps();
     ASSERT_EQ(recorded.size(), steps.size());
@@ -370,8 +364,8 @@ TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
     hdf5::create_file(folder.path / "foreign.h5");
     expect_error(opening("foreign.h5"), Fault::input, {"foreign.h5", "not a recording"});
     record(synthetic_run(), folder.path / "newer.h5");
-    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{3});
-    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 3"});
+    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{4});
+    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 4", "versions 2 to 3"});
     const std::string whole = folder.contents().at(folder.path / "newer.h5");
     folder.write("cut.h5", whole.substr(0, whole.size() / 2));
     expect_error(opening("cut.h5"), Fault::input, {"cut.h5", "damaged"});

@@ -19,7 +19,6 @@ using Eigen::AlignedBox3d;
 /// Square pieces of sheets.
 struct Pieces {
     Snapshot frame;
-    std::vector<double> rest_area;
 
     void add(const Vector3d& centre, double side, Index sheet = 0) {
         const auto first = static_cast<Index>(frame.position.cols());
@@ -31,7 +30,7 @@ struct Pieces {
             frame.faces.push_back(face);
             frame.face_fragment.push_back(fragment);
             frame.face_sheet.push_back(sheet);
-            rest_area.push_back(side * side / 2);
+            frame.rest.area.push_back(side * side / 2);
         }
     }
 
@@ -40,7 +39,7 @@ struct Pieces {
         for (int i = 0; i < 100; ++i) add(Vector3d(i / 10 * 0.1 - 0.45, i % 10 * 0.1 - 0.45, 0), 0.1);
     }
 
-    AlignedBox3d focus() const { return focus_box(frame, rest_area); }
+    AlignedBox3d focus() const { return focus_box(frame); }
 };
 
 const AlignedBox3d whole(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
@@ -92,19 +91,19 @@ TEST(Focus, HasNineteenTwentiethsOfASheet) {
         }
         const AlignedBox3d focus = pieces.focus();
         double inside = 0, all = 0;
-        for (std::size_t f = 0; f < pieces.rest_area.size(); f += 2) {
-            all += pieces.rest_area[f];
+        for (std::size_t f = 0; f < pieces.frame.rest.area.size(); f += 2) {
+            all += pieces.frame.rest.area[f];
             bool shown = true;
             for (Index v : pieces.frame.faces[f])
                 shown &= focus.contains(Vector3d(pieces.frame.position.col(v)));
-            if (shown) inside += pieces.rest_area[f];
+            if (shown) inside += pieces.frame.rest.area[f];
         }
         EXPECT_GE(inside, 0.95 * all - 1e-9);
         Snapshot turned = pieces.frame;
         std::ranges::reverse(turned.faces);
         std::ranges::reverse(turned.face_fragment);
-        std::vector<double> areas(pieces.rest_area.rbegin(), pieces.rest_area.rend());
-        expect_same(focus_box(turned, areas), focus);
+        std::ranges::reverse(turned.rest.area);
+        expect_same(focus_box(turned), focus);
     }
 }
 
@@ -131,6 +130,7 @@ class Stage : public ::testing::Test {
             frame.face_fragment[f] = 7;
             for (Index& v : frame.faces[f]) v = copy_of(v);
         }
+        set_rest(run);
     }
 
     Index copy_of(Index vertex) {

@@ -75,8 +75,7 @@ class Solid : public ::testing::Test {
         SheetPaint paint;
         paint.colour.assign(frame.position.cols(), Eigen::Vector3f::Ones());
         const std::vector<double> thickness(frame.faces.size(), 0.002);
-        return sheet_solid(run.header, open_edges(run.header.rest_faces), frame, thickness, paint,
-                           Vector3d::Zero());
+        return sheet_solid(frame, thickness, paint, Vector3d::Zero());
     }
 
     SyntheticRun run = synthetic_run();

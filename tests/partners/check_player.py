@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plays a recording with the player for Blender, without Blender: what it gives to Blender is what was recorded, and
+between frames the pieces go on straight lines. The pieces of the recording move rigidly and were flat at rest.
+
+usage: check_player.py PLAYER.py RECORDING.h5"""
+import importlib.util
+import sys
+import types
+
+import h5py
+import numpy as np
+
+from rigid_pieces import between
+
+
+class Elements:
+    """Vertices, corners or faces of a mesh, or the values of an attribute."""
+
+    def __init__(self):
+        self.count, self.values = 0, {}
+
+    def __len__(self):
+        return self.count
+
+    def __getitem__(self, _):
+        return types.SimpleNamespace(use_smooth=False)
+
+    def add(self, count):
+        self.count += count
+
+    def foreach_set(self, name, values):
+        self.values[name] = np.array(values)
+
+
+class Mesh:
+    def __init__(self):
+        self.kept = {}
+        self.attributes = types.SimpleNamespace(get=self.kept.get, new=self.new_attribute)
+        self.clear_geometry()
+
+    def clear_geometry(self):
+        self.vertices, self.loops, self.polygons = Elements(), Elements(), Elements()
+
+    def new_attribute(self, name, kind, domain):
+        self.kept[name] = types.SimpleNamespace(data=Elements(), kind=kind, domain=domain)
+        return self.kept[name]
+
+    def update(self, calc_edges):
+        assert calc_edges
+
+
+class Object(dict):
+    type = "MESH"
+
+    def __init__(self, _name, data):
+        super().__init__()
+        self.data = data
+
+
+def player(path):
+    """The module, with so much of Blender as it asks for."""
+    bpy = types.ModuleType("bpy")
+    bpy.path = types.SimpleNamespace(abspath=lambda path: path)
+    bpy.types = types.SimpleNamespace(Operator=type("Operator", (), {}))
+    bpy.props = types.SimpleNamespace(StringProperty=lambda **_: "", FloatProperty=lambda **_: 0.0)
+    bpy.data = types.SimpleNamespace(objects=types.SimpleNamespace(new=Object),
+                                     meshes=types.SimpleNamespace(new=lambda _name: Mesh()))
+    sys.modules.update({"bpy": bpy, "bpy.app": types.ModuleType("bpy.app"),
+                        "bpy.app.handlers": types.ModuleType("bpy.app.handlers"),
+                        "bpy_extras": types.ModuleType("bpy_extras"),
+                        "bpy_extras.io_utils": types.ModuleType("bpy_extras.io_utils")})
+    sys.modules["bpy.app.handlers"].persistent = lambda function: function
+    sys.modules["bpy_extras.io_utils"].ImportHelper = type("ImportHelper", (), {})
+    spec = importlib.util.spec_from_file_location("sherd_recording", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def scene():
+    return types.SimpleNamespace(
+        render=types.SimpleNamespace(fps=24, fps_base=1.0), frame_current=0, frame_subframe=0.0,
+        collection=types.SimpleNamespace(objects=types.SimpleNamespace(link=lambda _: None)))
+
+
+def values(target, name):
+    return target.data.kept[name].data.values["value"]
+
+
+def check(target, frame, places, fragments):
+    mesh = target.data
+    assert np.allclose(mesh.vertices.values["co"].reshape(-1, 3), places, rtol=0, atol=1e-12)
+    assert len(mesh.vertices) == len(places) and len(mesh.polygons) == len(frame["face/vertices"])
+    assert np.array_equal(mesh.loops.values["vertex_index"].reshape(-1, 3), frame["face/vertices"][:])
+    assert np.array_equal(values(target, "fragment"), fragments), (values(target, "fragment"), fragments)
+    assert np.array_equal(values(target, "original"), frame["vertex/original"][:])
+    assert len(values(target, "strain")) == len(fragments)
+
+
+def main(path, recording):
+    module, shown = player(path), scene()
+    target = module.load(recording, types.SimpleNamespace(scene=shown), slow=1)
+    with h5py.File(recording) as file:
+        frames = [file["frames"][name] for name in sorted(file["frames"])]
+        times = [frame.attrs["time"] for frame in frames]
+        born = 0
+        for number, frame in enumerate(frames):
+            shown.frame_subframe = (times[number] - times[0]) * 24
+            module.show(target, shown)
+            check(target, frame, frame["vertex/position"][:], frame["face/fragment"][:])
+            if number + 1 == len(frames):
+                break
+            later = frames[number + 1]
+            born += len(later["face/vertices"]) - len(frame["face/vertices"])
+            shown.frame_subframe = (0.75 * times[number] + 0.25 * times[number + 1] - times[0]) * 24
+            module.show(target, shown)
+            # Pieces count from the later frame on: all faces are of pieces that were there.
+            known = np.isin(later["face/fragment"][:], frame["face/fragment"][:])
+            fragments = np.where(known, later["face/fragment"][:], 0)
+            check(target, later, between(file, number, 0.25), fragments)
+    assert born > 0, "no face was born in this recording"
+    print(f"the player shows {len(frames)} frames and what is between, with {born} faces born")
+
+
+main(*sys.argv[1:])
