@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/read/material_file.h"
+#include "app/material_file.h"
 #include "core/vector.h"
 #include "meshops/mesh.h"
 

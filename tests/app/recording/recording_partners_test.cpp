@@ -19,7 +19,8 @@ std::string quoted(const fs::path& path) {
 }
 
 std::string script(const std::string& name) {
-    return quoted(fs::path(__FILE__).parent_path().parent_path() / "partners" / name);
+    const fs::path tests = fs::path(__FILE__).parent_path().parent_path().parent_path();
+    return quoted(tests / "partners" / name);
 }
 
 /// Debian's Python sees Debian's h5py, whatever other Python stands first in the path.

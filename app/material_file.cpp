@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scene/read/material_file.h"
+#include "app/material_file.h"
 
 #include "app/scene/read/material.h"
 #include "app/scene/toml/toml_file.h"
