@@ -55,11 +55,12 @@ Index Parts::whole_of(std::size_t face) {
     for (int k = 0; k < 3; ++k) centre += place_in_parent(later.rest, face, k) / 3;
     Index whole = -1;
     double depth = -std::numeric_limits<double>::infinity();
-    for (const auto& part : std::ranges::equal_range(parts, parent, {}, &Part::first)) {
-        const Matrix3d corners = places(part.second);
+    for (auto part = std::ranges::lower_bound(parts, Part(parent, 0));
+         part != parts.end() && part->first == parent; ++part) {
+        const Matrix3d corners = places(part->second);
         if (corners.determinant() == 0) continue;
         const double inside = (corners.inverse() * centre).minCoeff();
-        if (inside > depth) std::tie(whole, depth) = std::pair(part.second, inside);
+        if (inside > depth) std::tie(whole, depth) = std::pair(part->second, inside);
     }
     if (whole < 0)
         throw Error(fmt::format(

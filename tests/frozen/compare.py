@@ -73,8 +73,11 @@ def datasets(recording):
 
 
 def new_datasets(one, other):
-    """Those that only the second recording has, in words, those of all frames as one."""
-    new = {re.sub(r"^frames/\d+/", "frames/*/", name) for name in other.keys() - one.keys()}
+    """Those that only the second recording has, in words: those of all frames as one, a whole group by its name."""
+    old_groups = {name.rpartition("/")[0] for name in one}
+    new = {name if group in old_groups else f"{group}/*"
+           for name in other.keys() - one.keys() for group in [name.rpartition("/")[0]]}
+    new = {re.sub(r"^frames/\d+/", "frames/*/", name) for name in new}
     return f"; new datasets: {', '.join(sorted(new))}" if new else ""
 
 

@@ -62,6 +62,13 @@ def check_obstacles(file, frame):
     assert np.allclose(rotation @ rotation.transpose(0, 2, 1), np.eye(3))
 
 
+def check_links(file):
+    """A run that splits no face writes no mesh at rest but that of /rest."""
+    if not len(file["events/face_birth/created"]) and not len(file["events/vertex_birth/created"]):
+        links = [frame.get("rest", getlink=True) for frame in file["frames"].values()]
+        assert all(isinstance(link, h5py.SoftLink) and link.path == "/rest" for link in links)
+
+
 def check_rest(file, rest, faces):
     """faces: of the frame, by the vertices that theirs are copies of."""
     assert np.array_equal(faces, rest["faces"][:])
@@ -118,6 +125,7 @@ def main():
     with h5py.File(sys.argv[1], "r") as file:
         check_head(file)
         check_tables(file)
+        check_links(file)
         frames = [file["frames"][name] for name in sorted(file["frames"])]
         for frame in frames:
             check_frame(file, frame)
