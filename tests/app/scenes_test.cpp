@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -118,8 +119,15 @@ void expect_shards(const Snapshot& last) {
 /// A scene of the project, and what is set to make the run shorter.
 struct ShippedScene {
     std::string name;
+    std::string duration = {};        ///< s; none: the scene's own
+    std::string short_duration = {};  ///< s, in the short form of a long test
     std::vector<std::string> settings = {};
 };
+
+/// Whether tests/long --short asks for less.
+bool is_short() {
+    return std::getenv("SHERD_SHORT") != nullptr;
+}
 
 void PrintTo(const ShippedScene& scene, std::ostream* stream) {
     *stream << scene.name;
@@ -132,6 +140,8 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     const std::filesystem::path scene_file = scenes / (GetParam().name + ".toml");
     std::vector<std::string> command{"run", scene_file.string(), "-o", "run.h5"};
     for (const std::string& setting : GetParam().settings) command.insert(command.end(), {"--set", setting});
+    const std::string duration = is_short() ? GetParam().short_duration : GetParam().duration;
+    if (!duration.empty()) command.insert(command.end(), {"--set", "duration=" + duration});
     const auto result = test::run_sherd(command, directory.path);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Recording recording(directory.path / "run.h5");
@@ -168,19 +178,21 @@ std::string name_of(const testing::TestParamInfo<ShippedScene>& scene) {
 }
 
 // The first part of the longer ones, or coarser ones: tests/benchmarks/contact_table.py runs them whole.
-INSTANTIATE_TEST_SUITE_P(
-    Breaking, WholeScene,
-    testing::Values(ShippedScene{"plate_drop"}, ShippedScene{"bowl_drop"},
-                    ShippedScene{"plate_stack", {"duration=0.015"}},
-                    ShippedScene{"shards_in_box", {"duration=0.02"}},
-                    ShippedScene{"bowl_on_anvil", {"duration=0.008"}},
-                    ShippedScene{"window_ball", {"duration=0.0012", "obstacle.ball.velocity=[0, 0, -60]"}}),
-    name_of);
-INSTANTIATE_TEST_SUITE_P(Unbreakable, WholeScene,
-                         testing::Values(ShippedScene{"sheet_hang"}, ShippedScene{"drape", {"duration=0.2"}},
-                                         ShippedScene{"crumple",
-                                                      {"sheet.tube.mesh.edge_length=0.01", "duration=0.4"}}),
+INSTANTIATE_TEST_SUITE_P(Breaking, WholeScene,
+                         testing::Values(ShippedScene{"plate_drop"},
+                                         ShippedScene{"bowl_on_anvil", "0.008", "0.008"}),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(
+    BreakingLong, WholeScene,
+    testing::Values(ShippedScene{"bowl_drop", "", "0.01"}, ShippedScene{"plate_stack", "0.015", "0.008"},
+                    ShippedScene{"shards_in_box", "0.02", "0.01"},
+                    ShippedScene{"window_ball", "0.0012", "6e-4", {"obstacle.ball.velocity=[0, 0, -60]"}}),
+    name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Long, WholeScene,
+    testing::Values(ShippedScene{"sheet_hang", "", "0.4"}, ShippedScene{"drape", "0.2", "0.1"},
+                    ShippedScene{"crumple", "0.4", "0.1", {"sheet.tube.mesh.edge_length=0.01"}}),
+    name_of);
 
 }  // namespace
 }  // namespace sherd

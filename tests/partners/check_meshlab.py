@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""xvfb-run -a python3 check_meshlab.py RUN.h5 RUN.ply
+"""with_display python3 check_meshlab.py RUN.h5 RUN.ply
 
 Lets MeshLab's server read the .ply of the last frame and say what it finds as the faces' quality."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""xvfb-run -a pvpython screenshot.py RUN.xdmf OUT.png [--frame -1] [--size 1200x800] [--direction 1,-2,1.2]
+"""with_display pvpython screenshot.py RUN.xdmf OUT.png [--frame -1] [--size 1200x800] [--direction 1,-2,1.2]
 
 Draws a frame of a recording, its fragments in different colours and its cracks as lines."""
 
