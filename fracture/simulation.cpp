@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "fracture/hinge_measures.h"
@@ -55,7 +56,7 @@ Simulation::Simulation(BreakableSheet sheets, const SimulationOptions& options)
     set_guides(breakable.mechanics(), options.sliding);
 }
 
-StepReport Simulation::step() {
+StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
     if (options.stepper.contact.sheets) release_lips();
@@ -65,6 +66,13 @@ StepReport Simulation::step() {
     }
     finish(report);
     return report;
+} catch (const Error&) {
+    throw;
+} catch (const std::runtime_error& error) {
+    // The mechanics know of arrays only: they throw what is wrong, and here it is known when.
+    std::ostringstream text;
+    text << "step " << steps << ", at " << time() << " s: " << error.what();
+    throw Error(text.str(), Fault::run);
 }
 
 void Simulation::give_up(const StepReport& report) const {
