@@ -12,7 +12,7 @@ ImplicitStepper::ImplicitStepper(Sheet& sheet, const StepperOptions& options)
       options(options),
       scheme(std::make_unique<ImplicitEuler>()),
       inertia(sheet, options.gravity),
-      shell(sheet, options.shell),
+      forces(sheet, options.shell),
       contact(sheet, options.contact, options.gravity),
       potential(sheet, all_energies(), spent),
       minimiser(std::make_unique<Newton>(options.tolerance)) {
@@ -22,7 +22,7 @@ ImplicitStepper::ImplicitStepper(Sheet& sheet, const StepperOptions& options)
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia};
     for (const std::vector<Energy*>& some :
-         {shell.elastic(), contact.energies(), shell.loads(), contact.frictions()})
+         {forces.elastic(), contact.energies(), forces.loads(), contact.frictions()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -91,8 +91,8 @@ void ImplicitStepper::finish() {
 
 PotentialEnergies ImplicitStepper::energies() const {
     PotentialEnergies sum;
-    sum.bending = shell.bending_value(position);
-    sum.membrane = shell.membrane_value(position);
+    sum.bending = forces.bending_value(position);
+    sum.membrane = forces.membrane_value(position);
     sum.gravity = -options.gravity.dot(position * sheet.mass);
     for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
     sum.contact = contact.stored_energy(position);

@@ -74,7 +74,7 @@ class ImplicitStepper {
     StepContext step;  ///< the open step, or the last one
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;
-    ShellEnergies shell;
+    ShellEnergies forces;
     Contact contact;
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
