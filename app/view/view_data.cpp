@@ -111,12 +111,12 @@ class Packer {
         }
         std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
         const bool first = corners.empty();
-        const Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
-                          {"strain", base64_of(packed_strain(snapshot, largest))},
-                          {"state", base64_of(state)},
-                          {"lines", base64_of(ends)},
-                          {"corners", first ? "" : base64_of(changes(corners, new_corners))},
-                          {"owners", first ? "" : base64_of(changes(owners, new_owners))}};
+        Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
+                    {"strain", base64_of(packed_strain(snapshot, largest))},
+                    {"state", base64_of(state)},
+                    {"lines", base64_of(ends)},
+                    {"corners", first ? "" : base64_of(changes(corners, new_corners))},
+                    {"owners", first ? "" : base64_of(changes(owners, new_owners))}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
         return packed;
