@@ -50,7 +50,7 @@ void print_strength(const SheetSpec& sheet, const Strength& strength) {
 }
 
 SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
-    const SheetInput input = make_sheet(sheet, scene, warnings);
+    SheetInput input = make_sheet(sheet, scene, warnings);
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
     fmt::print("sheet {}\n", sheet.name);

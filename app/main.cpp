@@ -38,6 +38,7 @@ int run(const sherd::Command& command) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): before run() catches them, only a lack of memory could throw.
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
     CLI::App program(

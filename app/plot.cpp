@@ -145,9 +145,11 @@ std::string plot_svg(const Recording& recording) {
         "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
         "<text x=\"62\" y=\"30\" font-size=\"15\" fill=\"#444\">{2}</text>\n",
         width, heading_height + 3 * panel_height, xml_escaped(heading(recording, header, steps.back())));
-    for (int i = 0; i < 6; ++i)
-        svg += chart_svg(charts[i], i % 2 * width / 2, heading_height + i / 2 * panel_height, width / 2,
+    for (int i = 0; i < 6; ++i) {
+        const int row = i / 2, column = i % 2;
+        svg += chart_svg(charts[i], column * width / 2, heading_height + row * panel_height, width / 2,
                          panel_height);
+    }
     return svg + "</svg>\n";
 }
 

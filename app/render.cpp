@@ -99,7 +99,7 @@ std::vector<Moment> planned_moments(const RenderOptions& options, const Recordin
     for (const std::size_t frame : frames) times.push_back(recording.time(frame));
     if (!film) return recorded_moments(frames, times);
     const Pace chosen = pace_of(options.slow, times.back() - times.front());
-    const std::vector<Moment> moments = even_moments(frames, times, chosen.step());
+    std::vector<Moment> moments = even_moments(frames, times, chosen.step());
     if (frames.size() > 1) pace = fmt::format("{}, {} pictures", chosen.words(), moments.size());
     return moments;
 }

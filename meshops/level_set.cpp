@@ -38,8 +38,8 @@ openvdb::FloatGrid::Ptr level_set_of(const std::vector<openvdb::Vec3s>& points, 
     const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
     const auto half = static_cast<float>(thickness / 2);
     const auto reach = static_cast<float>(half / voxel) + band;
-    const auto grid = openvdb::tools::meshToUnsignedDistanceField<openvdb::FloatGrid>(*transform, points,
-                                                                                      triangles, {}, reach);
+    auto grid = openvdb::tools::meshToUnsignedDistanceField<openvdb::FloatGrid>(*transform, points, triangles,
+                                                                                {}, reach);
     for (auto value = grid->beginValueOn(); value; ++value) value.setValue(*value - half);
     openvdb::tools::changeBackground(grid->tree(), band * static_cast<float>(voxel));
     return grid;

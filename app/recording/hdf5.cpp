@@ -81,7 +81,7 @@ T read_number(hid_t where, const std::string& name, H5T_class_t kind) {
 
 /// The text of a variable-length string that HDF5 allocated.
 std::string taken(char* text) {
-    const std::string value = text ? text : "";
+    std::string value = text ? text : "";
     H5free_memory(text);
     return value;
 }

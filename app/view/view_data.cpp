@@ -147,15 +147,15 @@ class Packer {
         std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
         const bool first = corners.empty();
         const Births born = first ? Births() : births(before, snapshot);
-        const Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
-                          {"strain", base64_of(packed_strain(snapshot, largest))},
-                          {"state", base64_of(state)},
-                          {"lines", base64_of(ends)},
-                          {"corners", first ? "" : base64_of(changes(corners, new_corners))},
-                          {"owners", first ? "" : base64_of(changes(owners, new_owners))},
-                          {"born", base64_of(born.vertices)},
-                          {"shares", base64_of(born.shares)},
-                          {"parts", base64_of(born.parts)}};
+        Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
+                    {"strain", base64_of(packed_strain(snapshot, largest))},
+                    {"state", base64_of(state)},
+                    {"lines", base64_of(ends)},
+                    {"corners", first ? "" : base64_of(changes(corners, new_corners))},
+                    {"owners", first ? "" : base64_of(changes(owners, new_owners))},
+                    {"born", base64_of(born.vertices)},
+                    {"shares", base64_of(born.shares)},
+                    {"parts", base64_of(born.parts)}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
         before = snapshot;

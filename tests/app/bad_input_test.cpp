@@ -42,7 +42,7 @@ struct BadInput {
     std::string name;
     std::string scene;
     std::vector<std::string> message;
-    std::string mesh = "";  ///< content of mesh.obj
+    std::string mesh = {};  ///< content of mesh.obj
 };
 
 void PrintTo(const BadInput& input, std::ostream* stream) {

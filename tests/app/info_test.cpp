@@ -75,7 +75,7 @@ TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     const TemporaryDirectory folder;
     const auto reported = [&](const SyntheticRun& run) {
         record(run, folder.path / "run.h5");
-        const Json strain = json_of(folder.path / "run.h5")["membrane_strain"];
+        Json strain = json_of(folder.path / "run.h5")["membrane_strain"];
         for (const auto& file : {"run.h5", "run.xdmf"}) std::filesystem::remove(folder.path / file);
         return strain;
     };
@@ -128,7 +128,7 @@ TEST(Info, FragmentsShareOutTheWholeSheet) {
 
 TEST(Info, TellsOfARunThatHasJustBegun) {
     const TemporaryDirectory folder;
-    RecordingWriter(folder.path / "run.h5", synthetic_run().header, false);
+    { const RecordingWriter begun(folder.path / "run.h5", synthetic_run().header, false); }
     const Json info = json_of(folder.path / "run.h5");
     EXPECT_EQ(info["frames"], 0);
     EXPECT_EQ(info["steps"], 0);

@@ -132,7 +132,7 @@ TEST(Plot, WritesBesideTheRecordingAndKeepsWhatIsThere) {
 
 TEST(Plot, RefusesARunThatHasJustBegun) {
     const TemporaryDirectory folder;
-    RecordingWriter(folder.path / "run.h5", synthetic_run().header, false);
+    { const RecordingWriter begun(folder.path / "run.h5", synthetic_run().header, false); }
     EXPECT_THROW(plot_svg(Recording(folder.path / "run.h5")), Error);
 }
 

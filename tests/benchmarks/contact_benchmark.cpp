@@ -25,7 +25,7 @@ constexpr Index across = 8;  // squares
 /// Where along the spiral r = inner_radius + pitch angle / (2 pi), with angles a chord apart.
 Vector3d next_on_spiral(double& angle) {
     const double growth = pitch / (2 * std::numbers::pi), radius = inner_radius + growth * angle;
-    const Vector3d at(radius * std::cos(angle), radius * std::sin(angle), 0);
+    Vector3d at(radius * std::cos(angle), radius * std::sin(angle), 0);
     angle += edge / radius;
     return at;
 }

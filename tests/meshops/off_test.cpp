@@ -26,9 +26,9 @@ using Polygons = std::vector<std::vector<std::size_t>>;
 TEST(Off, WhatStandsBehindPointsAndCornersIsPassedOver) {
     for (const std::string text :
          {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2",
-          "# by hand\nCOFF # with colours\n\n3 1 3 # counts\n0 0 0 255 0 0 255\n# a point\n1 0 0\n0 1 0 1 1 "
-          "1\n"
-          "3 0 1 2 0.5 0.5 0.5 1\n",
+          ("# by hand\nCOFF # with colours\n\n3 1 3 # counts\n0 0 0 255 0 0 255\n# a point\n1 0 0\n0 1 0 1 1 "
+           "1\n"
+           "3 0 1 2 0.5 0.5 0.5 1\n"),
           "STNOFF\n3\n1\n0\n0 0 0 0 0 1 0.5 0.5\n1 0 0\n0 1 0\n3 0 1 2 7\n",
           "4OFF\n3 1 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n3 0 1 2\n",
           "nOFF 3\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"}) {

@@ -44,8 +44,10 @@ inline std::vector<std::array<Index, 3>> whole_faces() {
 
 inline Positions whole_positions() {
     Positions position(3, (columns + 1) * (rows + 1));
-    for (Index i = 0; i < position.cols(); ++i)
-        position.col(i) = Vector3d(0.01 * (i / (rows + 1)), 0.01 * (i % (rows + 1)), 0.001 * std::sin(i));
+    for (Index i = 0; i < position.cols(); ++i) {
+        const Index column = i / (rows + 1), row = i % (rows + 1);
+        position.col(i) = Vector3d(0.01 * column, 0.01 * row, 0.001 * std::sin(i));
+    }
     return position;
 }
 

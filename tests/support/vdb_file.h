@@ -16,7 +16,7 @@ openvdb::FloatGrid::Ptr vdb_grid(const std::string& name, double voxel, const op
                                  float background, const Value& value) {
     openvdb::initialize();
     // By its type's name: Grid::create would compile all of OpenVDB's tree a second time.
-    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(
+    auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(
         openvdb::GridBase::createGrid(openvdb::FloatGrid::gridType()));
     grid->tree().root().setBackground(background, false);
     grid->setName(name);

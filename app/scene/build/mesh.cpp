@@ -32,7 +32,7 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
 }
 
 Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
-    const Mesh mesh = read_mesh(spec, warnings);
+    Mesh mesh = read_mesh(spec, warnings);
     if (spec.remesh == 0) return mesh;
     const double faces = expected_faces(measure(mesh).area, spec.remesh);
     if (faces > most_faces)

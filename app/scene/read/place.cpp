@@ -5,6 +5,7 @@
 
 #include <array>
 #include <numbers>
+#include <utility>
 
 namespace sherd {
 namespace {
@@ -33,7 +34,7 @@ MotionKey read_key(TomlTable& table) {
 }  // namespace
 
 Vector3d read_direction(TomlTable& table, std::string_view key, std::optional<Vector3d> fallback) {
-    const Vector3d direction = table.vector(key, "", fallback);
+    const Vector3d direction = table.vector(key, "", std::move(fallback));
     if (direction.isZero(0)) table.report(key, "must not be zero: give a direction, such as [0, 0, 1]");
     // stableNormalized, since the squares of tiny or huge components leave the range of double.
     return direction.stableNormalized();

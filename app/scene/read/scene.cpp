@@ -141,7 +141,7 @@ std::vector<std::string> variant_names(const std::filesystem::path& file) {
     const toml::table document = parse_toml(read_toml_text(file, "scene"), file);
     Problems problems;
     TomlTable root(document, "", problems);
-    const std::vector<std::string> names = read_variant_names(root);
+    std::vector<std::string> names = read_variant_names(root);
     problems.throw_if_any();
     return names;
 }

@@ -9,7 +9,7 @@ namespace sherd {
 
 std::string read_sheet_name(TomlTable& table, const Scene& scene) {
     if (!table.has("sheet")) return {};
-    const std::string name = table.string("sheet", "the name of a sheet");
+    std::string name = table.string("sheet", "the name of a sheet");
     const bool known = std::any_of(scene.sheets.begin(), scene.sheets.end(),
                                    [&](const SheetSpec& sheet) { return sheet.name == name; });
     if (!name.empty() && !known)

@@ -80,7 +80,7 @@ void collect_strings(const toml::node& node, std::set<std::string>& strings) {
 fs::path shipped_scene_folder() {
     const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path() / SHERD_SHARE / "scenes";
     std::error_code missing;
-    const fs::path found = fs::canonical(folder, missing);
+    fs::path found = fs::canonical(folder, missing);
     if (missing)
         throw Error(fmt::format("the scenes that come with the program are not in '{}'; install it whole",
                                 folder.lexically_normal().string()),

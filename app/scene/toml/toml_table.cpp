@@ -102,7 +102,7 @@ std::string TomlTable::string(std::string_view key, std::string_view what) {
 
 std::string TomlTable::choice(std::string_view key, std::span<const std::string_view> names) {
     const toml::node* node = find(key);
-    const std::string value = node && node->is_string() ? node->as_string()->get() : "";
+    std::string value = node && node->is_string() ? node->as_string()->get() : "";
     if (std::find(names.begin(), names.end(), value) != names.end()) return value;
     const std::vector<std::string> known_names(names.begin(), names.end());
     const std::string nearest = value.empty() ? "" : nearest_name(value, known_names);

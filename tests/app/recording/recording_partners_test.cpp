@@ -25,8 +25,8 @@ std::string script(const std::string& name) {
 
 /// Debian's Python sees Debian's h5py, whatever other Python stands first in the path.
 std::string python_with_h5py() {
-    for (const std::string python : {"python3", "/usr/bin/python3"})
-        if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) == 0) return python;
+    for (const char* python : {"python3", "/usr/bin/python3"})
+        if (std::system((std::string(python) + " -c 'import h5py' 2>/dev/null").c_str()) == 0) return python;
     return "";
 }
 

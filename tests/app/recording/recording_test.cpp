@@ -188,7 +188,7 @@ TEST(Recording, DoesNotOverwriteUnlessForced) {
     expect_error([&] { RecordingWriter(folder.path / "run.h5", run.header, false); }, Fault::input,
                  {"run.h5", "--force"});
     EXPECT_EQ(folder.contents(), before);
-    RecordingWriter(folder.path / "run.h5", run.header, true);
+    { const RecordingWriter replaced(folder.path / "run.h5", run.header, true); }
     expect_recorded(folder.path / "run.h5", run, 0);
     EXPECT_EQ(names_in(folder.path), std::set<std::string>{"run.h5"}) << "the index of the old run is left";
     folder.write("other.xdmf", "somebody's");

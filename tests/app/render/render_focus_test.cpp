@@ -36,7 +36,8 @@ struct Pieces {
 
     /// A hundred of them side by side: a square of 1 m about the origin.
     void add_sheet() {
-        for (int i = 0; i < 100; ++i) add(Vector3d(i / 10 * 0.1 - 0.45, i % 10 * 0.1 - 0.45, 0), 0.1);
+        for (int i = 0; i < 10; ++i)
+            for (int j = 0; j < 10; ++j) add(Vector3d(i * 0.1 - 0.45, j * 0.1 - 0.45, 0), 0.1);
     }
 
     AlignedBox3d focus() const { return focus_box(frame); }

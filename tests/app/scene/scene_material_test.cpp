@@ -66,7 +66,7 @@ TEST(SceneMaterial, AxisArrivesAndTurnsWithTheSheet) {
 struct BadMaterial {
     std::string material;
     std::string message;
-    std::string mesh = "";
+    std::string mesh = {};
 };
 
 const std::vector<BadMaterial> bad_materials{

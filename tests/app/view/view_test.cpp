@@ -191,9 +191,10 @@ TornSquare torn_square(Index sides) {
     const Index across = sides + 1, middle = sides / 2, count = across * across;
     square.header.sheet_names = {"square"};
     square.header.rest_position = Positions::Zero(3, count);
-    for (Index v = 0; v < count; ++v)
-        square.header.rest_position.col(v).head<2>() << 1.0 * (v / across) / sides,
-            1.0 * (v % across) / sides;
+    for (Index v = 0; v < count; ++v) {
+        const Index row = v / across, column = v % across;
+        square.header.rest_position.col(v).head<2>() << 1.0 * row / sides, 1.0 * column / sides;
+    }
     Snapshot whole;
     for (Index v = 0; v < count; ++v) whole.original.push_back(v);
     for (Index x = 0; x < sides; ++x)

@@ -24,7 +24,7 @@ std::string text_of(const fs::path& file) {
     return read_toml_text(file, "file");
 }
 
-std::string without_suffix(std::string name) {
+std::string without_suffix(const std::string& name) {
     return name.substr(0, name.size() - std::string(".toml").size());
 }
 
