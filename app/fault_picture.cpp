@@ -83,7 +83,7 @@ Picture picture_of(const Scene& scene) {
         }
     if (inputs.size() < scene.sheets.size()) return picture;
     try {
-        for (const StartFault& fault : start_faults(scene, inputs, BreakableSheet(inputs)))
+        for (const StartFault& fault : start_faults(scene, inputs, BreakableShell(inputs)))
             picture.mark(first_face[fault.sheet] + static_cast<std::size_t>(fault.face), fault.kind);
     } catch (const Error&) {
         // An obstacle that cannot be made is in nobody's way; `check` says why.

@@ -61,7 +61,7 @@ std::vector<double> round_thresholds(std::span<const double> peaks) {
 }
 
 std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation) {
-    const BreakableSheet& sheet = simulation.sheet();
+    const BreakableShell& sheet = simulation.shell();
     const HingeMeasures& peaks = simulation.peaks().of_edges();
     std::vector<PeakRow> rows;
     for (std::size_t s = 0; s < scene.sheets.size(); ++s) {

@@ -12,7 +12,7 @@
 #include "core/bending/nonlinear_bending.h"
 #include "core/elements/principal_strain.h"
 #include "core/membrane/membrane_energy.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
 #include "meshops/read_mesh.h"
@@ -59,14 +59,14 @@ ProbedEnergy sum(const std::string& name, const Elements& elements, const Positi
 }
 
 /// The mechanics of the sheet at rest, its vertices numbered as in the file.
-Sheet file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
+Shell file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
                  std::vector<std::string>& warnings) {
     SheetInput input;
     input.mesh = shapes.rest;
     input.material = material.material;
     if (!is_isotropic(input.material))
         input.axes = material_axes(material.axis, input.mesh, Eigen::Isometry3d::Identity(), warnings);
-    Sheet sheet = BreakableSheet({input}).mechanics();
+    Shell sheet = BreakableShell({input}).mechanics();
     const Positions rest = sheet.rest;
     sheet.rest.setZero(3, shapes.deformed.cols());
     for (std::size_t v = 0; v < shapes.file_vertex.size(); ++v)
@@ -101,7 +101,7 @@ ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::file
 }
 
 Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector<std::string>& warnings) {
-    const Sheet sheet = file_sheet(shapes, material, warnings);
+    const Shell sheet = file_sheet(shapes, material, warnings);
     const Positions& x = shapes.deformed;
     Probe result;
     result.energies = {sum("bending_nonlinear", NonlinearHinges(sheet.hinges, sheet.rest), x),

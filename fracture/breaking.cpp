@@ -22,32 +22,32 @@ std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
     return vertices;
 }
 
-bool continues_a_crack(const BreakableSheet& sheet, Edge edge) {
-    return sheet.cracks().is_tip(sheet.mesh().vertex(edge, 0)) ||
-           sheet.cracks().is_tip(sheet.mesh().vertex(edge, 1));
+bool continues_a_crack(const BreakableShell& shell, Edge edge) {
+    return shell.cracks().is_tip(shell.mesh().vertex(edge, 0)) ||
+           shell.cracks().is_tip(shell.mesh().vertex(edge, 1));
 }
 
 }  // namespace
 
-double overload(const BreakableSheet& sheet, const HingeMeasures& measures, Edge edge, bool crack_tips) {
-    const Index hinge = sheet.hinge_of_edge(edge);
+double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips) {
+    const Index hinge = shell.hinge_of_edge(edge);
     if (hinge < 0) return 0;
-    const double measure = measures.of(sheet.measure(edge), hinge);
+    const double measure = measures.of(shell.measure(edge), hinge);
     if (measure <= 0) return 0;
-    const double factor = crack_tips && continues_a_crack(sheet, edge) ? sheet.crack_tip_factor(edge) : 1;
-    return measure / (sheet.strength(edge) * factor);
+    const double factor = crack_tips && continues_a_crack(shell, edge) ? shell.crack_tip_factor(edge) : 1;
+    return measure / (shell.strength(edge) * factor);
 }
 
-std::vector<Edge> most_overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures) {
-    const Mesh& mesh = sheet.mesh();
+std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {
+    const Mesh& mesh = shell.mesh();
     const auto beats = [&](Edge edge, double ratio, Edge other) {
-        const double rival = overload(sheet, measures, other, true);
+        const double rival = overload(shell, measures, other, true);
         return rival > ratio || (rival == ratio && other < edge);
     };
     std::vector<Edge> failing;
-    for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i) {
-        const Edge edge = sheet.edge_of_hinge(i);
-        const double ratio = overload(sheet, measures, edge, true);
+    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
+        const Edge edge = shell.edge_of_hinge(i);
+        const double ratio = overload(shell, measures, edge, true);
         if (!(ratio > 1)) continue;
         bool most = true;
         for (const Vertex vertex : neighbourhood(mesh, edge))
@@ -59,11 +59,11 @@ std::vector<Edge> most_overloaded_edges(const BreakableSheet& sheet, const Hinge
     return failing;
 }
 
-std::vector<Edge> overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures) {
+std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {
     std::vector<Edge> failing;
-    for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); ++i)
-        if (overload(sheet, measures, sheet.edge_of_hinge(i), false) > 1)
-            failing.push_back(sheet.edge_of_hinge(i));
+    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i)
+        if (overload(shell, measures, shell.edge_of_hinge(i), false) > 1)
+            failing.push_back(shell.edge_of_hinge(i));
     std::sort(failing.begin(), failing.end());
     return failing;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 #include "fracture/hinge_measures.h"
 
 namespace sherd {
@@ -15,15 +15,15 @@ enum class BreakingRule {
 /// Overload of the hinge of `edge`: its measure over its strength. The hinge is overloaded above 1; the
 /// overload is 0 without a hinge. crack_tips: whether the strength is reduced for a hinge that would continue
 /// a crack, because the crack tip concentrates strain more than the mesh resolves.
-double overload(const BreakableSheet& sheet, const HingeMeasures& measures, Edge edge, bool crack_tips);
+double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips);
 
 /// The edges that fail in one stage of staged breaking: those that are overloaded, and more so than all
 /// others within two rings around them. If all overloaded hinges broke at once, as in the paper, the
 /// surroundings of a contact would turn to dust: the strain around a new crack must be evaluated again. The
 /// edges are ascending; of equal ones the lowest fails.
-std::vector<Edge> most_overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures);
+std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures);
 
 /// All overloaded edges, ascending, without regard to crack tips: the paper's rule.
-std::vector<Edge> overloaded_edges(const BreakableSheet& sheet, const HingeMeasures& measures);
+std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures);
 
 }  // namespace sherd

@@ -18,13 +18,13 @@ struct FaceStrain {
     Vector3d curvature = Vector3d::Zero();  ///< 1/m
 };
 
-HingeSides sides_of(const BreakableSheet& sheet, std::size_t hinge) {
+HingeSides sides_of(const BreakableShell& shell, std::size_t hinge) {
     HingeSides sides;
-    const Edge edge = sheet.edge_of_hinge(hinge);
+    const Edge edge = shell.edge_of_hinge(hinge);
     for (const int side : {0, 1}) {
-        const Face face = sheet.mesh().face(sheet.mesh().halfedge(edge, side));
-        const TriangleStencil& triangle = sheet.mechanics().triangles[face];
-        const Index apex = sheet.mechanics().hinges[hinge].vertices[2 + side];
+        const Face face = shell.mesh().face(shell.mesh().halfedge(edge, side));
+        const TriangleStencil& triangle = shell.mechanics().triangles[face];
+        const Index apex = shell.mechanics().hinges[hinge].vertices[2 + side];
         int place = 0;
         while (triangle.vertices[place] != apex) ++place;
         sides.faces[side] = face;
@@ -44,7 +44,7 @@ Vector3d curvature_of(double turn, const Vector2d& normal) {
     return {part[0], part[1], 2 * part[2]};
 }
 
-std::vector<FaceStrain> face_strains(const Sheet& mechanics, const std::vector<HingeSides>& sides,
+std::vector<FaceStrain> face_strains(const Shell& mechanics, const std::vector<HingeSides>& sides,
                                      const VectorXd& bending, const Positions& x) {
     std::vector<FaceStrain> strains(mechanics.triangles.size());
     for (std::size_t f = 0; f < strains.size(); ++f) {
@@ -62,8 +62,8 @@ std::vector<FaceStrain> face_strains(const Sheet& mechanics, const std::vector<H
 
 }  // namespace
 
-VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x) {
-    const std::vector<HingeStencil>& hinges = sheet.mechanics().hinges;
+VectorXd hinge_strains(const BreakableShell& shell, const Positions& x) {
+    const std::vector<HingeStencil>& hinges = shell.mechanics().hinges;
     VectorXd strains(hinges.size());
     for (std::size_t i = 0; i < hinges.size(); ++i)
         strains[i] = hinge_strain(hinges[i].rest, columns(x, hinges[i].vertices));
@@ -81,11 +81,11 @@ double HingeMeasures::of(Measure measure, Index hinge) const {
     }
 }
 
-HingeMeasures hinge_measures(const BreakableSheet& sheet, const Positions& x) {
-    const Sheet& mechanics = sheet.mechanics();
+HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x) {
+    const Shell& mechanics = shell.mechanics();
     std::vector<HingeSides> sides;
-    for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(sheet, i));
-    const VectorXd bending = hinge_strains(sheet, x);
+    for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(shell, i));
+    const VectorXd bending = hinge_strains(shell, x);
     const std::vector<FaceStrain> faces = face_strains(mechanics, sides, bending, x);
 
     HingeMeasures measures;

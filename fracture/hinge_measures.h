@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
 /// Bending strain of each hinge (paper, appendix B), signed, 1/m, in the order of mechanics().hinges. x: [3,
 /// V] m.
-VectorXd hinge_strains(const BreakableSheet& sheet, const Positions& x);
+VectorXd hinge_strains(const BreakableShell& shell, const Positions& x);
 
 /// The measures by which hinges fail, [H] each, in the order of mechanics().hinges.
 struct HingeMeasures {
@@ -24,6 +24,6 @@ struct HingeMeasures {
 /// with the membrane's plane-stress elasticity. A face's change of curvature follows from the changes of its
 /// hinges' angles. In pure bending `strain` is a curvature, like the paper's measure; unlike the paper's, it
 /// includes in-plane stretch, and the bending of a face as a whole. x: [3, V] m.
-HingeMeasures hinge_measures(const BreakableSheet& sheet, const Positions& x);
+HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x);
 
 }  // namespace sherd

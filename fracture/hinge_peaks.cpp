@@ -9,15 +9,15 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 
 }  // namespace
 
-void HingePeaks::judge(const BreakableSheet& sheet, const HingeMeasures& measures) {
+void HingePeaks::judge(const BreakableShell& shell, const HingeMeasures& measures) {
     // Edges that were appended are sides of cracks, which have no hinge.
     if (peaks.strain.size() == 0)
         for (VectorXd HingeMeasures::*member : all)
-            peaks.*member = VectorXd::Zero(static_cast<Index>(sheet.mesh().number_of_edges()));
+            peaks.*member = VectorXd::Zero(static_cast<Index>(shell.mesh().number_of_edges()));
     for (VectorXd HingeMeasures::*member : all) {
         (attempt.*member).setZero((peaks.*member).size());
         for (Index i = 0; i < static_cast<Index>((measures.*member).size()); ++i)
-            (attempt.*member)[sheet.edge_of_hinge(i)] = (measures.*member)[i];
+            (attempt.*member)[shell.edge_of_hinge(i)] = (measures.*member)[i];
     }
 }
 

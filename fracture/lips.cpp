@@ -64,9 +64,9 @@ std::vector<Lips::Twins> Lips::pairs() const {
     return pairs;
 }
 
-bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const {
+bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const {
     const auto [v, w] = pair;
-    const double thickness = sheet.thickness[number(v)];
+    const double thickness = shell.thickness[number(v)];
     if ((x.col(number(v)) - x.col(number(w))).norm() <= thickness) return false;
     if (distance_to_faces(mesh, x, v, w) <= thickness) return false;
     if (distance_to_faces(mesh, x, w, v) <= thickness) return false;
@@ -79,10 +79,10 @@ bool Lips::apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const
     return true;
 }
 
-bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
+bool Lips::release(const Mesh& mesh, const Shell& shell, const Positions& x) {
     bool any = false;
     for (const Twins& pair : pairs()) {
-        if (!apart(mesh, sheet, x, pair)) continue;
+        if (!apart(mesh, shell, x, pair)) continue;
         // The pair is erased at once, so that the next pair takes the elements that they share into account.
         std::erase(twins[pair[0]], pair[1]);
         std::erase(twins[pair[1]], pair[0]);
@@ -96,19 +96,19 @@ bool Lips::release(const Mesh& mesh, const Sheet& sheet, const Positions& x) {
     return true;
 }
 
-void Lips::write(const Mesh& mesh, Sheet& sheet) const {
-    sheet.twins.clear();
-    for (const auto& [a, b] : pairs()) sheet.twins.push_back({number(a), number(b)});
-    sheet.lips.clear();
+void Lips::write(const Mesh& mesh, Shell& shell) const {
+    shell.twins.clear();
+    for (const auto& [a, b] : pairs()) shell.twins.push_back({number(a), number(b)});
+    shell.lips.clear();
     for (const std::array<Edge, 2>& lips : edges)
         for (const int side : {0, 1}) {
             const Halfedge h = inner(mesh, lips[side]), facing = inner(mesh, lips[1 - side]);
             const Vertex a = mesh.source(h), b = mesh.target(h), apex = mesh.target(mesh.next(h));
-            const double length = (sheet.rest.col(number(a)) - sheet.rest.col(number(b))).norm();
+            const double length = (shell.rest.col(number(a)) - shell.rest.col(number(b))).norm();
             for (const auto& [own, other] : {Twins{a, mesh.target(facing)}, Twins{b, mesh.source(facing)}})
                 if (are_twins(own, other))
-                    sheet.lips.push_back({{number(other), number(a), number(b), number(apex)},
-                                          length * sheet.young[number(a)] / 8});
+                    shell.lips.push_back({{number(other), number(a), number(b), number(apex)},
+                                          length * shell.young[number(a)] / 8});
         }
 }
 

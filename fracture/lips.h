@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 #include "meshops/topology_change.h"
 
 namespace sherd {
@@ -26,18 +26,18 @@ class Lips {
 
     /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick;
     /// elements that still share a vertex or have other twins do not count. Returns whether there were any.
-    bool release(const Mesh& mesh, const Sheet& sheet, const Positions& x);
+    bool release(const Mesh& mesh, const Shell& shell, const Positions& x);
 
     /// Sets sheet.twins and sheet.lips. A lip resists overlap like a column of sheet whose cross-section is
     /// the lip's length times the thickness and whose length is the thickness: the force per metre of crack
     /// is Y / 2 times the overlap, on any mesh.
-    void write(const Mesh& mesh, Sheet& sheet) const;
+    void write(const Mesh& mesh, Shell& shell) const;
 
   private:
     using Twins = std::array<Vertex, 2>;
 
     bool are_twins(Vertex a, Vertex b) const;
-    bool apart(const Mesh& mesh, const Sheet& sheet, const Positions& x, const Twins& pair) const;
+    bool apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const;
     bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
     std::vector<Twins> pairs() const;  ///< all pairs of twins, each once, ascending
 

@@ -15,27 +15,27 @@ namespace {
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
 
-double mean_edge_length(const Sheet& sheet) {
+double mean_edge_length(const Shell& shell) {
     double sum = 0;
-    for (const TriangleStencil& triangle : sheet.triangles)
+    for (const TriangleStencil& triangle : shell.triangles)
         for (int i = 0; i < 3; ++i)
-            sum += (sheet.rest.col(triangle.vertices[i]) - sheet.rest.col(triangle.vertices[(i + 1) % 3]))
+            sum += (shell.rest.col(triangle.vertices[i]) - shell.rest.col(triangle.vertices[(i + 1) % 3]))
                        .norm();
-    return sum / (3.0 * static_cast<double>(sheet.triangles.size()));
+    return sum / (3.0 * static_cast<double>(shell.triangles.size()));
 }
 
-StepperOptions stepper_options(const SimulationOptions& options, const Sheet& sheet) {
+StepperOptions stepper_options(const SimulationOptions& options, const Shell& shell) {
     StepperOptions result = options.stepper;
-    result.tolerance = options.tolerance * mean_edge_length(sheet);
+    result.tolerance = options.tolerance * mean_edge_length(shell);
     return result;
 }
 
-void set_guides(Sheet& sheet, const std::vector<SlidingVertex>& sliding) {
+void set_guides(Shell& shell, const std::vector<SlidingVertex>& sliding) {
     for (const auto& [vertex, freedom] : sliding) {
-        auto guide = std::find(sheet.guides.begin(), sheet.guides.end(), freedom);
-        if (guide == sheet.guides.end()) guide = sheet.guides.insert(guide, freedom);
-        sheet.guide[vertex] = static_cast<char>(guide - sheet.guides.begin() + 1);
-        sheet.velocity.col(vertex) = freedom * sheet.velocity.col(vertex).eval();
+        auto guide = std::find(shell.guides.begin(), shell.guides.end(), freedom);
+        if (guide == shell.guides.end()) guide = shell.guides.insert(guide, freedom);
+        shell.guide[vertex] = static_cast<char>(guide - shell.guides.begin() + 1);
+        shell.velocity.col(vertex) = freedom * shell.velocity.col(vertex).eval();
     }
 }
 
@@ -45,7 +45,7 @@ double largest(const VectorXd& measures) {
 
 }  // namespace
 
-Simulation::Simulation(BreakableSheet sheets, const SimulationOptions& options)
+Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
       breakable(std::move(sheets)),
       stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
@@ -128,7 +128,7 @@ MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) 
 
 void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
     record_failures(edges, measures, stage);
-    const BreakableSheet::Change change = breakable.fail(edges);
+    const BreakableShell::Change change = breakable.fail(edges);
     record_change(change.cracks);
     stepper.topology_changed(change.shell);
 }

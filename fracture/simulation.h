@@ -33,10 +33,10 @@ struct SimulationOptions {
 class Simulation {
   public:
     /// Takes the sheets as they start.
-    Simulation(BreakableSheet sheets, const SimulationOptions& options);
+    Simulation(BreakableShell sheets, const SimulationOptions& options);
     /// Makes the sheets of at least one input.
     Simulation(const std::vector<SheetInput>& inputs, const SimulationOptions& options)
-        : Simulation(BreakableSheet(inputs), options) {}
+        : Simulation(BreakableShell(inputs), options) {}
     Simulation(const Simulation&) = delete;  // the stepper refers to the shell
 
     /// Advances by one time step: solves it, compares the hinges with their strengths, breaks the most
@@ -47,7 +47,7 @@ class Simulation {
     StepReport step();
 
     Snapshot snapshot() const;
-    const BreakableSheet& sheet() const { return breakable; }
+    const BreakableShell& shell() const { return breakable; }
     const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
     const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
     const HingePeaks& peaks() const { return hinge_peaks; }
@@ -79,7 +79,7 @@ class Simulation {
     void add_touch(StepReport& report);
 
     SimulationOptions options;
-    BreakableSheet breakable;
+    BreakableShell breakable;
     ImplicitStepper stepper;
     Fragments fragments;
     HingePeaks hinge_peaks;

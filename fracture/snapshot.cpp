@@ -4,14 +4,14 @@
 #include <numeric>
 #include <utility>
 
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 #include "fracture/hinge_measures.h"
 
 namespace sherd {
 namespace {
 
 /// Cracks of today copy vertices and split no face: the vertices that the sheet began with come first.
-RestMesh rest_of(const Sheet& mechanics, std::span<const Index> original) {
+RestMesh rest_of(const Shell& mechanics, std::span<const Index> original) {
     Eigen::Index unbroken = 0;
     while (unbroken < mechanics.rest.cols() && original[unbroken] == unbroken) ++unbroken;
     std::vector<std::array<Index, 3>> faces;
@@ -57,26 +57,26 @@ Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner) {
     return place;
 }
 
-Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_fragment) {
-    const Sheet& mechanics = sheet.mechanics();
+Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_fragment) {
+    const Shell& mechanics = shell.mechanics();
     Snapshot snapshot;
     snapshot.position = mechanics.position;
     snapshot.velocity = mechanics.velocity;
     snapshot.mass = mechanics.mass;
     for (const TriangleStencil& triangle : mechanics.triangles) snapshot.faces.push_back(triangle.vertices);
     snapshot.face_fragment.assign(face_fragment.begin(), face_fragment.end());
-    snapshot.face_sheet.assign(sheet.face_sheet().begin(), sheet.face_sheet().end());
+    snapshot.face_sheet.assign(shell.face_sheet().begin(), shell.face_sheet().end());
 
-    const VectorXd strains = hinge_strains(sheet, mechanics.position);
-    const Mesh& mesh = sheet.mesh();
+    const VectorXd strains = hinge_strains(shell, mechanics.position);
+    const Mesh& mesh = shell.mesh();
     for (const Vertex vertex : mesh.vertices())
-        snapshot.original.push_back(static_cast<Index>(sheet.cracks().original(vertex)));
+        snapshot.original.push_back(static_cast<Index>(shell.cracks().original(vertex)));
     snapshot.rest = rest_of(mechanics, snapshot.original);
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});
-        snapshot.edge_state.push_back(sheet.cracks().state(edge));
-        const Index hinge = sheet.hinge_of_edge(edge);
+        snapshot.edge_state.push_back(shell.cracks().state(edge));
+        const Index hinge = shell.hinge_of_edge(edge);
         snapshot.edge_strain.push_back(hinge < 0 ? 0 : strains[hinge]);
     }
     return snapshot;

@@ -56,9 +56,9 @@ RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> fac
 /// Barycentric coordinates of a face's corner (0, 1, 2) in the face that it is a part of.
 Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner);
 
-class BreakableSheet;
+class BreakableShell;
 
 /// Takes a snapshot of the current state; the caller sets step and time. face_fragment: [F].
-Snapshot take_snapshot(const BreakableSheet& sheet, std::span<const Index> face_fragment);
+Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_fragment);
 
 }  // namespace sherd

@@ -20,10 +20,10 @@ FacePair ascending(Face a, Face b) {
 }
 
 /// Whether a vertex of one face is a twin of a vertex of the other, as along a seam that is not joined.
-bool at_seam(const Sheet& sheet, const FacePair& faces) {
-    for (const Index p : sheet.triangles[faces[0]].vertices)
-        for (const Index q : sheet.triangles[faces[1]].vertices)
-            if (std::binary_search(sheet.twins.begin(), sheet.twins.end(),
+bool at_seam(const Shell& shell, const FacePair& faces) {
+    for (const Index p : shell.triangles[faces[0]].vertices)
+        for (const Index q : shell.triangles[faces[1]].vertices)
+            if (std::binary_search(shell.twins.begin(), shell.twins.end(),
                                    std::array{std::min(p, q), std::max(p, q)}))
                 return true;
     return false;
@@ -41,25 +41,25 @@ StartOverlap overlap_of(const Mesh& mesh, const ContactPair& pair, const PairPos
     const double distance = apart.norm();
     const Vector3d normal = distance > 0 ? Vector3d(-apart / distance) : Vector3d(Vector3d::Zero());
     const auto [first, second] = faces_of(mesh, pair);
-    if (first < second) return {{first, second}, false, distance, pair.touching, normal};
-    return {{second, first}, false, distance, pair.touching, -normal};
+    if (first < second) return {{first, second}, false, distance, pair.activation_distance, normal};
+    return {{second, first}, false, distance, pair.activation_distance, -normal};
 }
 
 }  // namespace
 
-std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet) {
+std::vector<StartOverlap> start_overlaps(const BreakableShell& shell) {
     std::vector<StartOverlap> overlaps;
     std::map<FacePair, StartOverlap> near;
-    const Sheet& mechanics = sheet.mechanics();
+    const Shell& mechanics = shell.mechanics();
     const SheetContact contact(mechanics);
-    for (const ContactPair& pair : contact.touching(mechanics.position)) {
+    for (const ContactPair& pair : contact.active_pairs(mechanics.position)) {
         const PairPositions x = columns(mechanics.position, pair.vertices);
-        if (distance(pair, x) >= nearest * pair.touching) continue;
-        const StartOverlap overlap = overlap_of(sheet.mesh(), pair, x);
+        if (distance(pair, x) >= nearest * pair.activation_distance) continue;
+        const StartOverlap overlap = overlap_of(shell.mesh(), pair, x);
         const auto known = near.emplace(overlap.faces, overlap).first;
         if (overlap.distance < known->second.distance) known->second = overlap;
     }
-    for (const auto& [a, b] : self_intersections(sheet.mesh())) {
+    for (const auto& [a, b] : self_intersections(shell.mesh())) {
         const FacePair faces = ascending(a, b);
         if (at_seam(mechanics, faces)) continue;
         overlaps.push_back({faces, true});

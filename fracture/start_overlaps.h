@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
@@ -21,6 +21,6 @@ struct StartOverlap {
 /// than 0.99 of their activation distance in SheetContact, which would push them apart at the start. Both are
 /// ascending by their faces. Faces of one sheet with coincident vertices, as along a seam that is not joined,
 /// do not count.
-std::vector<StartOverlap> start_overlaps(const BreakableSheet& sheet);
+std::vector<StartOverlap> start_overlaps(const BreakableShell& shell);
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
 #include "fracture/simulation.h"
 #include "meshops/triangle_mesh.h"
 

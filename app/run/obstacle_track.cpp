@@ -4,7 +4,7 @@
 namespace sherd {
 namespace {
 
-GridSurface recorded_surface(const SolidSurface& solid) {
+GridSurface recorded_surface(const ColliderSurface& solid) {
     GridSurface surface;
     for (const auto& point : solid.points.colwise()) surface.points.push_back(point);
     surface.triangles = solid.triangles;

@@ -9,13 +9,13 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.scene_text = scene.text;
     header.seed = scene.seed;
     for (const SheetSpec& sheet : scene.sheets) header.sheet_names.push_back(sheet.name);
-    const Sheet& mechanics = simulation.sheet().mechanics();
+    const Shell& mechanics = simulation.shell().mechanics();
     header.rest_position = mechanics.rest;
     for (const TriangleStencil& triangle : mechanics.triangles) {
         header.rest_faces.push_back(triangle.vertices);
         header.rest_area.push_back(triangle.membrane.area);
     }
-    for (const Index sheet : simulation.sheet().face_sheet())
+    for (const Index sheet : simulation.shell().face_sheet())
         header.rest_thickness.push_back(scene.sheets[sheet].material.thickness);
     return header;
 }

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "app/scene/mesh_spec.h"
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
 #include "core/motion.h"
 
 namespace sherd {

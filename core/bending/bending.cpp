@@ -33,15 +33,15 @@ class PairedBending : public Energy {
 };
 
 /// A cubic model with its whole Jacobian, or only the constant part of it.
-std::unique_ptr<Energy> cubic_energy(const Sheet& sheet, BendingModel model, BendingJacobian jacobian) {
+std::unique_ptr<Energy> cubic_energy(const Shell& shell, BendingModel model, BendingJacobian jacobian) {
     const bool cubic_part = jacobian == BendingJacobian::cubic;
     if (model == BendingModel::cubic_2007)
-        return std::make_unique<CubicBending2007>(CubicHinges2007(sheet.hinges, sheet.rest, cubic_part));
-    return std::make_unique<CubicBending>(CubicHinges(sheet.hinges, sheet.rest, 1, cubic_part));
+        return std::make_unique<CubicBending2007>(CubicHinges2007(shell.hinges, shell.rest, cubic_part));
+    return std::make_unique<CubicBending>(CubicHinges(shell.hinges, shell.rest, 1, cubic_part));
 }
 
-std::unique_ptr<Energy> nonlinear_energy(const Sheet& sheet) {
-    return std::make_unique<NonlinearBending>(NonlinearHinges(sheet.hinges, sheet.rest));
+std::unique_ptr<Energy> nonlinear_energy(const Shell& shell) {
+    return std::make_unique<NonlinearBending>(NonlinearHinges(shell.hinges, shell.rest));
 }
 
 }  // namespace
@@ -50,17 +50,17 @@ BendingJacobian exact_jacobian(BendingModel model) {
     return model == BendingModel::nonlinear ? BendingJacobian::nonlinear : BendingJacobian::cubic;
 }
 
-std::unique_ptr<Energy> bending_energy(const Sheet& sheet, const BendingOptions& options) {
+std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options) {
     const auto& [model, jacobian] = options;
     const bool nonlinear_force = model == BendingModel::nonlinear,
                nonlinear_jacobian = jacobian == BendingJacobian::nonlinear;
-    if (nonlinear_force && nonlinear_jacobian) return nonlinear_energy(sheet);
-    if (!nonlinear_force && !nonlinear_jacobian) return cubic_energy(sheet, model, jacobian);
+    if (nonlinear_force && nonlinear_jacobian) return nonlinear_energy(shell);
+    if (!nonlinear_force && !nonlinear_jacobian) return cubic_energy(shell, model, jacobian);
     if (nonlinear_force)
-        return std::make_unique<PairedBending>(nonlinear_energy(sheet),
-                                               cubic_energy(sheet, BendingModel::cubic, jacobian));
-    return std::make_unique<PairedBending>(cubic_energy(sheet, model, exact_jacobian(model)),
-                                           nonlinear_energy(sheet));
+        return std::make_unique<PairedBending>(nonlinear_energy(shell),
+                                               cubic_energy(shell, BendingModel::cubic, jacobian));
+    return std::make_unique<PairedBending>(cubic_energy(shell, model, exact_jacobian(model)),
+                                           nonlinear_energy(shell));
 }
 
 }  // namespace sherd

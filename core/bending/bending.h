@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/energy.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
@@ -35,6 +35,6 @@ BendingJacobian exact_jacobian(BendingModel model);
 /// Bending energy of all hinges of a shell, from its rest shape. The shell must outlive it, and its changes
 /// must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian; Curvature::convex gives
 /// the positive semidefinite part of the nonlinear one, or the Q of the cubic hinge in equilibrium.
-std::unique_ptr<Energy> bending_energy(const Sheet& sheet, const BendingOptions& options = {});
+std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {});
 
 }  // namespace sherd

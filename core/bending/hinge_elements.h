@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/element_energy.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 

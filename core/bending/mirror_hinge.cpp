@@ -25,26 +25,26 @@ MirrorHinge moved(MirrorHinge hinge, const Eigen::Isometry3d& pose) {
 
 }  // namespace
 
-MirrorHinge clamp_hinge(const Sheet& sheet, const TriangleSide& side, double stiffness) {
-    const TrianglePositions x = columns(sheet.rest, side_vertices(sheet, side));
+MirrorHinge clamp_hinge(const Shell& shell, const TriangleEdge& side, double stiffness) {
+    const TrianglePositions x = columns(shell.rest, edge_and_apex(shell, side));
     const Vector3d along = (x.col(1) - x.col(0)).normalized(), across = x.col(2) - x.col(0);
     MirrorHinge hinge =
-        symmetry_hinge(sheet, side, (across - along * along.dot(across)).normalized(), stiffness);
-    hinge.carrier = sheet.carrier[side_vertices(sheet, side)[0]];
+        symmetry_hinge(shell, side, (across - along * along.dot(across)).normalized(), stiffness);
+    hinge.script = shell.script[edge_and_apex(shell, side)[0]];
     return hinge;
 }
 
-MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const Vector3d& normal,
+MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const Vector3d& normal,
                            double stiffness) {
-    const TrianglePositions x = columns(sheet.rest, side_vertices(sheet, side));
+    const TrianglePositions x = columns(shell.rest, edge_and_apex(shell, side));
     const double offset = normal.dot(Vector3d(x.col(0)));
     return {side, normal, offset, stiffness};
 }
 
-MirrorEnergy::MirrorEnergy(const Sheet& sheet, std::vector<MirrorHinge> mirrors)
-    : sheet(sheet), at_rest(std::move(mirrors)), hinges(at_rest) {
+MirrorEnergy::MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> mirrors)
+    : shell(shell), at_rest(std::move(mirrors)), hinges(at_rest) {
     for (const MirrorHinge& hinge : hinges) {
-        const TrianglePositions rest = columns(sheet.rest, side_vertices(sheet, hinge.side));
+        const TrianglePositions rest = columns(shell.rest, edge_and_apex(shell, hinge.side));
         const double offset = hinge.normal.dot(Vector3d(rest.col(0)));
         bending.push_back(cubic_hinge(with_image(rest, hinge.normal, offset), hinge.stiffness));
     }
@@ -52,12 +52,12 @@ MirrorEnergy::MirrorEnergy(const Sheet& sheet, std::vector<MirrorHinge> mirrors)
 
 void MirrorEnergy::begin(const StepContext& step) {
     for (std::size_t i = 0; i < hinges.size(); ++i)
-        if (const Index carrier = hinges[i].carrier; carrier != 0)
-            hinges[i] = moved(at_rest[i], sheet.motions[carrier - 1].at(step.end()));
+        if (const Index script = hinges[i].script; script != 0)
+            hinges[i] = moved(at_rest[i], shell.motions[script - 1].at(step.end()));
 }
 
 HingePositions MirrorEnergy::mirrored(const MirrorHinge& hinge, const Positions& x) const {
-    return with_image(columns(x, side_vertices(sheet, hinge.side)), hinge.normal, hinge.offset);
+    return with_image(columns(x, edge_and_apex(shell, hinge.side)), hinge.normal, hinge.offset);
 }
 
 double MirrorEnergy::value(const Positions& x) const {
@@ -70,7 +70,7 @@ double MirrorEnergy::value(const Positions& x) const {
 void MirrorEnergy::add_gradient(const Positions& x, Positions& gradient) const {
     for (std::size_t i = 0; i < hinges.size(); ++i) {
         const HingePositions local = 0.5 * sherd::gradient(bending[i], mirrored(hinges[i], x));
-        const std::array<Index, 3> vertices = side_vertices(sheet, hinges[i].side);
+        const std::array<Index, 3> vertices = edge_and_apex(shell, hinges[i].side);
         for (int v = 0; v < 3; ++v) gradient.col(vertices[v]) += local.col(v);
         gradient.col(vertices[2]) += reflection(hinges[i]) * local.col(3);
     }
@@ -83,12 +83,12 @@ void MirrorEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMat
         const Eigen::Matrix<double, 12, 12> full =
             sherd::hessian(bending[i], mirrored(hinges[i], x), curvature == Curvature::exact);
         const Eigen::Matrix<double, 9, 9> local = 0.5 * image.transpose() * full * image;
-        add_element(hessian, side_vertices(sheet, hinges[i].side), local);
+        add_element(hessian, edge_and_apex(shell, hinges[i].side), local);
     }
 }
 
 void MirrorEnergy::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const MirrorHinge& hinge : hinges) add_pairs(pairs, side_vertices(sheet, hinge.side));
+    for (const MirrorHinge& hinge : hinges) add_pairs(pairs, edge_and_apex(shell, hinge.side));
 }
 
 }  // namespace sherd

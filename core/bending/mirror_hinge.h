@@ -5,7 +5,7 @@
 
 #include "core/bending/cubic_hinge.h"
 #include "core/energy.h"
-#include "core/shell/sides.h"
+#include "core/shell/triangle_edge.h"
 
 namespace sherd {
 
@@ -14,19 +14,19 @@ namespace sherd {
 /// tilt there: with the side's ends fixed this is a clamp, with the ends sliding in the plane a symmetry
 /// plane. It does not break.
 struct MirrorHinge {
-    TriangleSide side;
-    Vector3d normal;    ///< unit normal of the plane, which contains the side at rest
-    double offset;      ///< m, normal . x of the plane's points
-    double stiffness;   ///< lambda, N m
-    Index carrier = 0;  ///< 0, or the number, from 1, of the scripted motion of the plane
+    TriangleEdge side;
+    Vector3d normal;   ///< unit normal of the plane, which contains the side at rest
+    double offset;     ///< m, normal . x of the plane's points
+    double stiffness;  ///< lambda, N m
+    Index script = 0;  ///< 0, or the number, from 1, of the scripted motion of the plane
 };
 
 /// The hinge that clamps a side: it keeps the sheet's rest tangent across it. The side's ends must be fixed,
 /// or follow one scripted motion, which then moves the tangent, too. stiffness: lambda, N m.
-MirrorHinge clamp_hinge(const Sheet& sheet, const TriangleSide& side, double stiffness);
+MirrorHinge clamp_hinge(const Shell& shell, const TriangleEdge& side, double stiffness);
 
 /// The hinge across a symmetry plane through the side. normal: unit length. stiffness: lambda, N m.
-MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const Vector3d& normal,
+MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const Vector3d& normal,
                            double stiffness);
 
 /// Bending energy of all mirror hinges, as cubic hinges; their planes stand where they are at the end of the
@@ -34,7 +34,7 @@ MirrorHinge symmetry_hinge(const Sheet& sheet, const TriangleSide& side, const V
 class MirrorEnergy : public Energy {
   public:
     /// The shell must outlive this object.
-    MirrorEnergy(const Sheet& sheet, std::vector<MirrorHinge> hinges);
+    MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges);
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -44,7 +44,7 @@ class MirrorEnergy : public Energy {
   private:
     HingePositions mirrored(const MirrorHinge& hinge, const Positions& x) const;
 
-    const Sheet& sheet;
+    const Shell& shell;
     std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
     std::vector<CubicHinge> bending;           ///< of each mirror hinge
 };

@@ -5,18 +5,18 @@
 
 namespace sherd {
 
-Contact::Contact(const Sheet& sheet, ContactOptions given, const Vector3d& gravity)
-    : sheet(sheet), options(std::move(given)), lips(sheet.lips) {
+Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
+    : shell(shell), options(std::move(given)), lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     if (!options.bodies.empty())
-        body_contact = std::make_unique<BodyContact>(sheet, options.bodies, obstacles, gravity);
+        body_contact = std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity);
     for (const Obstacle& obstacle : obstacles)
-        obstacle_contact.push_back(std::make_unique<ObstacleContact>(sheet, obstacle));
+        obstacle_contact.push_back(std::make_unique<ObstacleContact>(shell, obstacle));
     const bool surfaces = std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
     if (!options.sheets && !surfaces) return;
-    sheet_contact = std::make_unique<SheetContact>(sheet, obstacles, options.sheets);
-    sheet_friction = std::make_unique<SheetFriction>(sheet, *sheet_contact, options.friction);
+    sheet_contact = std::make_unique<SheetContact>(shell, obstacles, options.sheets);
+    sheet_friction = std::make_unique<SheetFriction>(shell, *sheet_contact, options.friction);
 }
 
 std::vector<Energy*> Contact::energies() {
@@ -34,19 +34,19 @@ std::vector<Energy*> Contact::frictions() {
 }
 
 void Contact::require_apart() const {
-    if (sheet_contact) sheet_contact->require_apart(sheet.position);
+    if (sheet_contact) sheet_contact->require_apart(shell.position);
 }
 
 double Contact::free_way(const Positions& motion) {
-    double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(sheet.position, motion) : 1;
+    double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(shell.position, motion) : 1;
     if (!body_contact) return fraction;
-    body_contact->moved_to(sheet.position);
-    return std::min(fraction, body_contact->safe_fraction(sheet.position, motion));
+    body_contact->moved_to(shell.position);
+    return std::min(fraction, body_contact->safe_fraction(shell.position, motion));
 }
 
 Positions Contact::pushed_along() const {
-    if (!sheet_contact) return Positions::Zero(3, sheet.position.cols());
-    return sheet_contact->pushed_along(sheet.position);
+    if (!sheet_contact) return Positions::Zero(3, shell.position.cols());
+    return sheet_contact->pushed_along(shell.position);
 }
 
 void Contact::finish(const Positions& x) {
@@ -68,7 +68,7 @@ double Contact::stored_energy(const Positions& x) const {
 
 Touch Contact::touch(const Positions& x) const {
     Touch touch;
-    std::set<const SolidSurface*> surfaces;
+    std::set<const ColliderSurface*> surfaces;
     if (sheet_contact) sheet_contact->add_touched(x, touch.vertices, surfaces);
     for (std::size_t o = 0; o < obstacle_contact.size(); ++o) {
         Touch own;

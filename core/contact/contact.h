@@ -22,7 +22,7 @@ struct ContactOptions {
 class Contact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
-    Contact(const Sheet& sheet, ContactOptions options, const Vector3d& gravity);
+    Contact(const Shell& shell, ContactOptions options, const Vector3d& gravity);
     Contact(const Contact&) = delete;  // its energies refer to its obstacles
 
     /// The contact energies, in the order in which they begin a step and are summed.
@@ -50,7 +50,7 @@ class Contact {
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     ContactOptions options;
     std::unique_ptr<BodyContact> body_contact;  ///< null if there are no bodies
     std::vector<std::unique_ptr<ObstacleContact>> obstacle_contact;

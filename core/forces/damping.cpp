@@ -6,10 +6,10 @@ namespace sherd {
 void StiffnessDamping::begin(const StepContext& step) {
     const double scale = coefficient / step.lag;
     triangles.clear();
-    for (const TriangleStencil& triangle : sheet.triangles)
+    for (const TriangleStencil& triangle : shell.triangles)
         triangles.push_back({triangle.vertices, membrane_triangle(columns(step.origin, triangle.vertices),
                                                                   scale * triangle.membrane.elasticity)});
-    bending = std::make_unique<CubicBending>(CubicHinges(sheet.hinges, step.origin, scale));
+    bending = std::make_unique<CubicBending>(CubicHinges(shell.hinges, step.origin, scale));
     membrane = std::make_unique<MembraneEnergy>(triangles);
 }
 

@@ -25,7 +25,7 @@ struct Damping {
 class StiffnessDamping : public Energy {
   public:
     /// The shell must outlive this object. coefficient: s.
-    StiffnessDamping(const Sheet& sheet, double coefficient) : sheet(sheet), coefficient(coefficient) {}
+    StiffnessDamping(const Shell& shell, double coefficient) : shell(shell), coefficient(coefficient) {}
     StiffnessDamping(const StiffnessDamping&) = delete;  // its energies refer to its triangles
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;
@@ -36,7 +36,7 @@ class StiffnessDamping : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
     std::unique_ptr<Energy> bending, membrane;
@@ -47,15 +47,15 @@ class StiffnessDamping : public Energy {
 class MassDamping : public ElementEnergy<VertexSprings> {
   public:
     /// The shell must outlive this object. coefficient: 1/s.
-    MassDamping(const Sheet& sheet, double coefficient)
-        : ElementEnergy({}), sheet(sheet), coefficient(coefficient) {}
+    MassDamping(const Shell& shell, double coefficient)
+        : ElementEnergy({}), shell(shell), coefficient(coefficient) {}
     void begin(const StepContext& step) override {
-        elements = {coefficient / step.lag * sheet.mass, step.origin};
+        elements = {coefficient / step.lag * shell.mass, step.origin};
     }
     Task task() const override { return Task::loads; }
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     double coefficient;
 };
 

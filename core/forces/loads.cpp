@@ -14,12 +14,12 @@ double fraction(const Load& load, double time) {
 
 }  // namespace
 
-std::vector<CornerForce> point_forces(const Sheet& sheet, std::span<const Index> vertices,
+std::vector<CornerForce> point_forces(const Shell& shell, std::span<const Index> vertices,
                                       const Vector3d& force) {
-    std::vector<CornerForce> forces(sheet.mass.size(), CornerForce{-1, 0, force});
-    for (Index t = 0; t < static_cast<Index>(sheet.triangles.size()); ++t)
+    std::vector<CornerForce> forces(shell.mass.size(), CornerForce{-1, 0, force});
+    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
         for (int corner = 0; corner < 3; ++corner)
-            forces[sheet.triangles[t].vertices[corner]] = {t, corner, force};
+            forces[shell.triangles[t].vertices[corner]] = {t, corner, force};
     std::vector<CornerForce> result;
     for (const Index vertex : vertices) {
         result.push_back(forces.at(vertex));
@@ -28,24 +28,24 @@ std::vector<CornerForce> point_forces(const Sheet& sheet, std::span<const Index>
     return result;
 }
 
-std::vector<CornerForce> line_forces(const Sheet& sheet, std::span<const TriangleSide> sides,
+std::vector<CornerForce> line_forces(const Shell& shell, std::span<const TriangleEdge> sides,
                                      const Vector3d& force) {
     std::vector<CornerForce> result;
-    for (const TriangleSide& side : sides) {
-        const auto [from, to, opposite] = side_vertices(sheet, side);
-        const double length = (sheet.rest.col(to) - sheet.rest.col(from)).norm();
+    for (const TriangleEdge& side : sides) {
+        const auto [from, to, opposite] = edge_and_apex(shell, side);
+        const double length = (shell.rest.col(to) - shell.rest.col(from)).norm();
         for (const int turn : {1, 2})
             result.push_back({side.triangle, (side.corner + turn) % 3, length / 2 * force});
     }
     return result;
 }
 
-std::vector<CornerForce> area_forces(const Sheet& sheet, std::span<const Index> triangles,
+std::vector<CornerForce> area_forces(const Shell& shell, std::span<const Index> triangles,
                                      const Vector3d& force) {
     std::vector<CornerForce> result;
     for (const Index triangle : triangles)
         for (int corner = 0; corner < 3; ++corner)
-            result.push_back({triangle, corner, sheet.triangles[triangle].membrane.area / 3 * force});
+            result.push_back({triangle, corner, shell.triangles[triangle].membrane.area / 3 * force});
     return result;
 }
 
@@ -77,7 +77,7 @@ Eigen::Matrix<double, 9, 9> PressedTriangles::hessian(std::size_t i, const Trian
 }
 
 void LoadEnergy::begin(const StepContext& step) {
-    start = sheet.position;
+    start = shell.position;
     sum_loads(step.end());
     if (pressed.size() > 0) complete_pressure();
 }
@@ -88,14 +88,14 @@ void LoadEnergy::topology_changed(const ShellChange& change, const StepContext& 
 }
 
 void LoadEnergy::sum_loads(double time) {
-    force = Positions::Zero(3, sheet.position.cols());
+    force = Positions::Zero(3, shell.position.cols());
     pressed.triangles.clear();
     for (const Load& load : loads) {
         const double share = fraction(load, time);
         for (const CornerForce& dead : load.dead)
-            force.col(sheet.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
+            force.col(shell.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
         for (const Index triangle : load.pressed)
-            pressed.triangles.push_back({sheet.triangles[triangle].vertices, share * load.pressure});
+            pressed.triangles.push_back({shell.triangles[triangle].vertices, share * load.pressure});
     }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/element_energy.h"
-#include "core/shell/sides.h"
+#include "core/shell/triangle_edge.h"
 
 namespace sherd {
 
@@ -22,13 +22,13 @@ struct Load {
 };
 
 /// Applies `force` (N) to each of the vertices. Throws std::out_of_range if a vertex has no triangle.
-std::vector<CornerForce> point_forces(const Sheet& sheet, std::span<const Index> vertices,
+std::vector<CornerForce> point_forces(const Shell& shell, std::span<const Index> vertices,
                                       const Vector3d& force);
 /// Distributes `force`, in N per m of rest length, over the sides.
-std::vector<CornerForce> line_forces(const Sheet& sheet, std::span<const TriangleSide> sides,
+std::vector<CornerForce> line_forces(const Shell& shell, std::span<const TriangleEdge> sides,
                                      const Vector3d& force);
 /// Distributes `force`, in N per m^2 of rest area, over the triangles.
-std::vector<CornerForce> area_forces(const Sheet& sheet, std::span<const Index> triangles,
+std::vector<CornerForce> area_forces(const Shell& shell, std::span<const Index> triangles,
                                      const Vector3d& force);
 
 /// Triangles under pressure, with the energy minus pressure times the volume under them.
@@ -57,7 +57,7 @@ struct PressedTriangles {
 class LoadEnergy : public Energy {
   public:
     /// The shell must outlive this object.
-    LoadEnergy(const Sheet& sheet, std::vector<Load> loads) : sheet(sheet), loads(std::move(loads)) {}
+    LoadEnergy(const Shell& shell, std::vector<Load> loads) : shell(shell), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
     /// Faces that are born under pressure stay under it. Dead forces stay on the corners of their triangles.
     void topology_changed(const ShellChange& change, const StepContext& step) override;
@@ -73,7 +73,7 @@ class LoadEnergy : public Energy {
     /// Adds the dead force by which the volume's derivative falls short of the pressure's force.
     void complete_pressure();
 
-    const Sheet& sheet;
+    const Shell& shell;
     std::vector<Load> loads;
     Positions start;  ///< [3, V] m
     Positions force;  ///< [3, V] N, dead forces

@@ -3,15 +3,15 @@
 
 namespace sherd {
 
-ShellEnergies::ShellEnergies(const Sheet& sheet, const ShellEnergyOptions& options)
-    : bending(bending_energy(sheet, options.bending)),
-      membrane(sheet.triangles),
-      mirrors(sheet, options.mirrors) {
-    if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(sheet, options.loads));
-    if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(sheet, options.winds));
+ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
+    : bending(bending_energy(shell, options.bending)),
+      membrane(shell.triangles),
+      mirrors(shell, options.mirrors) {
+    if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
+    if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
-        outer.push_back(std::make_unique<StiffnessDamping>(sheet, options.damping.stiffness));
-    if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(sheet, options.damping.mass));
+        outer.push_back(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness));
+    if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
 std::vector<Energy*> ShellEnergies::loads() {

@@ -24,7 +24,7 @@ struct ShellEnergyOptions {
 class ShellEnergies {
   public:
     /// The shell must outlive this object.
-    ShellEnergies(const Sheet& sheet, const ShellEnergyOptions& options);
+    ShellEnergies(const Shell& shell, const ShellEnergyOptions& options);
 
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }

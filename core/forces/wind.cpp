@@ -38,9 +38,9 @@ void WindEnergy::begin(const StepContext& step) {
     elements.corners.clear();
     for (const Wind& wind : winds)
         for (const Index triangle : wind.triangles) {
-            const std::array<Index, 3>& vertices = sheet.triangles[triangle].vertices;
-            const TrianglePositions x = columns(sheet.position, vertices),
-                                    v = columns(sheet.velocity, vertices),
+            const std::array<Index, 3>& vertices = shell.triangles[triangle].vertices;
+            const TrianglePositions x = columns(shell.position, vertices),
+                                    v = columns(shell.velocity, vertices),
                                     origin = columns(step.origin, vertices);
             TrianglePositions air;
             for (int i = 0; i < 3; ++i) air.col(i) = wind.at(x.col(i), step.end());

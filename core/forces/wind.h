@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/element_energy.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
@@ -69,14 +69,14 @@ struct WindCorners {
 class WindEnergy : public ElementEnergy<WindCorners> {
   public:
     /// A triangle may be in one wind only. The shell must outlive this object.
-    WindEnergy(const Sheet& sheet, std::vector<Wind> winds)
-        : ElementEnergy({}), sheet(sheet), winds(std::move(winds)) {}
+    WindEnergy(const Shell& shell, std::vector<Wind> winds)
+        : ElementEnergy({}), shell(shell), winds(std::move(winds)) {}
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     Task task() const override { return Task::loads; }
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     std::vector<Wind> winds;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/element_energy.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 

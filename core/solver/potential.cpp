@@ -42,7 +42,7 @@ double Potential::round_off() const {
 Positions Potential::gradient(const Positions& x) const {
     Positions sum = Positions::Zero(3, x.cols());
     each([&](const Energy& energy) { energy.add_gradient(x, sum); });
-    constrain(sheet, sum);
+    constrain(shell, sum);
     return sum;
 }
 
@@ -52,8 +52,8 @@ BlockMatrix Potential::hessian_pattern(const Positions& x) const {
         energy.add_pattern(pairs);
         energy.add_contacts(x, true, pairs);
     });
-    return BlockMatrix(static_cast<Index>(sheet.mass.size()), std::move(pairs), sheet.fixed, sheet.guide,
-                       sheet.guides);
+    return BlockMatrix(static_cast<Index>(shell.mass.size()), std::move(pairs), shell.fixed, shell.guide,
+                       shell.guides);
 }
 
 bool Potential::fits(const Positions& x, const BlockMatrix& hessian) const {

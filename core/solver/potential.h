@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/energy.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
@@ -12,8 +12,8 @@ namespace sherd {
 class Potential {
   public:
     /// Energies, shell and `spent` must outlive this object. The energies are summed in the given order.
-    Potential(const Sheet& sheet, std::vector<Energy*> energies, TimeSpent& spent)
-        : sheet(sheet), energies(std::move(energies)), spent(spent) {}
+    Potential(const Shell& shell, std::vector<Energy*> energies, TimeSpent& spent)
+        : shell(shell), energies(std::move(energies)), spent(spent) {}
 
     void begin(const StepContext& step);
     void topology_changed(const ShellChange& change, const StepContext& step);
@@ -37,7 +37,7 @@ class Potential {
     template <class Action>
     void each(const Action& action) const;
 
-    const Sheet& sheet;
+    const Shell& shell;
     std::vector<Energy*> energies;
     TimeSpent& spent;
 };

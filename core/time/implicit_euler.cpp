@@ -3,9 +3,9 @@
 
 namespace sherd {
 
-StepContext ImplicitEuler::begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
+StepContext ImplicitEuler::begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
                                  double length) const {
-    StepContext step{time, length, length, sheet.position, sheet.velocity, {}};
+    StepContext step{time, length, length, shell.position, shell.velocity, {}};
     for (const RigidBody& body : bodies) {
         BodyOrigin origin;
         origin.velocity << body.velocity, body.spin();
@@ -14,14 +14,14 @@ StepContext ImplicitEuler::begin(const Sheet& sheet, const std::vector<RigidBody
     return step;
 }
 
-void ImplicitEuler::topology_changed(const Sheet& sheet, const ShellChange&, StepContext& step) {
-    step.origin = sheet.position;
-    step.velocity_origin = sheet.velocity;
+void ImplicitEuler::topology_changed(const Shell& shell, const ShellChange&, StepContext& step) {
+    step.origin = shell.position;
+    step.velocity_origin = shell.velocity;
 }
 
-void ImplicitEuler::finish(const StepContext& step, const Positions& x, Sheet& sheet) {
-    sheet.velocity = step.velocity(x);
-    sheet.position = x;
+void ImplicitEuler::finish(const StepContext& step, const Positions& x, Shell& shell) {
+    shell.velocity = step.velocity(x);
+    shell.position = x;
 }
 
 }  // namespace sherd

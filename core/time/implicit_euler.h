@@ -7,10 +7,10 @@ namespace sherd {
 
 /// Implicit Euler: it is of first order, keeps no history, and damps all vibrations.
 struct ImplicitEuler : TimeScheme {
-    StepContext begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
+    StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
                       double length) const override;
-    void topology_changed(const Sheet& sheet, const ShellChange& change, StepContext& step) override;
-    void finish(const StepContext& step, const Positions& x, Sheet& sheet) override;
+    void topology_changed(const Shell& shell, const ShellChange& change, StepContext& step) override;
+    void finish(const StepContext& step, const Positions& x, Shell& shell) override;
 };
 
 }  // namespace sherd

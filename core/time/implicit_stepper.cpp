@@ -6,17 +6,17 @@
 
 namespace sherd {
 
-ImplicitStepper::ImplicitStepper(Sheet& sheet, const StepperOptions& options)
-    : position(sheet.position),
-      sheet(sheet),
+ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
+    : position(shell.position),
+      shell(shell),
       options(options),
       scheme(std::make_unique<ImplicitEuler>()),
-      inertia(sheet, options.gravity),
-      forces(sheet, options.shell),
-      contact(sheet, options.contact, options.gravity),
-      potential(sheet, all_energies(), spent),
+      inertia(shell, options.gravity),
+      forces(shell, options.shell),
+      contact(shell, options.contact, options.gravity),
+      potential(shell, all_energies(), spent),
       minimiser(std::make_unique<Newton>(options.tolerance)) {
-    step = scheme->begin(sheet, contact.bodies(), time, options.step);
+    step = scheme->begin(shell, contact.bodies(), time, options.step);
 }
 
 std::vector<Energy*> ImplicitStepper::all_energies() {
@@ -28,24 +28,24 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
 }
 
 bool ImplicitStepper::begin(double length) {
-    step = scheme->begin(sheet, contact.bodies(), time, length);
+    step = scheme->begin(shell, contact.bodies(), time, length);
     potential.begin(step);
     require_apart();
     return predict();
 }
 
 bool ImplicitStepper::predict() {
-    const Positions motion = inertia.predicted() - sheet.position;
+    const Positions motion = inertia.predicted() - shell.position;
     position = inertia.predicted();
     if (free_way(motion) == 1) return true;
     // Scripted vertices and obstacles have to arrive, so they move first, if necessary together with what
     // they push. The other vertices follow as far as there is room.
-    const Positions carried = carried_part(sheet, motion);
+    const Positions carried = scripted_part(shell, motion);
     for (const bool along : {false, true}) {
         const Positions first = along ? carried + pushed_along() : carried;
         if (free_way(first) < 1) continue;
         const Positions others = motion - first;
-        position = sheet.position + first;
+        position = shell.position + first;
         potential.moved_to(position);
         position += potential.safe_fraction(position, others) * others;
         return true;
@@ -67,7 +67,7 @@ double ImplicitStepper::free_way(const Positions& motion) {
 
 Positions ImplicitStepper::pushed_along() const {
     Positions pushed = contact.pushed_along();
-    constrain(sheet, pushed);
+    constrain(shell, pushed);
     return pushed;
 }
 
@@ -78,14 +78,14 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {
     append(position, change.vertices);
-    scheme->topology_changed(sheet, change, step);
+    scheme->topology_changed(shell, change, step);
     potential.topology_changed(change, step);
     minimiser->topology_changed(change, potential, position);
 }
 
 void ImplicitStepper::finish() {
     contact.finish(position);
-    scheme->finish(step, position, sheet);
+    scheme->finish(step, position, shell);
     time = step.end();
 }
 
@@ -93,7 +93,7 @@ PotentialEnergies ImplicitStepper::energies() const {
     PotentialEnergies sum;
     sum.bending = forces.bending_value(position);
     sum.membrane = forces.membrane_value(position);
-    sum.gravity = -options.gravity.dot(position * sheet.mass);
+    sum.gravity = -options.gravity.dot(position * shell.mass);
     for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
     sum.contact = contact.stored_energy(position);
     return sum;

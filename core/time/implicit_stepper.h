@@ -29,7 +29,7 @@ struct PotentialEnergies {
 class ImplicitStepper {
   public:
     /// The shell must outlive this object.
-    ImplicitStepper(Sheet& sheet, const StepperOptions& options);
+    ImplicitStepper(Shell& shell, const StepperOptions& options);
 
     /// Starts a step of StepperOptions::step, or of `length` s, from the shell's positions and velocities.
     /// `position` becomes the inertial prediction, or the part of the way there that is free of contact. An
@@ -68,7 +68,7 @@ class ImplicitStepper {
     Positions pushed_along() const;
 
     TimeSpent spent;
-    Sheet& sheet;
+    Shell& shell;
     StepperOptions options;
     double time = 0;   ///< s, end of the finished steps
     StepContext step;  ///< the open step, or the last one

@@ -8,11 +8,11 @@ namespace sherd {
 void Inertia::begin(const StepContext& step) {
     Positions displacement = step.lag * step.velocity_origin;
     displacement.colwise() += step.lag * step.lag * gravity;
-    displacement += step.origin - sheet.position;
-    constrain(sheet, displacement);
-    elements.stiffness = sheet.mass / (step.lag * step.lag);
-    elements.anchor = sheet.position + displacement;
-    place_carried(sheet, step.end(), elements.anchor);
+    displacement += step.origin - shell.position;
+    constrain(shell, displacement);
+    elements.stiffness = shell.mass / (step.lag * step.lag);
+    elements.anchor = shell.position + displacement;
+    place_scripted(shell, step.end(), elements.anchor);
 }
 
 }  // namespace sherd

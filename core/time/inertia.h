@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/forces/vertex_springs.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
@@ -11,8 +11,8 @@ namespace sherd {
 class Inertia : public ElementEnergy<VertexSprings> {
   public:
     /// The shell must outlive this object. gravity: m/s^2.
-    Inertia(const Sheet& sheet, const Vector3d& gravity)
-        : ElementEnergy({}), sheet(sheet), gravity(gravity) {}
+    Inertia(const Shell& shell, const Vector3d& gravity)
+        : ElementEnergy({}), shell(shell), gravity(gravity) {}
     void begin(const StepContext& step) override;
     Task task() const override { return Task::other; }
 
@@ -20,7 +20,7 @@ class Inertia : public ElementEnergy<VertexSprings> {
     const Positions& predicted() const { return elements.anchor; }
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     Vector3d gravity;
 };
 

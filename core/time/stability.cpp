@@ -14,17 +14,17 @@ constexpr double growth_time = 0.1;  // s
 
 }  // namespace
 
-bool stable_at_rest(const Sheet& sheet, BendingModel model) {
+bool stable_at_rest(const Shell& shell, BendingModel model) {
     if (model == BendingModel::cubic_2007) model = BendingModel::cubic;
-    const std::unique_ptr<Energy> bending = bending_energy(sheet, {model, exact_jacobian(model)});
-    MembraneEnergy membrane(sheet.triangles);
+    const std::unique_ptr<Energy> bending = bending_energy(shell, {model, exact_jacobian(model)});
+    MembraneEnergy membrane(shell.triangles);
     // With the growth time as step, inertia on the diagonal outweighs instabilities that grow more slowly.
     TimeSpent spent;
-    Inertia inertia(sheet, Vector3d::Zero());
-    inertia.begin(ImplicitEuler().begin(sheet, {}, 0, growth_time));
-    const Potential potential(sheet, {&inertia, bending.get(), &membrane}, spent);
-    BlockMatrix stiffness = potential.hessian_pattern(sheet.rest);
-    potential.hessian(sheet.rest, Curvature::exact, stiffness);
+    Inertia inertia(shell, Vector3d::Zero());
+    inertia.begin(ImplicitEuler().begin(shell, {}, 0, growth_time));
+    const Potential potential(shell, {&inertia, bending.get(), &membrane}, spent);
+    BlockMatrix stiffness = potential.hessian_pattern(shell.rest);
+    potential.hessian(shell.rest, Curvature::exact, stiffness);
     const std::unique_ptr<LinearSolver> solver = cholesky_solver();
     solver->analyze(stiffness);
     return solver->factorize(stiffness);

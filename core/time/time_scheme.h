@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/contact/colliders/rigid_body.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 #include "core/shell_change.h"
 #include "core/step_context.h"
 
@@ -12,12 +12,12 @@ namespace sherd {
 struct TimeScheme {
     virtual ~TimeScheme() = default;
     /// The step of `length` (s) that begins at `time` (s) with the current state of the shell and the bodies.
-    virtual StepContext begin(const Sheet& sheet, const std::vector<RigidBody>& bodies, double time,
+    virtual StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
                               double length) const = 0;
     /// Applies a change of the shell to the scheme's history and to the origins of the open step.
-    virtual void topology_changed(const Sheet& sheet, const ShellChange& change, StepContext& step) = 0;
+    virtual void topology_changed(const Shell& shell, const ShellChange& change, StepContext& step) = 0;
     /// Ends the step at the positions x [3, V] m: gives them and the velocities there to the shell.
-    virtual void finish(const StepContext& step, const Positions& x, Sheet& sheet) = 0;
+    virtual void finish(const StepContext& step, const Positions& x, Shell& shell) = 0;
 };
 
 }  // namespace sherd

@@ -30,7 +30,7 @@ Vector3d next_on_spiral(double& angle) {
     return at;
 }
 
-Sheet roll(std::int64_t faces) {
+Shell roll(std::int64_t faces) {
     const Index along = static_cast<Index>(faces) / (2 * across), row = across + 1;
     Positions rest(3, (along + 1) * row), position = rest;
     std::vector<std::array<Index, 3>> triangles;
@@ -52,7 +52,7 @@ Sheet roll(std::int64_t faces) {
 }
 
 /// The same shape with each triangle cut in four at the middles of its sides.
-Sheet in_four(const Sheet& sheet) {
+Shell in_four(const Shell& sheet) {
     std::map<std::array<Index, 2>, Index> middle;
     std::vector<std::array<Index, 3>> triangles;
     Index count = static_cast<Index>(sheet.position.cols());
@@ -70,7 +70,7 @@ Sheet in_four(const Sheet& sheet) {
     }
     Positions rest = sheet.rest, position = sheet.position;
     std::vector<double> thick(sheet.thickness.begin(), sheet.thickness.end());
-    std::vector<Index> body = sheet.body;
+    std::vector<Index> body = sheet.vertex_sheet;
     rest.conservativeResize(3, count);
     position.conservativeResize(3, count);
     thick.resize(count);
@@ -85,14 +85,14 @@ Sheet in_four(const Sheet& sheet) {
 }
 
 /// Each vertex goes its own way, by up to a fiftieth of the thickness.
-Positions shaking(const Sheet& sheet) {
+Positions shaking(const Shell& sheet) {
     Positions motion(3, sheet.position.cols());
     Index i = 0;
     for (double& entry : motion.reshaped()) entry = 0.02 * sheet.thickness[0] * std::sin(1.7 * ++i);
     return motion;
 }
 
-BlockMatrix contact_matrix(const Sheet& sheet, const SheetContact& contact) {
+BlockMatrix contact_matrix(const Shell& sheet, const SheetContact& contact) {
     std::vector<std::pair<Index, Index>> pairs;
     contact.add_contacts(sheet.position, true, pairs);
     return BlockMatrix(static_cast<Index>(sheet.position.cols()), std::move(pairs), sheet.fixed);
@@ -107,13 +107,13 @@ void iterate(const SheetContact& contact, const Positions& x, const Positions& m
     benchmark::DoNotOptimize(contact.safe_fraction(x, motion));
 }
 
-void report(benchmark::State& state, const Sheet& sheet, const SheetContact& contact) {
+void report(benchmark::State& state, const Shell& sheet, const SheetContact& contact) {
     state.counters["faces"] = static_cast<double>(sheet.triangles.size());
-    state.counters["touching"] = static_cast<double>(contact.touching(sheet.position).size());
+    state.counters["touching"] = static_cast<double>(contact.active_pairs(sheet.position).size());
 }
 
 /// A step for which all pairs have to be found.
-void from_nothing(benchmark::State& state, const Sheet& sheet) {
+void from_nothing(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     SheetContact contact(sheet);
     BlockMatrix matrix = contact_matrix(sheet, contact);
@@ -125,7 +125,7 @@ void from_nothing(benchmark::State& state, const Sheet& sheet) {
 }
 
 /// A later step, to and fro.
-void of_known_pairs(benchmark::State& state, const Sheet& sheet) {
+void of_known_pairs(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
     SheetContact contact(sheet);
     BlockMatrix matrix = contact_matrix(sheet, contact);
@@ -137,7 +137,7 @@ void of_known_pairs(benchmark::State& state, const Sheet& sheet) {
     report(state, sheet, contact);
 }
 
-void add_benchmarks(const Sheet& sheet) {
+void add_benchmarks(const Shell& sheet) {
     const std::string faces = std::to_string(sheet.triangles.size());
     for (const auto& [name, function] :
          {std::pair{"from_nothing/", &from_nothing}, std::pair{"of_known_pairs/", &of_known_pairs}})
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (argc > 1) {
         const Recording recording(argv[1]);
-        Sheet sheet = test::recorded_sheet(recording.frame(recording.frame_count() - 1));
+        Shell sheet = test::recorded_sheet(recording.frame(recording.frame_count() - 1));
         for (int times = 0; times < 3; ++times) {
             add_benchmarks(sheet);
             sheet = in_four(sheet);

@@ -21,27 +21,27 @@ Index vertex(int i, int j) {
 }
 
 /// A quarter of a tube, `along` edges around and `across` wide, with unequal triangles, clamped at one end.
-Sheet arch() {
-    Sheet sheet;
-    resize_vertices(sheet, along * across);
+Shell arch() {
+    Shell shell;
+    resize_vertices(shell, along * across);
     const double radius = edge_length * (along - 1) / 1.57;
     for (int i = 0; i < along; ++i)
         for (int j = 0; j < across; ++j) {
             const double turn = (i + 0.2 * std::sin(2.0 * i + 3.0 * j)) * edge_length / radius;
-            sheet.rest.col(vertex(i, j)) =
+            shell.rest.col(vertex(i, j)) =
                 Vector3d(radius * std::sin(turn), j * edge_length, radius * std::cos(turn));
-            sheet.fixed[vertex(i, j)] = i < 2;
+            shell.fixed[vertex(i, j)] = i < 2;
         }
-    sheet.position = sheet.rest;
+    shell.position = shell.rest;
     const Matrix3d elasticity = membrane_elasticity(material);
     const auto add_triangle = [&](const std::array<Index, 3>& v) {
-        sheet.triangles.push_back({v, membrane_triangle(columns(sheet.rest, v), elasticity)});
+        shell.triangles.push_back({v, membrane_triangle(columns(shell.rest, v), elasticity)});
         for (const Index corner : v)
-            sheet.mass[corner] +=
-                sheet.triangles.back().membrane.area * material.thickness * material.density / 3;
+            shell.mass[corner] +=
+                shell.triangles.back().membrane.area * material.thickness * material.density / 3;
     };
     const auto add_hinge = [&](const std::array<Index, 4>& v) {
-        sheet.hinges.push_back(hinge_stencil(sheet, v, hinge_stiffness(material)));
+        shell.hinges.push_back(hinge_stencil(shell, v, hinge_stiffness(material)));
     };
     for (int i = 0; i + 1 < along; ++i)
         for (int j = 0; j + 1 < across; ++j) {
@@ -53,17 +53,17 @@ Sheet arch() {
             if (i > 0) add_hinge({a, d, vertex(i - 1, j), c});
             if (j > 0) add_hinge({a, b, c, vertex(i, j - 1)});
         }
-    return sheet;
+    return shell;
 }
 
 /// Swings the arch under its weight for `steps` steps of 5 ms; gives the positions and counts the iterations.
 Positions swung(const BendingOptions& bending, int steps, int& iterations) {
-    Sheet sheet = arch();
+    Shell shell = arch();
     StepperOptions options;
     options.step = 5e-3;
     options.shell.bending = bending;
     options.tolerance = 1e-11;
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < steps; ++i) {
         time_step.begin();
         const MinimiserResult result = time_step.solve(300);
@@ -71,7 +71,7 @@ Positions swung(const BendingOptions& bending, int steps, int& iterations) {
         iterations += result.iterations;
         time_step.finish();
     }
-    return sheet.position;
+    return shell.position;
 }
 
 // Only the energy may say where a step ends. The Jacobian must not: a wrong one would stop short, or pull the
@@ -105,23 +105,23 @@ TEST(BendingEnergy, CubicAndNonlinearSheetsMoveAlike) {
 
 // A model must be what its name says, in the sum over the hinges as in one hinge.
 TEST(BendingEnergy, SumsTheChosenModel) {
-    const Sheet sheet = arch();
-    Positions x = sheet.rest;
+    const Shell shell = arch();
+    Positions x = shell.rest;
     for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 0.001 * std::sin(static_cast<double>(i * i));
     double sums[3] = {0, 0, 0};
-    for (const HingeStencil& hinge : sheet.hinges) {
+    for (const HingeStencil& hinge : shell.hinges) {
         const HingePositions local = columns(x, hinge.vertices);
-        const HingePositions rest = columns(sheet.rest, hinge.vertices);
+        const HingePositions rest = columns(shell.rest, hinge.vertices);
         sums[0] += value(cubic_hinge(rest, hinge.stiffness), local);
         sums[1] += value(cubic_hinge_2007(rest, hinge.stiffness), local);
         sums[2] += value(nonlinear_hinge(rest, hinge.stiffness), local);
     }
     for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
-        const std::unique_ptr<Energy> energy = bending_energy(sheet, {model, exact_jacobian(model)});
+        const std::unique_ptr<Energy> energy = bending_energy(shell, {model, exact_jacobian(model)});
         EXPECT_EQ(energy->value(x), sums[static_cast<int>(model)]);
         EXPECT_GT(energy->round_off(), 0);
         EXPECT_LT(energy->round_off(), 1e-12 * energy->value(x)) << "no bound on the round-off but a licence";
-        EXPECT_LE(std::abs(energy->value(sheet.rest)), energy->round_off());
+        EXPECT_LE(std::abs(energy->value(shell.rest)), energy->round_off());
     }
     EXPECT_NE(sums[0], sums[1]);
     EXPECT_NE(sums[0], sums[2]);

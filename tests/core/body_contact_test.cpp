@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/collider_gap.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
-#include "tests/support/solid_gap.h"
 #include "tests/support/steps.h"
 
 namespace sherd::test {
@@ -29,18 +29,18 @@ RigidBody ball(const Vector3d& centre, const Vector3d& velocity) {
     return ball;
 }
 
-Vector3d momentum(const Sheet& sheet, const RigidBody& body) {
-    return linear_momentum(sheet) + body.mass * body.velocity;
+Vector3d momentum(const Shell& shell, const RigidBody& body) {
+    return linear_momentum(shell) + body.mass * body.velocity;
 }
 
-Vector3d spin_momentum(const Sheet& sheet, const RigidBody& body) {
-    return angular_momentum(sheet) + body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
+Vector3d spin_momentum(const Shell& shell, const RigidBody& body) {
+    return angular_momentum(shell) + body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
 }
 
 // The energy has the body's best pose inside: its derivatives must know how that moves.
 TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    Sheet sheet = stacked_plates(1, 8, 0, rubber());
-    sheet.velocity.setZero();
+    Shell shell = stacked_plates(1, 8, 0, rubber());
+    shell.velocity.setZero();
     RigidBody box = rigid_box(Vector3d(0.05, 0.04, 0.02), 800);
     box.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
     box.centre = Vector3d(0.001, 0.002, 0.018);
@@ -50,11 +50,11 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     spike.surface = box_surface(Vector3d::Zero(), Vector3d(0.025, 0.02, 0.01));
     for (const RigidBody& body : {ball(Vector3d(0.003, 0.001, 0.0208), Vector3d(0.1, 0, -1)), box, spike}) {
         const std::vector<Obstacle> none;
-        BodyContact contact(sheet, {body}, none, Vector3d::Zero());
-        contact.begin(test::step_of(sheet, 0, 1e-3, {body}));
-        ASSERT_GT(contact.stored_energy(sheet.position), 0);
+        BodyContact contact(shell, {body}, none, Vector3d::Zero());
+        contact.begin(test::step_of(shell, 0, 1e-3, {body}));
+        ASSERT_GT(contact.stored_energy(shell.position), 0);
         Random random(2);
-        Positions x = sheet.position;
+        Positions x = shell.position;
         for (double& entry : x.reshaped()) entry += 1e-5 * random.uniform(-1, 1);
         expect_derivatives(contact, x, 1e-9, body.inertia[0] == body.inertia[1] ? 2e-2 : 5e-2);
     }
@@ -63,7 +63,7 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 // Bodies that are smaller than a face, or faster than a step is long, would pass between the vertices.
 TEST(BodyContact, NoBodyPassesThroughAFace) {
     for (const bool is_ball : {false, true}) {
-        Sheet sheet = stacked_plates(1, 2, 0, rubber());
+        Shell shell = stacked_plates(1, 2, 0, rubber());
         RigidBody body = is_ball ? rigid_sphere(0.004, 1500) : rigid_box(Vector3d(0.006, 0.004, 0.005), 1500);
         body.surface = is_ball ? sphere_surface(0.004, 3)
                                : box_surface(Vector3d::Zero(), Vector3d(0.003, 0.002, 0.0025));
@@ -76,8 +76,8 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
         options.gravity.setZero();
         options.tolerance = 1e-12;
         options.contact.bodies = {body};
-        const Vector3d before = momentum(sheet, body);
-        ImplicitStepper time_step(sheet, options);
+        const Vector3d before = momentum(shell, body);
+        ImplicitStepper time_step(shell, options);
         for (int i = 0; i < 20; ++i) {
             ASSERT_TRUE(time_step.begin());
             ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
@@ -86,10 +86,10 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
             Obstacle solid;
             solid.surface = now.surface;
             solid.motion.place = now.pose();
-            ASSERT_GT(gap(sheet, solid, 0), 0.05 * 0.002) << "step " << i;
-            ASSERT_LT((momentum(sheet, now) - before).norm(), 1e-8 * before.norm()) << "step " << i;
+            ASSERT_GT(gap(shell, solid, 0), 0.05 * 0.002) << "step " << i;
+            ASSERT_LT((momentum(shell, now) - before).norm(), 1e-8 * before.norm()) << "step " << i;
         }
-        EXPECT_LT(linear_momentum(sheet).z(), 0.1 * before.z()) << "the sheet was pushed";
+        EXPECT_LT(linear_momentum(shell).z(), 0.1 * before.z()) << "the sheet was pushed";
     }
 }
 
@@ -106,8 +106,8 @@ class Collision : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(BodyContact, Collision, testing::Values(0.0, 0.3));
 
 TEST_P(Collision, KeepsMomentum) {
-    Sheet sheet = stacked_plates(1, 10, 0, rubber());
-    sheet.velocity.setZero();
+    Shell shell = stacked_plates(1, 10, 0, rubber());
+    shell.velocity.setZero();
     StepperOptions options;
     options.step = 1e-4;
     options.gravity.setZero();
@@ -115,41 +115,41 @@ TEST_P(Collision, KeepsMomentum) {
     options.contact.bodies = {ball(Vector3d(0.004, -0.003, 0.0212), Vector3d(1, 0, -5))};
     options.contact.bodies[0].friction = GetParam();
     options.contact.bodies[0].angular_momentum = Vector3d(0, 1e-3, 2e-3);
-    const Vector3d before = momentum(sheet, options.contact.bodies[0]);
-    const Vector3d turning = spin_momentum(sheet, options.contact.bodies[0]);
-    ImplicitStepper time_step(sheet, options);
+    const Vector3d before = momentum(shell, options.contact.bodies[0]);
+    const Vector3d turning = spin_momentum(shell, options.contact.bodies[0]);
+    ImplicitStepper time_step(shell, options);
     std::size_t touched = 0;
     Vector3d lost = Vector3d::Zero();  // by implicit Euler, as in free flight: h m v' x v of everything
     for (int i = 0; i < 60; ++i) {
-        const Positions velocity = sheet.velocity;
+        const Positions velocity = shell.velocity;
         const RigidBody start = time_step.bodies()[0];
         step(time_step, 1);
         for (Eigen::Index v = 0; v < velocity.cols(); ++v)
-            lost += options.step * sheet.mass[v] *
-                    Vector3d(sheet.velocity.col(v)).cross(Vector3d(velocity.col(v)));
+            lost += options.step * shell.mass[v] *
+                    Vector3d(shell.velocity.col(v)).cross(Vector3d(velocity.col(v)));
         lost += options.step * start.mass * time_step.bodies()[0].velocity.cross(start.velocity);
         touched = std::max(touched, time_step.touch().vertices.size());
         const RigidBody& body = time_step.bodies()[0];
-        ASSERT_LT((momentum(sheet, body) - before).norm(), 1e-8 * before.norm()) << "step " << i;
+        ASSERT_LT((momentum(shell, body) - before).norm(), 1e-8 * before.norm()) << "step " << i;
     }
     const RigidBody& body = time_step.bodies()[0];
     EXPECT_GT(touched, 3u);
-    EXPECT_GT(linear_momentum(sheet).z(), -before.norm());
-    EXPECT_LT(linear_momentum(sheet).z(), -0.05 * before.norm()) << "the sheet was pushed";
-    EXPECT_LT((spin_momentum(sheet, body) - turning - lost).norm(),
+    EXPECT_GT(linear_momentum(shell).z(), -before.norm());
+    EXPECT_LT(linear_momentum(shell).z(), -0.05 * before.norm()) << "the sheet was pushed";
+    EXPECT_LT((spin_momentum(shell, body) - turning - lost).norm(),
               (GetParam() > 0 ? 1e-5 : 1e-8) * turning.norm());
     EXPECT_LT(lost.norm(), 0.02 * turning.norm());
 }
 
 // Turning about an axis that is not principal, the axis wanders, the momentum does not.
 TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
-    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
     options.step = 1e-3;
     RigidBody box = rigid_box(Vector3d(0.1, 0.2, 0.3), 1000);
     box.angular_momentum = Vector3d(0.1, 0.2, 0.3);
     options.contact.bodies = {box};
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     step(time_step, 1000);
     const RigidBody& moved = time_step.bodies()[0];
     EXPECT_LT((moved.angular_momentum - box.angular_momentum).norm(), 1e-12);
@@ -159,14 +159,14 @@ TEST(BodyContact, AFreeBodyFallsAndKeepsItsAngularMomentum) {
 
 // A ball that is dropped on a floor and on a fixed sphere rests on it; its weight is carried.
 TEST(BodyContact, BodiesRestOnObstacles) {
-    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
     options.step = 1e-3;
     options.contact.obstacles = {floor()};
     options.contact.bodies = {ball(Vector3d(0, 0, 0.021), Vector3d::Zero()),
                               rigid_box(Vector3d(0.1, 0.1, 0.04), 1000)};
     options.contact.bodies[1].centre = Vector3d(1, 0, 0.021);
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     step(time_step, 1000);
     for (const RigidBody& body : time_step.bodies()) {
         EXPECT_NEAR(body.centre.z(), 0.02, 1e-6);
@@ -176,26 +176,26 @@ TEST(BodyContact, BodiesRestOnObstacles) {
 
 // A ball laid on a soft sheet that is held at its rim sinks in and is carried.
 TEST(BodyContact, ASheetCarriesABody) {
-    Sheet sheet = stacked_plates(1, 8, 0, rubber());
-    for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
-        sheet.fixed[v] = sheet.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
+    Shell shell = stacked_plates(1, 8, 0, rubber());
+    for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
+        shell.fixed[v] = shell.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
     StepperOptions options;
     options.step = 5e-3;  // long ones damp
     options.contact.bodies = {ball(Vector3d(0, 0, 0.0212), Vector3d::Zero())};
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     step(time_step, 200);
     const RigidBody& body = time_step.bodies()[0];
     EXPECT_LT(body.velocity.norm(), 0.02);
-    EXPECT_LT(sheet.position.row(2).minCoeff(), -1e-4);
+    EXPECT_LT(shell.position.row(2).minCoeff(), -1e-4);
     EXPECT_GT(body.centre.z(), 0.01);
 }
 
 // Two balls side by side, each on a vertex: what the sheet does to one, the other must feel, and the Hessian
 // must know.
 TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
-    Sheet sheet = stacked_plates(1, 8, 0, rubber());
-    sheet.velocity.setZero();
-    const Vector3d one = sheet.position.col(40), other = sheet.position.col(43);
+    Shell shell = stacked_plates(1, 8, 0, rubber());
+    shell.velocity.setZero();
+    const Vector3d one = shell.position.col(40), other = shell.position.col(43);
     const double deep = 1e-5, radius = 0.5 * (other - one).norm() + deep;
     std::vector<RigidBody> balls;
     const std::vector<Obstacle> none;
@@ -206,20 +206,20 @@ TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
         ball.velocity = vertex == one ? Vector3d(0, 0, -0.01) : Vector3d(one - other);
         balls.push_back(ball);
     }
-    BodyContact contact(sheet, balls, none, Vector3d::Zero());
-    contact.begin(test::step_of(sheet, 0, 1e-3, balls));
-    contact.finish(sheet.position);
+    BodyContact contact(shell, balls, none, Vector3d::Zero());
+    contact.begin(test::step_of(shell, 0, 1e-3, balls));
+    contact.finish(shell.position);
     EXPECT_GT(contact.bodies()[0].velocity.head<2>().norm(), 1e-3) << "pushed";
     Random random(2);
-    Positions x = sheet.position;
+    Positions x = shell.position;
     for (double& entry : x.reshaped()) entry += 1e-6 * random.uniform(-1, 1);
     expect_derivatives(contact, x, 1e-9, 1e-3);
 }
 
 // Balls and boxes that collide in the air keep momentum of both kinds, and do not end in each other.
 TEST(BodyContact, BodiesCollide) {
-    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
-    sheet.velocity.setZero();
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
+    shell.velocity.setZero();
     StepperOptions options;
     options.step = 1e-5;
     options.gravity.setZero();
@@ -239,7 +239,7 @@ TEST(BodyContact, BodiesCollide) {
         return sum;
     };
     const auto before = total(options.contact.bodies);
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     Vector3d lost = Vector3d::Zero();  // by implicit Euler
     for (int i = 0; i < 1000; ++i) {
         const std::vector<RigidBody> start = time_step.bodies();
@@ -260,7 +260,7 @@ TEST(BodyContact, BodiesCollide) {
 // On a slope with friction a ball rolls, at 5/7 of the acceleration at which it would slide without.
 TEST(BodyContact, ABallRollsDownASlope) {
     const double slope = 0.3, seconds = 0.3, gravity = 9.81;
-    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
     const Vector3d normal(std::sin(slope), 0, std::cos(slope)),
         downhill(std::cos(slope), 0, -std::sin(slope));
     for (const double friction : {0.0, 0.6}) {
@@ -269,7 +269,7 @@ TEST(BodyContact, ABallRollsDownASlope) {
         options.contact.obstacles = {obstacle(PlaneShape(Vector3d::Zero(), normal), 3e10, friction)};
         options.contact.bodies = {ball(0.02 * normal, Vector3d::Zero())};
         options.contact.bodies[0].friction = friction;
-        ImplicitStepper time_step(sheet, options);
+        ImplicitStepper time_step(shell, options);
         step(time_step, static_cast<int>(seconds / options.step + 0.5));
         const double way = 0.5 * gravity * std::sin(slope) * seconds * seconds * (friction > 0 ? 5.0 / 7 : 1);
         const RigidBody& moved = time_step.bodies()[0];
@@ -281,7 +281,7 @@ TEST(BodyContact, ABallRollsDownASlope) {
 
 // Coulomb: a box that slides stops after v^2 / (2 mu g).
 TEST(BodyContact, FrictionStopsABox) {
-    Sheet sheet = lone_vertex(Vector3d(5, 5, 5));
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
     StepperOptions options;
     options.step = 1e-3;
     options.tolerance = 1e-13;
@@ -290,7 +290,7 @@ TEST(BodyContact, FrictionStopsABox) {
     options.contact.bodies[0].friction = 0.2;
     options.contact.bodies[0].centre = Vector3d(0, 0, 0.01);
     options.contact.bodies[0].velocity = Vector3d(1, 0, 0);
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     step(time_step, 500);
     const RigidBody& moved = time_step.bodies()[0];
     EXPECT_NEAR(moved.centre.x(), 1 / (2 * 0.4 * 9.81), 0.03 / (2 * 0.4 * 9.81))

@@ -30,7 +30,7 @@ std::vector<Name> near_pairs(const ContactSurface& surface, const Positions& x) 
     const auto look = [&](const Name& name) {
         const auto& [kind, vertices] = name;
         if (!surface.apart(kind, vertices) &&
-            distance_at(name, x) < ContactCandidates::nearness * surface.touching(kind, vertices))
+            distance_at(name, x) < ContactCandidates::nearness * surface.activation_distance(kind, vertices))
             names.push_back(name);
     };
     for (Index v = 0; v < surface.vertices(); ++v)
@@ -38,10 +38,10 @@ std::vector<Name> near_pairs(const ContactSurface& surface, const Positions& x) 
     for (const auto& first : surface.edges())
         for (const auto& second : surface.edges())
             if (first < second) look({PairKind::edge_edge, {first[0], first[1], second[0], second[1]}});
-    for (const auto& [a, b] : surface.solid_edges())
+    for (const auto& [a, b] : surface.collider_edges())
         for (const auto& [c, d] : surface.edges()) look({PairKind::edge_edge, {a, b, c, d}});
-    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v)
-        for (const auto& [a, b, c] : surface.solid_triangles())
+    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v)
+        for (const auto& [a, b, c] : surface.collider_triangles())
             look({PairKind::vertex_triangle, {v, a, b, c}});
     std::sort(names.begin(), names.end());
     return names;
@@ -69,16 +69,16 @@ Positions noise(Random& random, Index vertices, double amplitude) {
 }
 
 /// The bodies fly apart and turn, each its own way.
-Positions flight(Random& random, const Sheet& sheet, double speed, double spin) {
-    Positions motion(3, sheet.position.cols());
+Positions flight(Random& random, const Shell& shell, double speed, double spin) {
+    Positions motion(3, shell.position.cols());
     std::vector<Vector3d> velocity, rotation;
     for (int body = 0; body < 4; ++body) {
         velocity.push_back(random.matrix<Vector3d>(speed));
         rotation.push_back(random.matrix<Vector3d>(spin));
     }
     for (Index v = 0; v < motion.cols(); ++v) {
-        const Index body = sheet.body[v];
-        motion.col(v) = velocity[body] + rotation[body].cross(Vector3d(sheet.position.col(v)));
+        const Index body = shell.vertex_sheet[v];
+        motion.col(v) = velocity[body] + rotation[body].cross(Vector3d(shell.position.col(v)));
     }
     return motion;
 }
@@ -86,21 +86,21 @@ Positions flight(Random& random, const Sheet& sheet, double speed, double spin) 
 // A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
 // neighbourhood, however often and in whatever order the candidates were asked before.
 TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
-    const Sheet sheet = test::stacked_plates(3, 3, 2.1e-3, ceramic);
-    const ContactSurface surface(sheet);
+    const Shell shell = test::stacked_plates(3, 3, 2.1e-3, ceramic);
+    const ContactSurface surface(shell);
     const Index count = surface.vertices();
     Random random(3);
     std::size_t found = 0, asked = 0;
     for (const double speed : {0.0, 1e-3, 0.01})
         for (const double spin : {0.0, 0.3})
             for (const double common : {0.0, 10.0}) {
-                Positions motion = flight(random, sheet, speed, spin);
+                Positions motion = flight(random, shell, speed, spin);
                 motion.colwise() += common * Vector3d(1, -2, 3);
-                SolidTrees none;
-                ContactCandidates candidates(surface, {sheet.position, motion, 1e-3}, none);
+                ColliderTrees none;
+                ContactCandidates candidates(surface, {shell.position, motion, 1e-3}, none);
                 for (int sample = 0; sample < 12; ++sample) {
                     const Positions x =
-                        sheet.position + random.uniform(0, 1) * motion + noise(random, count, 4e-4);
+                        shell.position + random.uniform(0, 1) * motion + noise(random, count, 4e-4);
                     const Neighbourhood near(x, 0.3 * noise(random, count, 4e-4), 1e-4);
                     if (!candidates.neighbourhood().contains(near)) continue;
                     ++asked;
@@ -118,31 +118,31 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
     EXPECT_GT(found, 10000u);
 }
 
-// Of solids, those that rest and those that move, whatever trees were kept of them.
+// Of colliders, those that rest and those that move, whatever trees were kept of them.
 TEST(ContactCandidates, MissNoPairWithSolids) {
-    const Sheet sheet = test::stacked_plates(1, 4, 0, ceramic);
+    const Shell shell = test::stacked_plates(1, 4, 0, ceramic);
     const auto box = test::box_surface(Vector3d(0, 0, -0.0109), Vector3d(0.03, 0.02, 0.01));
     const auto ball = test::sphere_surface(0.02, 2);
-    std::vector<ContactSolid> both(2);
+    std::vector<ContactCollider> both(2);
     both[0].surface = box.get();
     both[1].surface = ball.get();
-    const ContactSurface surface(sheet, both, false);
-    const Index solids = surface.solid_vertices(), count = surface.vertices();
+    const ContactSurface surface(shell, both, false);
+    const Index colliders = surface.collider_vertices(), count = surface.vertices();
     Positions start(3, count);
-    start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), sheet.position;
+    start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), shell.position;
     Random random(5);
-    SolidTrees kept;
+    ColliderTrees kept;
     std::size_t found = 0, asked = 0;
     for (const double of_ball : {0.0, 0.01, 0.0})
         for (const double of_sheet : {0.0, 0.01}) {
             Positions motion = Positions::Zero(3, count);
-            motion.middleCols(8, solids - 8).colwise() = Vector3d(0, of_ball, 0);
-            motion.rightCols(count - solids).colwise() = Vector3d(of_sheet, 0, 0);
-            ContactCandidates candidates(surface, Neighbourhood(start, motion, 1e-3, solids), kept);
+            motion.middleCols(8, colliders - 8).colwise() = Vector3d(0, of_ball, 0);
+            motion.rightCols(count - colliders).colwise() = Vector3d(of_sheet, 0, 0);
+            ContactCandidates candidates(surface, Neighbourhood(start, motion, 1e-3, colliders), kept);
             for (int sample = 0; sample < 20; ++sample) {
                 Positions x = start + random.uniform(0, 1) * motion;
-                x.rightCols(count - solids) += noise(random, count - solids, 4e-4);
-                const Neighbourhood near(x, Positions::Zero(3, count), 1e-4, solids);
+                x.rightCols(count - colliders) += noise(random, count - colliders, 4e-4);
+                const Neighbourhood near(x, Positions::Zero(3, count), 1e-4, colliders);
                 if (!candidates.neighbourhood().contains(near)) continue;
                 ++asked;
                 expect_all_near(surface, candidates.pick(surface, near), x);
@@ -155,30 +155,30 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
 
 // Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
 TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
-    Sheet sheet = test::stacked_plates(2, 4, 2.1e-3, ceramic);
-    ContactSurface surface(sheet);
-    const Positions still = Positions::Zero(3, sheet.position.cols());
-    SolidTrees none;
-    ContactCandidates candidates(surface, {sheet.position, still, 1e-3}, none);
+    Shell shell = test::stacked_plates(2, 4, 2.1e-3, ceramic);
+    ContactSurface surface(shell);
+    const Positions still = Positions::Zero(3, shell.position.cols());
+    ColliderTrees none;
+    ContactCandidates candidates(surface, {shell.position, still, 1e-3}, none);
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
-        const Index corner = sheet.triangles[triangle].vertices[1],
-                    copy = static_cast<Index>(sheet.mass.size());
-        follow(sheet, {.vertices = {{copy, {{corner, 1}}}}});
-        sheet.triangles[triangle].vertices[1] = copy;
-        sheet.twins.push_back({corner, copy});
-        if (triangle == 3) sheet.twins.erase(sheet.twins.begin());
-        const ContactSurface before = std::exchange(surface, ContactSurface(sheet));
+        const Index corner = shell.triangles[triangle].vertices[1],
+                    copy = static_cast<Index>(shell.mass.size());
+        follow(shell, {.vertices = {{copy, {{corner, 1}}}}});
+        shell.triangles[triangle].vertices[1] = copy;
+        shell.twins.push_back({corner, copy});
+        if (triangle == 3) shell.twins.erase(shell.twins.begin());
+        const ContactSurface before = std::exchange(surface, ContactSurface(shell));
         candidates.follow(before, surface, none);
-        const Neighbourhood here(sheet.position, Positions::Zero(3, copy + 1), 1e-4);
+        const Neighbourhood here(shell.position, Positions::Zero(3, copy + 1), 1e-4);
         ASSERT_TRUE(candidates.neighbourhood().contains(here));
         const std::vector<ContactPair> picked = candidates.pick(surface, here);
-        expect_all_near(surface, picked, sheet.position);
+        expect_all_near(surface, picked, shell.position);
         ContactCandidates anew(surface, here, none);
         const std::vector<ContactPair> expected = anew.pick(surface, here);
         EXPECT_EQ(names_of(picked), names_of(expected));
         for (std::size_t i = 0; i < picked.size(); ++i) {
             EXPECT_EQ(picked[i].stiffness, expected[i].stiffness);
-            EXPECT_EQ(picked[i].touching, expected[i].touching);
+            EXPECT_EQ(picked[i].activation_distance, expected[i].activation_distance);
         }
     }
 }

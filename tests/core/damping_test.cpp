@@ -21,16 +21,16 @@ void advance(ImplicitStepper& step) {
 }
 
 /// Modes of a sheet at rest: (K, M) eigenvectors, normalized to u^T M u = 1, slowest first.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Sheet& sheet) {
-    const CubicBending bending(CubicHinges(sheet.hinges, sheet.rest));
-    const MembraneEnergy membrane(sheet.triangles);
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell) {
+    const CubicBending bending(CubicHinges(shell.hinges, shell.rest));
+    const MembraneEnergy membrane(shell.triangles);
     std::vector<std::pair<Index, Index>> pairs;
     bending.add_pattern(pairs);
     membrane.add_pattern(pairs);
-    BlockMatrix stiffness(static_cast<Index>(sheet.mass.size()), pairs, sheet.fixed);
-    bending.add_hessian(sheet.rest, Curvature::exact, stiffness);
-    membrane.add_hessian(sheet.rest, Curvature::exact, stiffness);
-    const VectorXd mass = sheet.mass.transpose().replicate(3, 1).reshaped();
+    BlockMatrix stiffness(static_cast<Index>(shell.mass.size()), pairs, shell.fixed);
+    bending.add_hessian(shell.rest, Curvature::exact, stiffness);
+    membrane.add_hessian(shell.rest, Curvature::exact, stiffness);
+    const VectorXd mass = shell.mass.transpose().replicate(3, 1).reshaped();
     return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(stiffness),
                                                                      Eigen::MatrixXd(mass.asDiagonal()));
 }
@@ -38,29 +38,29 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Sheet& she
 // Each mode must decay as implicit Euler's difference equation says:
 //     (1 + h a + h b w^2 + h^2 w^2) q_{n+1} = (2 + h a + h b w^2) q_n - q_{n-1}.
 TEST(Damping, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
-    const Sheet rest = test::two_triangles(material);
+    const Shell rest = test::two_triangles(material);
     const auto eigen = modes(rest);
     for (int mode = 6; mode < 12; ++mode) {
-        Sheet sheet = rest;
+        Shell shell = rest;
         const double w = std::sqrt(eigen.eigenvalues()[mode]);
         const double h = 0.2 / w;
         const VectorXd u = eigen.eigenvectors().col(mode);
         const double amplitude = 1e-6 / u.cwiseAbs().maxCoeff();
-        sheet.position += amplitude * u.reshaped(3, 4);
+        shell.position += amplitude * u.reshaped(3, 4);
         StepperOptions options;
         options.gravity.setZero();
         options.step = h;
         options.tolerance = 1e-14;
         options.shell.damping = {0.05 / w, 0.3 * w};
         const double viscous = h * (options.shell.damping.mass + options.shell.damping.stiffness * w * w);
-        ImplicitStepper step(sheet, options);
+        ImplicitStepper step(shell, options);
         double before = amplitude, now = amplitude;
         for (int i = 0; i < 20; ++i) {
             advance(step);
             const double next = ((2 + viscous) * now - before) / (1 + viscous + h * h * w * w);
             before = std::exchange(now, next);
-            const VectorXd moved = (sheet.position - sheet.rest).reshaped();
-            const VectorXd mass = sheet.mass.transpose().replicate(3, 1).reshaped();
+            const VectorXd moved = (shell.position - shell.rest).reshaped();
+            const VectorXd mass = shell.mass.transpose().replicate(3, 1).reshaped();
             EXPECT_NEAR(u.dot(mass.asDiagonal() * moved), now, 1e-5 * amplitude) << "mode " << mode;
         }
     }
@@ -68,26 +68,26 @@ TEST(Damping, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
 
 // Newton's method would not converge, or to something else.
 TEST(Damping, GradientAndHessianAreDerivatives) {
-    Sheet sheet = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(material);
     test::Random random(1);
-    for (double& entry : sheet.position.reshaped()) entry += random.uniform(-0.1, 0.1);
-    Positions x = sheet.position;
+    for (double& entry : shell.position.reshaped()) entry += random.uniform(-0.1, 0.1);
+    Positions x = shell.position;
     for (double& entry : x.reshaped()) entry += random.uniform(-0.2, 0.2);
-    StiffnessDamping stiffness(sheet, 0.01);
-    stiffness.begin(test::step_of(sheet, 0, 1e-3));
+    StiffnessDamping stiffness(shell, 0.01);
+    stiffness.begin(test::step_of(shell, 0, 1e-3));
     test::expect_derivatives(stiffness, x, 1e-4, 1e-7);
-    test::expect_derivatives(test::begun(MassDamping(sheet, 3), sheet, 0, 1e-3), x, 1e-4, 1e-7);
+    test::expect_derivatives(test::begun(MassDamping(shell, 3), shell, 0, 1e-3), x, 1e-4, 1e-7);
 }
 
 // A viscous force must not push nor turn a sheet as a whole, however it is deformed.
 TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
-    Sheet sheet = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(material);
     test::Random random(2);
-    for (double& entry : sheet.position.reshaped()) entry += random.uniform(-0.3, 0.3);
-    Positions x = sheet.position;
+    for (double& entry : shell.position.reshaped()) entry += random.uniform(-0.3, 0.3);
+    Positions x = shell.position;
     for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3);
-    StiffnessDamping damping(sheet, 0.01);
-    damping.begin(test::step_of(sheet, 0, 1e-3));
+    StiffnessDamping damping(shell, 0.01);
+    damping.begin(test::step_of(shell, 0, 1e-3));
     Positions force = Positions::Zero(3, 4);
     damping.add_gradient(x, force);
     Vector3d torque = Vector3d::Zero();
@@ -96,41 +96,41 @@ TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
     EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
     EXPECT_LT(torque.norm(), 1e-12 * force.norm());
     // A rigid rotation during the step costs nothing.
-    const Positions turned = random.rotation() * sheet.position;
+    const Positions turned = random.rotation() * shell.position;
     EXPECT_LT(damping.value(turned), 1e-10 * damping.value(x));
 }
 
 // Spinning, vibrating, damped: no linear momentum appears, and vibration dies while rotation goes on.
 TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
-    Sheet sheet = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(material);
     const Vector3d spin(1, 2, -1);
     for (Index v = 0; v < 4; ++v)
-        sheet.velocity.col(v) = Vector3d(1, 0, 0.5) + spin.cross(Vector3d(sheet.position.col(v)));
-    sheet.velocity(0, 1) += 1;
+        shell.velocity.col(v) = Vector3d(1, 0, 0.5) + spin.cross(Vector3d(shell.position.col(v)));
+    shell.velocity(0, 1) += 1;
     StepperOptions options;
     options.gravity.setZero();
     options.step = 1e-4;
     options.shell.damping.stiffness = 1e-3;
-    const Vector3d linear = linear_momentum(sheet), angular = angular_momentum(sheet);
-    ImplicitStepper step(sheet, options);
+    const Vector3d linear = linear_momentum(shell), angular = angular_momentum(shell);
+    ImplicitStepper step(shell, options);
     for (int i = 0; i < 500; ++i) advance(step);
-    EXPECT_LT((linear_momentum(sheet) - linear).norm(), 1e-9 * linear.norm());
-    EXPECT_LT((angular_momentum(sheet) - angular).norm(), 2e-3 * angular.norm());
+    EXPECT_LT((linear_momentum(shell) - linear).norm(), 1e-9 * linear.norm());
+    EXPECT_LT((angular_momentum(shell) - angular).norm(), 2e-3 * angular.norm());
 }
 
 // Mass damping slows a free flight at its rate: (1 + h a) v_{n+1} = v_n.
 TEST(Damping, MassDampingSlowsFreeFlight) {
-    Sheet sheet = test::two_triangles(material);
-    sheet.velocity.colwise() = Vector3d(1, 2, 3);
+    Shell shell = test::two_triangles(material);
+    shell.velocity.colwise() = Vector3d(1, 2, 3);
     StepperOptions options;
     options.gravity.setZero();
     options.step = 0.01;
     options.shell.damping.mass = 4;
-    const Vector3d start = linear_momentum(sheet);
-    ImplicitStepper step(sheet, options);
+    const Vector3d start = linear_momentum(shell);
+    ImplicitStepper step(shell, options);
     for (int i = 1; i <= 10; ++i) {
         advance(step);
-        EXPECT_LT((linear_momentum(sheet) - start / std::pow(1.04, i)).norm(), 1e-9 * start.norm());
+        EXPECT_LT((linear_momentum(shell) - start / std::pow(1.04, i)).norm(), 1e-9 * start.norm());
     }
 }
 

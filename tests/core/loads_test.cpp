@@ -14,29 +14,29 @@ namespace {
 
 const Material material{1000, 0.01, 1e6, 0.3};
 
-std::vector<Index> all_triangles(const Sheet& sheet) {
-    std::vector<Index> triangles(sheet.triangles.size());
+std::vector<Index> all_triangles(const Shell& shell) {
+    std::vector<Index> triangles(shell.triangles.size());
     std::iota(triangles.begin(), triangles.end(), 0);
     return triangles;
 }
 
-Load pressure_on_all(const Sheet& sheet, double pressure) {
+Load pressure_on_all(const Shell& shell, double pressure) {
     Load load;
-    load.pressed = all_triangles(sheet);
+    load.pressed = all_triangles(shell);
     load.pressure = pressure;
     return load;
 }
 
-Positions crumpled(const Sheet& sheet, unsigned seed) {
+Positions crumpled(const Shell& shell, unsigned seed) {
     test::Random random(seed);
-    Positions x = sheet.rest;
+    Positions x = shell.rest;
     for (double& entry : x.reshaped()) entry += random.uniform(-0.2, 0.2);
     return x;
 }
 
 /// The energy of loads in a step that ends at `end` (s).
-LoadEnergy loaded(const Sheet& sheet, const std::vector<Load>& loads, double end) {
-    return test::begun(LoadEnergy(sheet, loads), sheet, end - 1, 1);
+LoadEnergy loaded(const Shell& shell, const std::vector<Load>& loads, double end) {
+    return test::begun(LoadEnergy(shell, loads), shell, end - 1, 1);
 }
 
 Positions forces(const Energy& energy, const Positions& x) {
@@ -47,21 +47,21 @@ Positions forces(const Energy& energy, const Positions& x) {
 
 // Newton's method would not converge, or to something else.
 TEST(Loads, GradientAndHessianAreDerivatives) {
-    for (const Sheet& sheet : {test::tetrahedron(material), test::two_triangles(material)}) {
-        Load load = pressure_on_all(sheet, 30);
-        load.dead = area_forces(sheet, load.pressed, {1, 2, 3});
-        test::expect_derivatives(loaded(sheet, {load}, 1), crumpled(sheet, 1), 1e-4, 1e-7);
+    for (const Shell& shell : {test::tetrahedron(material), test::two_triangles(material)}) {
+        Load load = pressure_on_all(shell, 30);
+        load.dead = area_forces(shell, load.pressed, {1, 2, 3});
+        test::expect_derivatives(loaded(shell, {load}, 1), crumpled(shell, 1), 1e-4, 1e-7);
     }
 }
 
 // A balloon would fly away by itself.
 TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
-    const Sheet sheet = test::tetrahedron(material);
-    const LoadEnergy energy = loaded(sheet, {pressure_on_all(sheet, 30)}, 0);
-    const Positions x = crumpled(sheet, 2);
+    const Shell shell = test::tetrahedron(material);
+    const LoadEnergy energy = loaded(shell, {pressure_on_all(shell, 30)}, 0);
+    const Positions x = crumpled(shell, 2);
     const Positions force = forces(energy, x);
     Positions expected = Positions::Zero(3, 4);
-    for (const TriangleStencil& triangle : sheet.triangles) {
+    for (const TriangleStencil& triangle : shell.triangles) {
         const TrianglePositions t = columns(x, triangle.vertices);
         const Vector3d area = 0.5 * Vector3d(t.col(1) - t.col(0)).cross(Vector3d(t.col(2) - t.col(0)));
         for (const Index v : triangle.vertices) expected.col(v) += 30.0 / 3 * area;
@@ -72,12 +72,12 @@ TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
 
 // At the free rim the force is the exact one of the beginning of the step.
 TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
-    Sheet sheet = test::two_triangles(material);
-    sheet.position = crumpled(sheet, 3);
-    const Positions force = forces(loaded(sheet, {pressure_on_all(sheet, 5)}, 0), sheet.position);
+    Shell shell = test::two_triangles(material);
+    shell.position = crumpled(shell, 3);
+    const Positions force = forces(loaded(shell, {pressure_on_all(shell, 5)}, 0), shell.position);
     Vector3d area = Vector3d::Zero();
-    for (const TriangleStencil& triangle : sheet.triangles) {
-        const TrianglePositions t = columns(sheet.position, triangle.vertices);
+    for (const TriangleStencil& triangle : shell.triangles) {
+        const TrianglePositions t = columns(shell.position, triangle.vertices);
         area += 0.5 * Vector3d(t.col(1) - t.col(0)).cross(Vector3d(t.col(2) - t.col(0)));
     }
     EXPECT_LT((force.rowwise().sum() - 5 * area).norm(), 1e-12 * force.norm());
@@ -85,45 +85,45 @@ TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
 
 // Load a length, an area and a vertex: the totals are what the units say.
 TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
-    const Sheet sheet = test::two_triangles(material);
+    const Shell shell = test::two_triangles(material);
     const auto total = [&](const std::vector<CornerForce>& dead) {
         Load load;
         load.dead = dead;
-        return Vector3d(forces(loaded(sheet, {load}, 0), sheet.rest).rowwise().sum());
+        return Vector3d(forces(loaded(shell, {load}, 0), shell.rest).rowwise().sum());
     };
     const Vector3d f(1, -2, 3);
-    const double area = sheet.triangles[0].membrane.area + sheet.triangles[1].membrane.area;
-    EXPECT_LT((total(area_forces(sheet, all_triangles(sheet), f)) - area * f).norm(), 1e-13);
-    EXPECT_LT((total(point_forces(sheet, std::array<Index, 2>{1, 3}, f)) - 2 * f).norm(), 1e-13);
+    const double area = shell.triangles[0].membrane.area + shell.triangles[1].membrane.area;
+    EXPECT_LT((total(area_forces(shell, all_triangles(shell), f)) - area * f).norm(), 1e-13);
+    EXPECT_LT((total(point_forces(shell, std::array<Index, 2>{1, 3}, f)) - 2 * f).norm(), 1e-13);
     const std::vector<char> ends{1, 0, 1, 0};
-    const std::vector<TriangleSide> sides = boundary_sides(sheet, ends);
+    const std::vector<TriangleEdge> sides = boundary_triangle_edges(shell, ends);
     ASSERT_EQ(sides.size(), 1u);
-    const double length = (sheet.rest.col(0) - sheet.rest.col(2)).norm();
-    EXPECT_LT((total(line_forces(sheet, sides, f)) - length * f).norm(), 1e-13);
+    const double length = (shell.rest.col(0) - shell.rest.col(2)).norm();
+    EXPECT_LT((total(line_forces(shell, sides, f)) - length * f).norm(), 1e-13);
     // The diagonal is not a boundary: 0, 1 alone select no side.
-    EXPECT_TRUE(boundary_sides(sheet, std::vector<char>{1, 1, 0, 0}).empty());
+    EXPECT_TRUE(boundary_triangle_edges(shell, std::vector<char>{1, 1, 0, 0}).empty());
 }
 
 // The momentum that a free sheet gains is the ramp's impulse, by the rule that implicit Euler integrates
 // with.
 TEST(Loads, RampGrowsLinearlyAndThenStays) {
-    Sheet sheet = test::two_triangles(material);
+    Shell shell = test::two_triangles(material);
     StepperOptions options;
     options.gravity.setZero();
     options.step = 0.01;
     Load load;
-    load.dead = area_forces(sheet, all_triangles(sheet), {0, 0, 2});
+    load.dead = area_forces(shell, all_triangles(shell), {0, 0, 2});
     load.ramp = 0.04;
     options.shell.loads = {load};
-    const double force = 2 * (sheet.triangles[0].membrane.area + sheet.triangles[1].membrane.area);
-    ImplicitStepper step(sheet, options);
+    const double force = 2 * (shell.triangles[0].membrane.area + shell.triangles[1].membrane.area);
+    ImplicitStepper step(shell, options);
     double impulse = 0;
     for (int i = 1; i <= 6; ++i) {
         step.begin();
         ASSERT_TRUE(step.solve(50).converged);
         step.finish();
         impulse += force * std::min(1.0, i / 4.0) * options.step;
-        EXPECT_NEAR(linear_momentum(sheet).z(), impulse, 1e-9 * impulse);
+        EXPECT_NEAR(linear_momentum(shell).z(), impulse, 1e-9 * impulse);
     }
 }
 

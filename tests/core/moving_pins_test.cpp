@@ -23,11 +23,11 @@ Motion straight(const Vector3d& way, double duration) {
 }
 
 /// Pins the vertices and lets the motion carry them.
-void carry(Sheet& sheet, const std::vector<Index>& vertices, const Motion& motion) {
-    sheet.motions.push_back(motion);
+void carry(Shell& shell, const std::vector<Index>& vertices, const Motion& motion) {
+    shell.motions.push_back(motion);
     for (const Index v : vertices) {
-        sheet.fixed[v] = 1;
-        sheet.carrier[v] = static_cast<Index>(sheet.motions.size());
+        shell.fixed[v] = 1;
+        shell.script[v] = static_cast<Index>(shell.motions.size());
     }
 }
 
@@ -38,33 +38,33 @@ void advance(ImplicitStepper& time_step) {
 }
 
 TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
-    Sheet sheet = test::stacked_plates(1, 4, 0, rubber);
+    Shell shell = test::stacked_plates(1, 4, 0, rubber);
     Motion motion;
     motion.keys = {{0.01}, {0.05, Vector3d(0, 0.02, 0.01), Vector3d::UnitX(), pi / 2}};
-    motion.pivot = sheet.rest.col(0);
-    carry(sheet, {0, 1, 7}, motion);
-    sheet.fixed[20] = 1;
+    motion.pivot = shell.rest.col(0);
+    carry(shell, {0, 1, 7}, motion);
+    shell.fixed[20] = 1;
     StepperOptions options;
     options.step = 2e-3;
     options.tolerance = 1e-9;
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= 30; ++i) {
-        const Positions before = sheet.position;
+        const Positions before = shell.position;
         advance(time_step);
         for (const Index v : {0, 1, 7}) {
-            const Vector3d place = motion.at(i * options.step) * Vector3d(sheet.rest.col(v));
-            EXPECT_LT((sheet.position.col(v) - place).norm(), 1e-15);
-            EXPECT_LT((sheet.velocity.col(v) * options.step - (place - before.col(v))).norm(), 1e-15);
+            const Vector3d place = motion.at(i * options.step) * Vector3d(shell.rest.col(v));
+            EXPECT_LT((shell.position.col(v) - place).norm(), 1e-15);
+            EXPECT_LT((shell.velocity.col(v) * options.step - (place - before.col(v))).norm(), 1e-15);
         }
-        EXPECT_EQ(sheet.position.col(20), sheet.rest.col(20));
+        EXPECT_EQ(shell.position.col(20), shell.rest.col(20));
     }
-    EXPECT_GT((sheet.position.col(7) - sheet.rest.col(7)).norm(), 0.02) << "nothing moved";
+    EXPECT_GT((shell.position.col(7) - shell.rest.col(7)).norm(), 0.02) << "nothing moved";
 }
 
 // Whoever flies along sees pins that stand still.
 TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
     const Vector3d velocity(3, -2, 1);
-    Sheet standing = test::stacked_plates(1, 6, 0, rubber), flying = standing;
+    Shell standing = test::stacked_plates(1, 6, 0, rubber), flying = standing;
     standing.fixed[0] = standing.fixed[6] = 1;
     carry(flying, {0, 6}, straight(velocity, 1));
     flying.velocity.colwise() = velocity;
@@ -87,47 +87,47 @@ TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
 TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
     Material stiff = rubber;
     stiff.young *= 1000;
-    Sheet sheet = test::stacked_plates(1, 4, 0, stiff);
+    Shell shell = test::stacked_plates(1, 4, 0, stiff);
     Motion motion;
     motion.keys = {{0}, {0.1, Vector3d(0, 0, 0.1), Vector3d::UnitX(), pi / 2}};
-    motion.pivot = sheet.rest.col(2);
-    carry(sheet, {0, 1, 2, 3, 4}, motion);
+    motion.pivot = shell.rest.col(2);
+    carry(shell, {0, 1, 2, 3, 4}, motion);
     StepperOptions options;
     options.gravity.setZero();
     options.step = 2e-3;
     options.shell.damping.mass = 100;
-    for (const TriangleSide& side : boundary_sides(sheet, sheet.fixed))
-        options.shell.mirrors.push_back(clamp_hinge(sheet, side, hinge_stiffness(stiff)));
+    for (const TriangleEdge& side : boundary_triangle_edges(shell, shell.fixed))
+        options.shell.mirrors.push_back(clamp_hinge(shell, side, hinge_stiffness(stiff)));
     ASSERT_EQ(options.shell.mirrors.size(), 4u);
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 400; ++i) advance(time_step);
-    const Positions turned = motion.at(1) * sheet.rest;
-    EXPECT_LT((sheet.position - turned).cwiseAbs().maxCoeff(), 1e-6);
+    const Positions turned = motion.at(1) * shell.rest;
+    EXPECT_LT((shell.position - turned).cwiseAbs().maxCoeff(), 1e-6);
     EXPECT_LT(time_step.energies().bending, 1e-9);
 }
 
 // A plate that is carried into a free one has to arrive, and throws the other ahead of it.
 TEST(MovingPins, PushWhatIsInTheirWay) {
-    Sheet sheet = test::stacked_plates(2, 3, 1.2e-3, rubber);
-    const Index half = static_cast<Index>(sheet.rest.cols()) / 2;
+    Shell shell = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    const Index half = static_cast<Index>(shell.rest.cols()) / 2;
     std::vector<Index> lower(half);
     for (Index v = 0; v < half; ++v) lower[v] = v;
-    carry(sheet, lower, straight(Vector3d(0, 0, 0.1), 0.1));
-    sheet.velocity.rightCols(half).row(2).setConstant(-0.3);
+    carry(shell, lower, straight(Vector3d(0, 0, 0.1), 0.1));
+    shell.velocity.rightCols(half).row(2).setConstant(-0.3);
     StepperOptions options;
     options.gravity.setZero();
     options.contact.sheets = true;
     options.step = 2e-4;
     options.tolerance = 1e-8;
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= 50; ++i) {
         advance(time_step);
-        EXPECT_NEAR(sheet.position(2, 0), i * options.step, 1e-15);
-        EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * rubber.thickness);
+        EXPECT_NEAR(shell.position(2, 0), i * options.step, 1e-15);
+        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * rubber.thickness);
     }
-    EXPECT_GT(sheet.velocity.rightCols(half).row(2).mean(), 1);
+    EXPECT_GT(shell.velocity.rightCols(half).row(2).mean(), 1);
     // Too far at once: the step is refused, not solved with the pins on their way or through the other plate.
-    Sheet near = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    Shell near = test::stacked_plates(2, 3, 1.2e-3, rubber);
     carry(near, lower, straight(Vector3d(0, 0, 0.1), 0.1));
     options.step = 5e-3;
     EXPECT_FALSE(ImplicitStepper(near, options).begin());

@@ -18,7 +18,7 @@ constexpr Index along = 30, row = 3;
 constexpr double side = 0.01;  // m, of the squares
 
 /// A strip of rubber along x, held at both ends.
-Sheet strip() {
+Shell strip() {
     const Material rubber{.density = 1000, .thickness = 1e-3, .young = 5e6, .poisson = 0.3};
     Positions rest(3, (along + 1) * row);
     std::vector<std::array<Index, 3>> triangles;
@@ -30,30 +30,30 @@ Sheet strip() {
             triangles.push_back({v, v + row, v + row + 1});
             triangles.push_back({v, v + row + 1, v + 1});
         }
-    Sheet sheet = test::small_sheet(rest, triangles, rubber);
-    for (Index j = 0; j < row; ++j) sheet.fixed[j] = sheet.fixed[along * row + j] = 1;
-    return sheet;
+    Shell shell = test::small_sheet(rest, triangles, rubber);
+    for (Index j = 0; j < row; ++j) shell.fixed[j] = shell.fixed[along * row + j] = 1;
+    return shell;
 }
 
 /// Shortened by `strain`, beyond what it bears straight, and bowed by a micrometre.
-void press(Sheet& sheet, double strain) {
-    sheet.position.row(0) *= 1 - strain;
-    for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v)
-        sheet.position(2, v) = 1e-6 * std::sin(std::numbers::pi * sheet.rest(0, v) / (along * side));
+void press(Shell& shell, double strain) {
+    shell.position.row(0) *= 1 - strain;
+    for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v)
+        shell.position(2, v) = 1e-6 * std::sin(std::numbers::pi * shell.rest(0, v) / (along * side));
 }
 
 // A sheet that buckles has an indefinite Hessian, and a convex one without all compression is so stiff that
 // Newton's method creeps: thin shells that are crushed could not be solved in 50 iterations (here: 160).
 TEST(Newton, BucklesInFewIterations) {
-    Sheet sheet = strip();
-    press(sheet, 1e-4);
-    CubicBending bending(CubicHinges(sheet.hinges, sheet.rest));
-    MembraneEnergy membrane(sheet.triangles);
-    Inertia inertia(sheet, Vector3d::Zero());
+    Shell shell = strip();
+    press(shell, 1e-4);
+    CubicBending bending(CubicHinges(shell.hinges, shell.rest));
+    MembraneEnergy membrane(shell.triangles);
+    Inertia inertia(shell, Vector3d::Zero());
     TimeSpent spent;
-    Potential potential(sheet, {&inertia, &bending, &membrane}, spent);
-    potential.begin(test::step_of(sheet, 0, 0.1));
-    Positions x = sheet.position;
+    Potential potential(shell, {&inertia, &bending, &membrane}, spent);
+    potential.begin(test::step_of(shell, 0, 0.1));
+    Positions x = shell.position;
     const MinimiserResult result = Newton(1e-8).minimise(potential, 200, x);
     EXPECT_TRUE(result.converged);
     EXPECT_LT(result.iterations, 40);

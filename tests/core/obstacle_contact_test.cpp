@@ -16,9 +16,9 @@ namespace sherd::test {
 namespace {
 
 /// Advances `seconds` in steps of `step`.
-void simulate(Sheet& sheet, StepperOptions options, double step, double seconds) {
+void simulate(Shell& shell, StepperOptions options, double step, double seconds) {
     options.step = step;
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < static_cast<int>(std::lround(seconds / step)); ++i) {
         time_step.begin();
         time_step.solve(20);
@@ -39,16 +39,16 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         obstacle(BoxShape(Vector3d(-1, 0, -1), Vector3d(1, 1, 1)), 1e7, 0.4),
         obstacle(CylinderShape(Vector3d(0, 0, -0.5), Vector3d::UnitX(), 0.5, 1), 1e7, 0.4)};
     for (Obstacle& obstacle : obstacles) {
-        const Sheet sheet = lone_vertex(Vector3d(0.0001, 0, 0.0049));
+        const Shell shell = lone_vertex(Vector3d(0.0001, 0, 0.0049));
         for (const bool moves : {false, true}) {
             if (moves) obstacle.motion = turning;
-            const ObstacleContact contact = test::begun(ObstacleContact(sheet, obstacle), sheet, 0.5, 1e-3);
+            const ObstacleContact contact = test::begun(ObstacleContact(shell, obstacle), shell, 0.5, 1e-3);
             Touch touch;
-            contact.add_touch(sheet.position, touch);
+            contact.add_touch(shell.position, touch);
             EXPECT_EQ(touch.vertices.size(), 1u);
             for (int i = 0; i < 50; ++i) {
                 const double way = i % 2 ? 3e-5 : 2e-6;  // beyond and below the smoothing
-                const Vector3d moved = Vector3d(sheet.position.col(0)) + random.matrix<Vector3d>(way);
+                const Vector3d moved = Vector3d(shell.position.col(0)) + random.matrix<Vector3d>(way);
                 expect_derivatives(contact, Positions(moved), 1e-9, 1e-4);
             }
         }
@@ -57,24 +57,24 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 
 // The spring of a resting vertex is the two materials in series over the footprint.
 TEST(ObstacleContact, RestingWeightSinksInAsTheTwoMaterialsSay) {
-    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005));
+    Shell shell = lone_vertex(Vector3d(0, 0, 0.005));
     StepperOptions options;
     options.contact.obstacles = {floor(1e7)};
     options.tolerance = 1e-14;
-    simulate(sheet, options, 1e-3, 4);
+    simulate(shell, options, 1e-3, 4);
     const double stiffness = 1e-4 / 0.01 / (2 / 1e7);
-    EXPECT_NEAR(0.005 - sheet.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
+    EXPECT_NEAR(0.005 - shell.position(2, 0), 0.1 * 9.81 / stiffness, 1e-9);
 }
 
 // Free fall, contact as half a swing of the spring, and up again; with long steps it would stay down.
 TEST(ObstacleContact, BouncesAsTheSpringSays) {
     const double height = 0.01, gravity = 9.81, mass = 0.1, stiffness = 5e4, length = 2e-6;
-    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 + height));
+    Shell shell = lone_vertex(Vector3d(0, 0, 0.005 + height));
     StepperOptions options;
     options.step = length;
     options.contact.obstacles = {floor(1e7)};
     options.tolerance = 1e-14;
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     const double fall = std::sqrt(2 * height / gravity), swing = std::sqrt(mass / stiffness);
     const double sinking = mass * gravity / stiffness,
                  amplitude = std::hypot(sinking, gravity * fall * swing);
@@ -84,32 +84,32 @@ TEST(ObstacleContact, BouncesAsTheSpringSays) {
             time_step.begin();
             time_step.solve(20);
             time_step.finish();
-            look(sheet.position(2, 0) - 0.005);
+            look(shell.position(2, 0) - 0.005);
         }
     };
     int done = 0;
     double lowest = 0;
     advance_to(fall, done, [](double) {});
-    EXPECT_NEAR(sheet.position(2, 0), 0.005, 1e-3 * height);
-    EXPECT_NEAR(sheet.velocity(2, 0), -gravity * fall, 1e-3 * gravity * fall);
+    EXPECT_NEAR(shell.position(2, 0), 0.005, 1e-3 * height);
+    EXPECT_NEAR(shell.velocity(2, 0), -gravity * fall, 1e-3 * gravity * fall);
     advance_to(fall + contact, done, [&](double at) { lowest = std::min(lowest, at); });
     EXPECT_NEAR(-lowest, sinking + amplitude, 5e-3 * amplitude);
-    EXPECT_NEAR(sheet.position(2, 0), 0.005, 5e-3 * height) << "just leaving";
+    EXPECT_NEAR(shell.position(2, 0), 0.005, 5e-3 * height) << "just leaving";
     advance_to(2 * fall + contact, done, [](double) {});
-    EXPECT_NEAR(sheet.position(2, 0), 0.005 + height, 0.01 * height) << "as high as it was";
+    EXPECT_NEAR(shell.position(2, 0), 0.005 + height, 0.01 * height) << "as high as it was";
 }
 
 // Coulomb: a = mu g, until it stops after v^2 / (2 mu g).
 TEST(ObstacleContact, FrictionStopsASlidingVertexAfterTheCoulombDistance) {
-    Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
-    sheet.velocity(0, 0) = 1;
+    Shell shell = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * 9.81 / 5e4));
+    shell.velocity(0, 0) = 1;
     StepperOptions options;
     options.contact.obstacles = {floor(1e7, 0.5)};
     options.tolerance = 1e-13;
-    simulate(sheet, options, 1e-4, 0.4);
+    simulate(shell, options, 1e-4, 0.4);
     const double distance = 1 / (2 * 0.5 * 9.81);
-    EXPECT_NEAR(sheet.position(0, 0), distance, 0.01 * distance);
-    EXPECT_LT(sheet.velocity.col(0).norm(), 1e-3);
+    EXPECT_NEAR(shell.position(0, 0), distance, 0.01 * distance);
+    EXPECT_LT(shell.velocity.col(0).norm(), 1e-3);
 }
 
 // On a slope of 30 degrees it slides at g (sin a - mu cos a), whatever holds the slope.
@@ -121,14 +121,14 @@ TEST(ObstacleContact, SlidesDownASlopeAsGalileoSays) {
         downhill(std::cos(slope), 0, -std::sin(slope));
     const double sinking = 0.1 * gravity * std::cos(slope) / 5e4;
     for (const Obstacle& ramp : {obstacle(PlaneShape(Vector3d::Zero(), normal), 1e7, friction), tilted_box}) {
-        Sheet sheet = lone_vertex((0.005 - sinking) * normal);
+        Shell shell = lone_vertex((0.005 - sinking) * normal);
         StepperOptions options;
         options.contact.obstacles = {ramp};
         options.tolerance = 1e-13;
-        simulate(sheet, options, 1e-4, seconds);
+        simulate(shell, options, 1e-4, seconds);
         const double way = 0.5 * gravity * (std::sin(slope) - friction * std::cos(slope)) * seconds * seconds;
-        EXPECT_NEAR(sheet.position.col(0).dot(downhill), way, 0.01 * way);
-        EXPECT_NEAR(sheet.position.col(0).dot(normal), 0.005 - sinking, 1e-6);
+        EXPECT_NEAR(shell.position.col(0).dot(downhill), way, 0.01 * way);
+        EXPECT_NEAR(shell.position.col(0).dot(normal), 0.005 - sinking, 1e-6);
     }
 }
 
@@ -141,12 +141,12 @@ TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
         const double way = acceleration * seconds * seconds / 6;
         tray.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                             {seconds, Vector3d(0, way, 0), Vector3d::UnitZ(), 0}};
-        Sheet sheet = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * gravity / 5e4));
+        Shell shell = lone_vertex(Vector3d(0, 0, 0.005 - 0.1 * gravity / 5e4));
         StepperOptions options;
         options.contact.obstacles = {tray};
         options.tolerance = 1e-13;
-        simulate(sheet, options, 1e-3, 0.5 * seconds);
-        return sheet.position(1, 0) / (0.5 * way);
+        simulate(shell, options, 1e-3, 0.5 * seconds);
+        return shell.position(1, 0) / (0.5 * way);
     };
     EXPECT_NEAR(way_on_tray(0.9 * friction * gravity), 1, 0.02) << "carried";
     // Sliding all the time, it gains friction times g: at half time 1/2 mu g T^2/4 of the tray's way/2.
@@ -157,17 +157,17 @@ TEST(ObstacleContact, FrictionCarriesWhatLiesOnAMovingBox) {
 TEST(ObstacleContact, APlateRestsOnTheTopOfASphere) {
     Material material;
     material.density = 1000, material.thickness = 0.002, material.young = 1e6;
-    Sheet sheet = stacked_plates(1, 8, 0, material);
+    Shell shell = stacked_plates(1, 8, 0, material);
     StepperOptions options;
     options.contact.obstacles = {obstacle(SphereShape(Vector3d(0, 0, -0.101), 0.1), 1e9, 0.5)};
     options.shell.damping.mass = 20;
-    simulate(sheet, options, 2e-3, 1);
-    const Positions before = sheet.position;
-    const double height = (before * sheet.mass).z() / sheet.mass.sum();
+    simulate(shell, options, 2e-3, 1);
+    const Positions before = shell.position;
+    const double height = (before * shell.mass).z() / shell.mass.sum();
     EXPECT_LT(height, -0.002) << "its corners hang";
     options.shell.damping.mass = 0;
-    simulate(sheet, options, 2e-3, 1);
-    EXPECT_LT((sheet.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
+    simulate(shell, options, 2e-3, 1);
+    EXPECT_LT((shell.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ void advance(ImplicitStepper& time_step, double seconds, double step) {
 // Fragments that have come to rest stay where they are, however long one looks: a stack on the floor drifts
 // by less than a thousandth of its size in 10 s, and each plate and the floor bear what lies on them to 1 %.
 TEST(RestingStack, StaysAtRest) {
-    Sheet sheet = test::stacked_plates(plates, 3, 1.001 * ceramic.thickness, ceramic);
-    sheet.position.row(2).array() += 0.5001 * ceramic.thickness;
+    Shell shell = test::stacked_plates(plates, 3, 1.001 * ceramic.thickness, ceramic);
+    shell.position.row(2).array() += 0.5001 * ceramic.thickness;
     const Obstacle floor = test::floor(3e10, 0.3);
     StepperOptions options;
     options.step = 5e-3;
@@ -36,23 +36,23 @@ TEST(RestingStack, StaysAtRest) {
     options.contact.sheets = true;
     options.contact.friction = 0.3;
     options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     advance(time_step, settling, options.step);
-    const Positions before = sheet.position;
+    const Positions before = shell.position;
     advance(time_step, rest, options.step);
-    EXPECT_LT((sheet.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
+    EXPECT_LT((shell.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
 
-    Positions forces = Positions::Zero(3, sheet.position.cols());
-    test::begun(ObstacleContact(sheet, floor), sheet, settling + rest, options.step)
-        .add_gradient(sheet.position, forces);
-    const double weight = 9.81 * sheet.mass.sum();
+    Positions forces = Positions::Zero(3, shell.position.cols());
+    test::begun(ObstacleContact(shell, floor), shell, settling + rest, options.step)
+        .add_gradient(shell.position, forces);
+    const double weight = 9.81 * shell.mass.sum();
     EXPECT_NEAR(-forces.row(2).sum(), weight, 0.01 * weight);
     forces.setZero();
-    SheetContact(sheet).add_gradient(sheet.position, forces);
-    const Index each = static_cast<Index>(sheet.position.cols()) / plates;
+    SheetContact(shell).add_gradient(shell.position, forces);
+    const Index each = static_cast<Index>(shell.position.cols()) / plates;
     for (int plate = 1; plate < plates; ++plate) {
         const Index above = (plates - plate) * each;
-        const double load = 9.81 * sheet.mass.tail(above).sum();
+        const double load = 9.81 * shell.mass.tail(above).sum();
         EXPECT_NEAR(-forces.rightCols(above).row(2).sum(), load, 0.01 * load) << "on plate " << plate - 1;
     }
 }

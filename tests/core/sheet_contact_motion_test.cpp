@@ -28,39 +28,39 @@ void advance(ImplicitStepper& time_step) {
 // A kilometre a second at a step in which the plate would be far behind the other one: thrown back, not
 // through.
 TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
-    Sheet sheet = test::stacked_plates(2, 4, 0.05, ceramic);
-    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
-    sheet.velocity.rightCols(half).row(2).setConstant(-1000);
+    Shell shell = test::stacked_plates(2, 4, 0.05, ceramic);
+    const Index half = static_cast<Index>(shell.position.cols()) / 2;
+    shell.velocity.rightCols(half).row(2).setConstant(-1000);
     StepperOptions options = with_contact(1e-4);
     options.gravity.setZero();
-    const Vector3d momentum = linear_momentum(sheet);
-    ImplicitStepper time_step(sheet, options);
+    const Vector3d momentum = linear_momentum(shell);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 5; ++i) {
         advance(time_step);
-        EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
-        EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * ceramic.thickness);
-        EXPECT_GT(sheet.position.rightCols(half).row(2).mean(), sheet.position.leftCols(half).row(2).mean());
+        EXPECT_EQ(test::intersections(shell, shell.position), 0);
+        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * ceramic.thickness);
+        EXPECT_GT(shell.position.rightCols(half).row(2).mean(), shell.position.leftCols(half).row(2).mean());
     }
-    EXPECT_LT(sheet.velocity.leftCols(half).row(2).mean(), -400);
-    EXPECT_LT((linear_momentum(sheet) - momentum).norm(), 1e-8 * momentum.norm());
+    EXPECT_LT(shell.velocity.leftCols(half).row(2).mean(), -400);
+    EXPECT_LT((linear_momentum(shell) - momentum).norm(), 1e-8 * momentum.norm());
 }
 
 // A sheet that claps shut meets itself, and folds no flatter than it is thick.
 TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
-    Sheet sheet = test::stacked_plates(1, 12, 0, rubber);
-    for (Index v = 0; v < sheet.position.cols(); ++v) {
-        const double x = sheet.position(0, v);
-        sheet.velocity.col(v) = Vector3d(-100 * x, 0, 400 * std::abs(x));
+    Shell shell = test::stacked_plates(1, 12, 0, rubber);
+    for (Index v = 0; v < shell.position.cols(); ++v) {
+        const double x = shell.position(0, v);
+        shell.velocity.col(v) = Vector3d(-100 * x, 0, 400 * std::abs(x));
     }
     StepperOptions options = with_contact(2e-4);
     options.gravity.setZero();
-    ImplicitStepper time_step(sheet, options);
-    const SheetContact contact(sheet);
+    ImplicitStepper time_step(shell, options);
+    const SheetContact contact(shell);
     std::size_t most = 0;
     for (int i = 0; i < 50; ++i) {
         advance(time_step);
-        most = std::max(most, contact.touching(sheet.position).size());
-        EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
+        most = std::max(most, contact.active_pairs(shell.position).size());
+        EXPECT_EQ(test::intersections(shell, shell.position), 0);
     }
     EXPECT_GT(most, 20u);
 }
@@ -68,34 +68,34 @@ TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
 // A stack comes to rest, stays there, and each contact carries what lies on it, to 1 %.
 TEST(SheetContact, AStackRestsOnItself) {
     const int plates = 4;
-    Sheet sheet = test::stacked_plates(plates, 4, 1.02 * ceramic.thickness, ceramic);
-    const Index each = static_cast<Index>(sheet.position.cols()) / plates;
-    std::fill_n(sheet.fixed.begin(), each, 1);
+    Shell shell = test::stacked_plates(plates, 4, 1.02 * ceramic.thickness, ceramic);
+    const Index each = static_cast<Index>(shell.position.cols()) / plates;
+    std::fill_n(shell.fixed.begin(), each, 1);
     StepperOptions options = with_contact(2e-4);
     options.contact.friction = 0.3;
     options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 150; ++i) advance(time_step);
-    const Positions before = sheet.position;
+    const Positions before = shell.position;
     for (int i = 0; i < 50; ++i) advance(time_step);
-    EXPECT_LT((sheet.position - before).cwiseAbs().maxCoeff(), 1e-7);
-    Positions forces = Positions::Zero(3, sheet.position.cols());
-    SheetContact(sheet).add_gradient(sheet.position, forces);
-    const double weight = sheet.mass.tail((plates - 1) * each).sum() * 9.81;
+    EXPECT_LT((shell.position - before).cwiseAbs().maxCoeff(), 1e-7);
+    Positions forces = Positions::Zero(3, shell.position.cols());
+    SheetContact(shell).add_gradient(shell.position, forces);
+    const double weight = shell.mass.tail((plates - 1) * each).sum() * 9.81;
     EXPECT_NEAR(forces.leftCols(each).row(2).sum(), weight, 0.01 * weight);
 }
 
 /// Cuts the triangle off its sheet: copies of its corners, at the same places, are its own.
-void cut_off(Sheet& sheet, std::size_t triangle, ImplicitStepper& time_step) {
+void cut_off(Shell& shell, std::size_t triangle, ImplicitStepper& time_step) {
     ShellChange change;
-    for (Index& corner : sheet.triangles[triangle].vertices) {
-        const Index copy = static_cast<Index>(sheet.mass.size());
+    for (Index& corner : shell.triangles[triangle].vertices) {
+        const Index copy = static_cast<Index>(shell.mass.size());
         const Heir heir{copy, {{corner, 1}}};
-        follow(sheet, {.vertices = {heir}});
+        follow(shell, {.vertices = {heir}});
         change.vertices.push_back(heir);
-        for (VectorXd* shared : {&sheet.mass, &sheet.footprint})
+        for (VectorXd* shared : {&shell.mass, &shell.footprint})
             (*shared)[corner] = (*shared)[copy] = 0.5 * (*shared)[copy];
-        sheet.twins.push_back({corner, copy});
+        shell.twins.push_back({corner, copy});
         corner = copy;
     }
     time_step.topology_changed(change);
@@ -104,23 +104,23 @@ void cut_off(Sheet& sheet, std::size_t triangle, ImplicitStepper& time_step) {
 // A crack opens in the middle of a step, in contact: lips that lie on each other neither push nor stop the
 // step, and all the rest goes on as before.
 TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
-    Sheet sheet = test::stacked_plates(2, 4, 1.1 * ceramic.thickness, ceramic);
-    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
-    sheet.hinges.clear();  // which would have to be cut as well
-    sheet.velocity.rightCols(half).row(2).setConstant(-3);
+    Shell shell = test::stacked_plates(2, 4, 1.1 * ceramic.thickness, ceramic);
+    const Index half = static_cast<Index>(shell.position.cols()) / 2;
+    shell.hinges.clear();  // which would have to be cut as well
+    shell.velocity.rightCols(half).row(2).setConstant(-3);
     StepperOptions options = with_contact(1e-4);
     options.gravity.setZero();
-    const Vector3d momentum = linear_momentum(sheet);
-    ImplicitStepper time_step(sheet, options);
+    const Vector3d momentum = linear_momentum(shell);
+    ImplicitStepper time_step(shell, options);
     time_step.begin();
     time_step.solve(3);
-    EXPECT_GT(SheetContact(sheet).touching(time_step.position).size(), 0u);
-    cut_off(sheet, 50, time_step);
+    EXPECT_GT(SheetContact(shell).active_pairs(time_step.position).size(), 0u);
+    cut_off(shell, 50, time_step);
     EXPECT_TRUE(time_step.solve(200).converged);
     time_step.finish();
     for (int i = 0; i < 5; ++i) advance(time_step);
-    EXPECT_LT((linear_momentum(sheet) - momentum).norm(), 1e-8 * momentum.norm());
-    EXPECT_GT(test::smallest_distance(sheet, sheet.position), 0.75 * ceramic.thickness);
+    EXPECT_LT((linear_momentum(shell) - momentum).norm(), 1e-8 * momentum.norm());
+    EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * ceramic.thickness);
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ Positions shaken(const Positions& x, double amplitude) {
 
 // Force and stiffness of hundreds of pairs of all cases at once, mollified ones too.
 TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    const Sheet sheet = test::stacked_plates(2, 5, 1.8e-3, ceramic);
-    const SheetContact contact(sheet);
-    const Positions x = shaken(sheet.position, 1e-4);
-    ASSERT_GT(contact.touching(x).size(), 100u);
+    const Shell shell = test::stacked_plates(2, 5, 1.8e-3, ceramic);
+    const SheetContact contact(shell);
+    const Positions x = shaken(shell.position, 1e-4);
+    ASSERT_GT(contact.active_pairs(x).size(), 100u);
     Positions sum = Positions::Zero(3, x.cols());
     contact.add_gradient(x, sum);
     EXPECT_GT(sum.norm(), 1);
@@ -38,12 +38,12 @@ TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 // The candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
 // bit.
 TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
-    const Sheet sheet = test::stacked_plates(3, 4, 1.8e-3, ceramic);
-    const SheetContact wanderer(sheet);
+    const Shell shell = test::stacked_plates(3, 4, 1.8e-3, ceramic);
+    const SheetContact wanderer(shell);
     for (const double lift : {0.0, 0.02, 0.0, 1.0, 0.05, 1e-3}) {
-        Positions x = shaken(sheet.position, 1e-4);
+        Positions x = shaken(shell.position, 1e-4);
         x.row(2) *= 1 + lift;
-        const SheetContact fresh(sheet);
+        const SheetContact fresh(shell);
         EXPECT_EQ(wanderer.value(x), fresh.value(x));
         Positions a = Positions::Zero(3, x.cols()), b = a;
         wanderer.add_gradient(x, a);
@@ -52,7 +52,7 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
         for (const double length : {1e-5, 1e-3, 0.01, 1.0}) {
             Positions motion = shaken(Positions::Zero(3, x.cols()), 0.1 * length);
             motion.row(0).head(motion.cols() / 2).array() += length;  // along the other plates
-            EXPECT_EQ(wanderer.safe_fraction(x, motion), SheetContact(sheet).safe_fraction(x, motion));
+            EXPECT_EQ(wanderer.safe_fraction(x, motion), SheetContact(shell).safe_fraction(x, motion));
         }
         EXPECT_EQ(wanderer.value(x), fresh.value(x));
     }
@@ -62,17 +62,17 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
 TEST(SheetContact, RestShapeIsFreeOfForces) {
     Material thick = rubber;
     thick.thickness = 0.03;
-    Sheet sheet = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01
-    const SheetContact contact(sheet);
-    EXPECT_EQ(contact.touching(sheet.position).size(), 0u);
-    EXPECT_EQ(contact.value(shaken(sheet.position, 5e-4)), 0);
-    Positions folded = sheet.position;
+    Shell shell = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01
+    const SheetContact contact(shell);
+    EXPECT_EQ(contact.active_pairs(shell.position).size(), 0u);
+    EXPECT_EQ(contact.value(shaken(shell.position, 5e-4)), 0);
+    Positions folded = shell.position;
     for (Index v = 0; v < folded.cols(); ++v)
         if (folded(0, v) > 0) {
             folded(2, v) = 0.005 + 0.1 * folded(0, v);
             folded(0, v) = -folded(0, v);
         }
-    EXPECT_GT(contact.touching(folded).size(), 100u);
+    EXPECT_GT(contact.active_pairs(folded).size(), 100u);
 }
 
 /// Area that two squares of side 0.1 m, turned against each other by 0.7, have in common, by counting.
@@ -94,9 +94,9 @@ TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
                  column = ceramic.young * common_area() / ceramic.thickness;
     const Barrier barrier{0.25 * ceramic.thickness};
     for (const int count : {4, 8, 16}) {
-        const Sheet sheet = test::stacked_plates(2, count, ceramic.thickness - press, ceramic);
-        Positions sum = Positions::Zero(3, sheet.position.cols());
-        SheetContact(sheet).add_gradient(sheet.position, sum);
+        const Shell shell = test::stacked_plates(2, count, ceramic.thickness - press, ceramic);
+        Positions sum = Positions::Zero(3, shell.position.cols());
+        SheetContact(shell).add_gradient(shell.position, sum);
         const double force = sum.row(2).head(sum.cols() / 2).sum();
         EXPECT_NEAR(force / (-column * barrier.slope(barrier.range - press)), 1.5, 0.15) << count;
     }
@@ -104,10 +104,10 @@ TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
 
 // Nothing that is held together by twins pushes, and what only borders on them still does.
 TEST(SheetContact, TwinsDoNotSeeEachOther) {
-    Sheet sheet = test::stacked_plates(2, 2, 1.8e-3, ceramic);
-    const std::size_t before = SheetContact(sheet).touching(sheet.position).size();
-    sheet.twins = {{4, 13}};  // the middles
-    const auto after = SheetContact(sheet).touching(sheet.position);
+    Shell shell = test::stacked_plates(2, 2, 1.8e-3, ceramic);
+    const std::size_t before = SheetContact(shell).active_pairs(shell.position).size();
+    shell.twins = {{4, 13}};  // the middles
+    const auto after = SheetContact(shell).active_pairs(shell.position);
     EXPECT_LT(after.size(), before);
     EXPECT_GT(after.size(), 0u);
     for (const ContactPair& pair : after)
@@ -117,10 +117,10 @@ TEST(SheetContact, TwinsDoNotSeeEachOther) {
 }
 
 TEST(SheetContact, OverlapIsRefusedByName) {
-    Sheet sheet = test::stacked_plates(2, 2, 1e-3, ceramic);
+    Shell shell = test::stacked_plates(2, 2, 1e-3, ceramic);
     StepperOptions options;
     options.contact.sheets = true;
-    ImplicitStepper step(sheet, options);
+    ImplicitStepper step(shell, options);
     EXPECT_THROW(step.begin(), std::runtime_error);
 }
 
@@ -131,19 +131,19 @@ struct Collision {
 };
 
 /// Throws the upper plates at the lower one at `speed`, tilted, without gravity.
-Collision collide(Sheet& sheet, double speed, double step, int steps) {
-    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
-    for (Index v = half; v < sheet.position.cols(); ++v) {
-        sheet.velocity.col(v) = Vector3d(0.1 * speed, 0, -speed);
-        sheet.position(2, v) += 0.2 * sheet.position(0, v) + 0.012;
+Collision collide(Shell& shell, double speed, double step, int steps) {
+    const Index half = static_cast<Index>(shell.position.cols()) / 2;
+    for (Index v = half; v < shell.position.cols(); ++v) {
+        shell.velocity.col(v) = Vector3d(0.1 * speed, 0, -speed);
+        shell.position(2, v) += 0.2 * shell.position(0, v) + 0.012;
     }
     StepperOptions options;
     options.step = step;
     options.gravity.setZero();
     options.contact.sheets = true;
     options.tolerance = 1e-9;
-    ImplicitStepper time_step(sheet, options);
-    const Vector3d momentum = linear_momentum(sheet);
+    ImplicitStepper time_step(shell, options);
+    const Vector3d momentum = linear_momentum(shell);
     Collision result;
     for (int i = 0; i < steps; ++i) {
         time_step.begin();
@@ -151,11 +151,11 @@ Collision collide(Sheet& sheet, double speed, double step, int steps) {
         time_step.finish();
         result.iterations += newton.iterations;
         result.unconverged += !newton.converged;
-        result.nearest = std::min(result.nearest, test::smallest_distance(sheet, sheet.position));
-        result.intersections += test::intersections(sheet, sheet.position);
+        result.nearest = std::min(result.nearest, test::smallest_distance(shell, shell.position));
+        result.intersections += test::intersections(shell, shell.position);
     }
-    result.momentum_change = (linear_momentum(sheet) - momentum).norm() / momentum.norm();
-    result.momentum_moved = (sheet.velocity.leftCols(half) * sheet.mass.head(half)).norm() / momentum.norm();
+    result.momentum_change = (linear_momentum(shell) - momentum).norm() / momentum.norm();
+    result.momentum_moved = (shell.velocity.leftCols(half) * shell.mass.head(half)).norm() / momentum.norm();
     return result;
 }
 
@@ -166,8 +166,8 @@ TEST(SheetContact, CollidingPlatesDoNotPassThroughEachOther) {
         double speed, step;
     };
     for (const Case& c : {Case{ceramic, 3, 1e-4}, Case{ceramic, 60, 1e-4}, Case{rubber, 10, 3e-4}}) {
-        Sheet sheet = test::stacked_plates(2, 5, 0, c.material);
-        const Collision result = collide(sheet, c.speed, c.step, 60);
+        Shell shell = test::stacked_plates(2, 5, 0, c.material);
+        const Collision result = collide(shell, c.speed, c.step, 60);
         EXPECT_EQ(result.intersections, 0);
         EXPECT_GT(result.nearest, 0.75 * c.material.thickness);
         EXPECT_LT(result.nearest, c.material.thickness);

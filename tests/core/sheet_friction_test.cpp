@@ -82,11 +82,11 @@ TEST(SheetFriction, SlidingCountsInFull) {
 }
 
 TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
-    const Sheet sheet = test::stacked_plates(2, 4, 1.9e-3, board);
-    const SheetContact contact(sheet);
-    const SheetFriction friction = test::begun(SheetFriction(sheet, contact, 0.5), sheet, 0, step);
+    const Shell shell = test::stacked_plates(2, 4, 1.9e-3, board);
+    const SheetContact contact(shell);
+    const SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
     for (const double way : {0.2, 5.0}) {  // sticking, sliding
-        Positions x = sheet.position;
+        Positions x = shell.position;
         test::Random random(5);
         for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3) * smoothing_speed * step;
         x.rightCols(x.cols() / 2).row(0).array() += way * smoothing_speed * step;
@@ -96,26 +96,26 @@ TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
 
 // Coulomb: a plate that slides on a fixed one stops after v^2 / (2 mu g), to 3 % (issue: "Proof").
 TEST(SheetFriction, StopsASlidingPlateAfterTheCoulombDistance) {
-    Sheet sheet = test::stacked_plates(2, 4, 0.99984 * board.thickness, board);
-    const Index half = static_cast<Index>(sheet.position.cols()) / 2;
-    std::fill_n(sheet.fixed.begin(), half, 1);
+    Shell shell = test::stacked_plates(2, 4, 0.99984 * board.thickness, board);
+    const Index half = static_cast<Index>(shell.position.cols()) / 2;
+    std::fill_n(shell.fixed.begin(), half, 1);
     const double speed = 0.3, coefficient = 0.4;
-    sheet.velocity.rightCols(half).row(0).setConstant(speed);
+    shell.velocity.rightCols(half).row(0).setConstant(speed);
     StepperOptions options;
     options.step = 2e-4;
     options.contact.sheets = true;
     options.contact.friction = coefficient;
-    ImplicitStepper time_step(sheet, options);
-    const double start = sheet.position.rightCols(half).row(0).mean();
+    ImplicitStepper time_step(shell, options);
+    const double start = shell.position.rightCols(half).row(0).mean();
     for (int i = 0; i < 500; ++i) {
         time_step.begin();
         EXPECT_TRUE(time_step.solve(100).converged);
         time_step.finish();
     }
     const double distance = speed * speed / (2 * coefficient * 9.81);
-    EXPECT_NEAR(sheet.position.rightCols(half).row(0).mean() - start, distance, 0.03 * distance);
-    EXPECT_LT(sheet.velocity.rightCols(half).norm() / std::sqrt(half), 5e-3);
-    EXPECT_EQ(test::intersections(sheet, sheet.position), 0);
+    EXPECT_NEAR(shell.position.rightCols(half).row(0).mean() - start, distance, 0.03 * distance);
+    EXPECT_LT(shell.velocity.rightCols(half).norm() / std::sqrt(half), 5e-3);
+    EXPECT_EQ(test::intersections(shell, shell.position), 0);
 }
 
 }  // namespace

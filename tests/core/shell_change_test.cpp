@@ -5,32 +5,32 @@ namespace sherd {
 namespace {
 
 /// Two triangles with data on all their elements, and no two of them the same.
-Sheet marked_sheet() {
-    Sheet sheet = test::two_triangles(Material{});
-    const Index vertices = static_cast<Index>(sheet.mass.size());
+Shell marked_sheet() {
+    Shell shell = test::two_triangles(Material{});
+    const Index vertices = static_cast<Index>(shell.mass.size());
     for (Index v = 0; v < vertices; ++v) {
-        sheet.velocity.col(v) = Vector3d(v, -v, 1);
-        sheet.thickness[v] = 1 + v;
-        sheet.young[v] = 10 + v;
-        sheet.footprint[v] = 100 + v;
+        shell.velocity.col(v) = Vector3d(v, -v, 1);
+        shell.thickness[v] = 1 + v;
+        shell.young[v] = 10 + v;
+        shell.footprint[v] = 100 + v;
     }
-    sheet.fixed = {1, 1, 0, 0};
-    sheet.carrier = {3, 3, 0, 0};
-    sheet.guide = {0, 0, 2, 2};
-    sheet.body.assign(vertices, 7);
-    sheet.edge_hinge = {0, -1, -1, -1, -1};
-    sheet.edge_strength = {5, 6, 7, 8, 9};
-    sheet.hinge_edge = {0};
-    sheet.face_area = sheet.face_mass = {1, 2};
-    sheet.face_sheet = {7, 7};
-    return sheet;
+    shell.fixed = {1, 1, 0, 0};
+    shell.script = {3, 3, 0, 0};
+    shell.guide = {0, 0, 2, 2};
+    shell.vertex_sheet.assign(vertices, 7);
+    shell.edge_hinge = {0, -1, -1, -1, -1};
+    shell.edge_strength = {5, 6, 7, 8, 9};
+    shell.hinge_edge = {0};
+    shell.face_area = shell.face_mass = {1, 2};
+    shell.face_sheet = {7, 7};
+    return shell;
 }
 
 // A copy that differs by a bit would change every result of a crack.
 TEST(ShellChange, ACopyHasAllThatItsParentHas) {
-    Sheet sheet = marked_sheet();
-    follow(sheet, {.vertices = {{4, {{1, 1}}}}, .edges = {{5, {{3, 1}}}}, .faces = {{2, {{1, 1}}}}});
-    visit_vertices(sheet, [](const auto& values, auto... rule) {
+    Shell shell = marked_sheet();
+    follow(shell, {.vertices = {{4, {{1, 1}}}}, .edges = {{5, {{3, 1}}}}, .faces = {{2, {{1, 1}}}}});
+    visit_vertices(shell, [](const auto& values, auto... rule) {
         if constexpr (sizeof...(rule) == 0) {
             ASSERT_EQ(values.cols() * values.rows() % 5, 0);
             const auto rows = values.reshaped(values.size() / 5, 5).eval();
@@ -40,35 +40,35 @@ TEST(ShellChange, ACopyHasAllThatItsParentHas) {
             EXPECT_EQ(values[4], values[1]);
         }
     });
-    EXPECT_EQ(sheet.edge_strength, (std::vector<double>{5, 6, 7, 8, 9, 8}));
-    EXPECT_EQ(sheet.edge_hinge.back(), -1);
-    EXPECT_EQ(sheet.triangles[2].vertices, sheet.triangles[1].vertices);
-    EXPECT_EQ(sheet.face_sheet, (std::vector<Index>{7, 7, 7}));
+    EXPECT_EQ(shell.edge_strength, (std::vector<double>{5, 6, 7, 8, 9, 8}));
+    EXPECT_EQ(shell.edge_hinge.back(), -1);
+    EXPECT_EQ(shell.triangles[2].vertices, shell.triangles[1].vertices);
+    EXPECT_EQ(shell.face_sheet, (std::vector<Index>{7, 7, 7}));
 }
 
 // A vertex that is born inside an edge has to lie on it, move with it and be held as it is held.
 TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
-    Sheet sheet = marked_sheet();
-    const Positions before = sheet.position;
-    follow(sheet, {.vertices = {{4, {{0, 0.25}, {1, 0.75}}}, {5, {{1, 0.5}, {2, 0.5}}}}});
-    EXPECT_LT((sheet.position.col(4) - (0.25 * before.col(0) + 0.75 * before.col(1))).norm(), 1e-15);
-    EXPECT_EQ(sheet.velocity.col(4), Vector3d(0.75, -0.75, 1));
-    EXPECT_EQ(sheet.thickness[4], 1.75);
-    EXPECT_EQ(sheet.fixed[4], 1);
-    EXPECT_EQ(sheet.carrier[4], 3);
-    EXPECT_EQ(sheet.fixed[5], 0) << "one of its parents is free";
-    EXPECT_EQ(sheet.guide[5], 0);
-    EXPECT_EQ(sheet.body[5], 7);
+    Shell shell = marked_sheet();
+    const Positions before = shell.position;
+    follow(shell, {.vertices = {{4, {{0, 0.25}, {1, 0.75}}}, {5, {{1, 0.5}, {2, 0.5}}}}});
+    EXPECT_LT((shell.position.col(4) - (0.25 * before.col(0) + 0.75 * before.col(1))).norm(), 1e-15);
+    EXPECT_EQ(shell.velocity.col(4), Vector3d(0.75, -0.75, 1));
+    EXPECT_EQ(shell.thickness[4], 1.75);
+    EXPECT_EQ(shell.fixed[4], 1);
+    EXPECT_EQ(shell.script[4], 3);
+    EXPECT_EQ(shell.fixed[5], 0) << "one of its parents is free";
+    EXPECT_EQ(shell.guide[5], 0);
+    EXPECT_EQ(shell.vertex_sheet[5], 7);
 }
 
 // The heirs of one change may be parents of others in it, as when an edge is split and then opened.
 TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
-    Sheet sheet = marked_sheet();
-    follow(sheet,
+    Shell shell = marked_sheet();
+    follow(shell,
            {.vertices = {{4, {{0, 0.5}, {1, 0.5}}}, {5, {{4, 1}}}}, .edges = {{5, {}}, {6, {{5, 1}}}}});
-    EXPECT_EQ(sheet.position.col(5), sheet.position.col(4));
-    EXPECT_EQ(sheet.edge_strength[5], std::numeric_limits<double>::infinity()) << "it has no parents";
-    EXPECT_EQ(sheet.edge_strength[6], sheet.edge_strength[5]);
+    EXPECT_EQ(shell.position.col(5), shell.position.col(4));
+    EXPECT_EQ(shell.edge_strength[5], std::numeric_limits<double>::infinity()) << "it has no parents";
+    EXPECT_EQ(shell.edge_strength[6], shell.edge_strength[5]);
 }
 
 // What presses on a face, or blows on it, must go on doing so on all of its parts.
@@ -80,19 +80,19 @@ TEST(ShellChange, ListsOfFacesGetTheFacesThatAreBornOfTheirs) {
 
 // Energies keep a list for each hinge: it must lose what the shell loses, in the same places.
 TEST(ShellChange, ListsOfHingesFollowTheHingesThatAreRemoved) {
-    Sheet sheet = test::tetrahedron(Material{});
-    const auto count = static_cast<Index>(sheet.hinges.size());
+    Shell shell = test::tetrahedron(Material{});
+    const auto count = static_cast<Index>(shell.hinges.size());
     for (Index i = 0; i < count; ++i) {
-        sheet.edge_hinge.push_back(i);
-        sheet.hinge_edge.push_back(i);
+        shell.edge_hinge.push_back(i);
+        shell.hinge_edge.push_back(i);
     }
-    std::vector<Index> of_hinges = sheet.hinge_edge;
+    std::vector<Index> of_hinges = shell.hinge_edge;
     ShellChange change;
-    for (const Index edge : {1, 5, 0}) change.removed_hinges.push_back(remove_hinge_of(sheet, edge));
+    for (const Index edge : {1, 5, 0}) change.removed_hinges.push_back(remove_hinge_of(shell, edge));
     follow_hinges(change, of_hinges);
-    EXPECT_EQ(of_hinges, sheet.hinge_edge);
-    ASSERT_EQ(sheet.hinges.size(), 3u);
-    for (Index hinge = 0; hinge < 3; ++hinge) EXPECT_EQ(sheet.edge_hinge[sheet.hinge_edge[hinge]], hinge);
+    EXPECT_EQ(of_hinges, shell.hinge_edge);
+    ASSERT_EQ(shell.hinges.size(), 3u);
+    for (Index hinge = 0; hinge < 3; ++hinge) EXPECT_EQ(shell.edge_hinge[shell.hinge_edge[hinge]], hinge);
 }
 
 }  // namespace

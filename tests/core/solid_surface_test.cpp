@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Too wide an edge or too large a footprint makes contact too stiff; an edge too few lets a sheet's edge
 // through.
-#include "core/contact/geometry/solid_surface.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "core/contact/geometry/collider_surface.h"
 #include "tests/support/obstacles.h"
 
 namespace sherd::test {
 namespace {
 
-TEST(SolidSurface, ABoxHasTwelveEdgesAndEightCorners) {
+TEST(ColliderSurface, ABoxHasTwelveEdgesAndEightCorners) {
     const auto box = box_surface(Vector3d(1, 2, 3), Vector3d(0.5, 1, 2));
     EXPECT_EQ(box->triangles.size(), 12u);
     EXPECT_EQ(box->edges.size(), 12u) << "not the diagonals of its sides";
@@ -27,14 +26,14 @@ TEST(SolidSurface, ABoxHasTwelveEdgesAndEightCorners) {
     EXPECT_NEAR(of_edges, area * 2 / 3, 1e-12) << "a third is nearest to the diagonals";
 }
 
-TEST(SolidSurface, ARoundOneKeepsAllEdges) {
+TEST(ColliderSurface, ARoundOneKeepsAllEdges) {
     const auto sphere = sphere_surface(1, 3);
     EXPECT_EQ(sphere->edges.size(), 3 * sphere->triangles.size() / 2);
     EXPECT_NEAR(sphere->footprint.sum(), 4 * 3.14159265, 0.05 * 4 * 3.14159265);
 }
 
-TEST(SolidSurface, ATriangleOfPointsThatAreNotThereIsRefused) {
-    EXPECT_THROW(solid_surface(Positions::Zero(3, 3), {{0, 1, 3}}), std::out_of_range);
+TEST(ColliderSurface, ATriangleOfPointsThatAreNotThereIsRefused) {
+    EXPECT_THROW(collider_surface(Positions::Zero(3, 3), {{0, 1, 3}}), std::out_of_range);
 }
 
 }  // namespace

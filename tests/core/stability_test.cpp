@@ -9,17 +9,17 @@ namespace sherd {
 namespace {
 
 /// A folded hinge of unit edges as a sheet.
-Sheet fold(double thickness) {
+Shell fold(double thickness) {
     const Material material{1000, thickness, 1e9, 0.3};
-    Sheet sheet;
-    resize_vertices(sheet, 4);
-    sheet.rest = sheet.position = test::folded_hinge(1.0, 0.2, 0.9, 0.7, 0.8);
-    sheet.mass.setConstant(1000 * thickness);
+    Shell shell;
+    resize_vertices(shell, 4);
+    shell.rest = shell.position = test::folded_hinge(1.0, 0.2, 0.9, 0.7, 0.8);
+    shell.mass.setConstant(1000 * thickness);
     for (const std::array<Index, 3>& triangle : {std::array{0, 1, 2}, std::array{0, 3, 1}})
-        sheet.triangles.push_back(
-            {triangle, membrane_triangle(columns(sheet.rest, triangle), membrane_elasticity(material))});
-    sheet.hinges.push_back(hinge_stencil(sheet, {0, 1, 2, 3}, hinge_stiffness(material)));
-    return sheet;
+        shell.triangles.push_back(
+            {triangle, membrane_triangle(columns(shell.rest, triangle), membrane_elasticity(material))});
+    shell.hinges.push_back(hinge_stencil(shell, {0, 1, 2, 3}, hinge_stiffness(material)));
+    return shell;
 }
 
 // A scene that would blow up by itself must be told before it runs.

@@ -11,19 +11,19 @@ const Material material{1000, 0.01, 1e6, 0.3};
 
 // Newton's method would not converge, or to something else.
 TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
-    const Sheet sheet = test::tetrahedron(material);
+    const Shell shell = test::tetrahedron(material);
     // A plane through vertices 0 and 1 that is oblique to the triangle between them: curved at rest.
-    const Vector3d along = (sheet.rest.col(1) - sheet.rest.col(0)).normalized();
+    const Vector3d along = (shell.rest.col(1) - shell.rest.col(0)).normalized();
     const Vector3d normal = along.cross(Vector3d(0.3, 0.5, -0.4)).normalized();
-    const std::vector<MirrorHinge> hinges{symmetry_hinge(sheet, {0, 1}, normal, 2),
-                                          clamp_hinge(sheet, {1, 0}, 3)};
-    const MirrorEnergy energy(sheet, hinges);
+    const std::vector<MirrorHinge> hinges{symmetry_hinge(shell, {0, 1}, normal, 2),
+                                          clamp_hinge(shell, {1, 0}, 3)};
+    const MirrorEnergy energy(shell, hinges);
     test::Random random(1);
-    Positions x = sheet.rest;
+    Positions x = shell.rest;
     for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3);
     test::expect_derivatives(energy, x, 1e-4, 1e-7);
     Positions force = Positions::Zero(3, 4);
-    energy.add_gradient(sheet.rest, force);
+    energy.add_gradient(shell.rest, force);
     EXPECT_LT(force.cwiseAbs().maxCoeff(), 1e-12) << "not in equilibrium at rest";
 }
 
@@ -33,8 +33,8 @@ TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     Positions whole_rest(3, 4), half_rest(3, 3);
     whole_rest << 0, 0, -1, 1, 0, 1, 0.4, 0.4, 0, 0, 0, 0;
     half_rest << 0, 0, 1, 0, 1, 0.4, 0, 0, 0;
-    Sheet whole = test::small_sheet(whole_rest, {{0, 1, 2}, {0, 3, 1}}, material);
-    Sheet half = test::small_sheet(half_rest, {{0, 2, 1}}, material);
+    Shell whole = test::small_sheet(whole_rest, {{0, 1, 2}, {0, 3, 1}}, material);
+    Shell half = test::small_sheet(half_rest, {{0, 2, 1}}, material);
     half.guides = {Eigen::DiagonalMatrix<double, 3>(0, 1, 1)};
     half.guide = {1, 1, 0};
     StepperOptions options;
@@ -63,19 +63,19 @@ TEST(Clamp, HoldsTheTangent) {
     for (const bool clamped : {false, true}) {
         Positions rest(3, 3);
         rest << 0, 0, 1, 0, 1, 0.5, 0, 0, 0;
-        Sheet sheet = test::small_sheet(rest, {{0, 2, 1}}, {1000, 0.01, 1e9, 0.3});
-        sheet.fixed = {1, 1, 0};
+        Shell shell = test::small_sheet(rest, {{0, 2, 1}}, {1000, 0.01, 1e9, 0.3});
+        shell.fixed = {1, 1, 0};
         StepperOptions options;
         options.step = 0.02;
         if (clamped)
-            options.shell.mirrors = {clamp_hinge(sheet, {0, 1}, hinge_stiffness({1000, 0.01, 1e9, 0.3}))};
-        ImplicitStepper step(sheet, options);
+            options.shell.mirrors = {clamp_hinge(shell, {0, 1}, hinge_stiffness({1000, 0.01, 1e9, 0.3}))};
+        ImplicitStepper step(shell, options);
         double drop = 0;
         for (int i = 0; i < 100; ++i) {
             step.begin();
             step.solve(50);
             step.finish();
-            drop = std::max(drop, -sheet.position(2, 2));
+            drop = std::max(drop, -shell.position(2, 2));
         }
         if (clamped)
             EXPECT_LT(drop, 0.5);

@@ -35,13 +35,13 @@ double sum(const TimeSpent& spent) {
 
 /// Two plates, the upper one on its way to the lower one, two steps before they meet.
 void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
-    Sheet sheet = test::stacked_plates(2, 4, 1.2 * ceramic.thickness, ceramic);
-    sheet.velocity.rightCols(sheet.velocity.cols() / 2).row(2).setConstant(-2);
+    Shell shell = test::stacked_plates(2, 4, 1.2 * ceramic.thickness, ceramic);
+    shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-2);
     StepperOptions options;
     options.tolerance = 1e-8;
     options.contact.sheets = sheet_contact;
     const Clock::time_point start = Clock::now();
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 5; ++i) {
         time_step.begin();
         EXPECT_TRUE(time_step.solve(200).converged);

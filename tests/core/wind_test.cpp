@@ -17,41 +17,41 @@ namespace {
 
 const Material card{.density = 500, .thickness = 4e-3, .young = 1e8, .poisson = 0.3};
 
-double area_of(const Sheet& sheet) {
+double area_of(const Shell& shell) {
     double sum = 0;
-    for (const TriangleStencil& triangle : sheet.triangles) sum += triangle.membrane.area;
+    for (const TriangleStencil& triangle : shell.triangles) sum += triangle.membrane.area;
     return sum;
 }
 
-Wind wind_on(const Sheet& sheet, const Vector3d& velocity) {
+Wind wind_on(const Shell& shell, const Vector3d& velocity) {
     Wind wind;
     wind.velocity = velocity;
-    wind.triangles.resize(sheet.triangles.size());
+    wind.triangles.resize(shell.triangles.size());
     std::iota(wind.triangles.begin(), wind.triangles.end(), 0);
     return wind;
 }
 
 /// What the air does to a sheet that keeps its velocity.
-Positions forces(const Sheet& sheet, const Wind& wind, double step = 1e-3) {
-    Positions gradient = Positions::Zero(3, sheet.position.cols());
-    test::begun(WindEnergy(sheet, {wind}), sheet, 1 - step, step)
-        .add_gradient(sheet.position + step * sheet.velocity, gradient);
+Positions forces(const Shell& shell, const Wind& wind, double step = 1e-3) {
+    Positions gradient = Positions::Zero(3, shell.position.cols());
+    test::begun(WindEnergy(shell, {wind}), shell, 1 - step, step)
+        .add_gradient(shell.position + step * shell.velocity, gradient);
     return -gradient;
 }
 
 /// On a flat sheet in the plane z = 0.
 Vector3d total_force(const Vector3d& velocity, const Vector3d& air = Vector3d::Zero()) {
-    Sheet sheet = test::two_triangles(card);
-    sheet.velocity.colwise() = velocity;
-    return forces(sheet, wind_on(sheet, air)).rowwise().sum();
+    Shell shell = test::two_triangles(card);
+    shell.velocity.colwise() = velocity;
+    return forces(shell, wind_on(shell, air)).rowwise().sum();
 }
 
-Sheet moving_anyhow() {
-    Sheet sheet = test::tetrahedron(card);
+Shell moving_anyhow() {
+    Shell shell = test::tetrahedron(card);
     test::Random random(3);
-    for (double& entry : sheet.velocity.reshaped()) entry = random.uniform(-5, 5);
-    for (double& entry : sheet.position.reshaped()) entry += random.uniform(-0.2, 0.2);
-    return sheet;
+    for (double& entry : shell.velocity.reshaped()) entry = random.uniform(-5, 5);
+    for (double& entry : shell.position.reshaped()) entry += random.uniform(-0.2, 0.2);
+    return shell;
 }
 
 void advance(ImplicitStepper& time_step) {
@@ -62,45 +62,45 @@ void advance(ImplicitStepper& time_step) {
 
 // Newton's method would not converge, or go uphill.
 TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
-    const Sheet sheet = moving_anyhow();
+    const Shell shell = moving_anyhow();
     const WindEnergy energy =
-        test::begun(WindEnergy(sheet, {wind_on(sheet, {4, -2, 1})}), sheet, 1 - 1e-2, 1e-2);
-    test::expect_derivatives(energy, sheet.position, 1e-3, 1e-8);
+        test::begun(WindEnergy(shell, {wind_on(shell, {4, -2, 1})}), shell, 1 - 1e-2, 1e-2);
+    test::expect_derivatives(energy, shell.position, 1e-3, 1e-8);
     BlockMatrix hessian(4, {}, std::vector<char>(4, 0));
-    energy.add_hessian(sheet.position, Curvature::exact, hessian);
+    energy.add_hessian(shell.position, Curvature::exact, hessian);
     const auto eigenvalues =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(hessian)).eigenvalues();
     EXPECT_GT(eigenvalues.minCoeff(), 0);
-    EXPECT_GE(energy.value(sheet.position), 0);
+    EXPECT_GE(energy.value(shell.position), 0);
 }
 
 TEST(Wind, APlateThatFallsBroadsideReachesItsTerminalSpeed) {
     for (const double length : {1e-2, 1e-1, 0.5}) {
-        Sheet sheet = test::two_triangles(card);
+        Shell shell = test::two_triangles(card);
         StepperOptions options;
         options.step = length;
-        options.shell.winds = {wind_on(sheet, Vector3d::Zero())};
-        ImplicitStepper time_step(sheet, options);
+        options.shell.winds = {wind_on(shell, Vector3d::Zero())};
+        ImplicitStepper time_step(shell, options);
         for (double time = 0; time < 8; time += length) advance(time_step);
         const double speed =
-            std::sqrt(2 * sheet.mass.sum() * 9.81 / (1.225 * area_of(sheet) * options.shell.winds[0].drag));
+            std::sqrt(2 * shell.mass.sum() * 9.81 / (1.225 * area_of(shell) * options.shell.winds[0].drag));
         for (Index v = 0; v < 4; ++v)
-            EXPECT_NEAR(-sheet.velocity(2, v), speed, 0.01 * speed) << "step " << length;
-        EXPECT_LT(sheet.velocity.topRows(2).cwiseAbs().maxCoeff(), 1e-3 * speed) << "it slips sideways";
+            EXPECT_NEAR(-shell.velocity(2, v), speed, 0.01 * speed) << "step " << length;
+        EXPECT_LT(shell.velocity.topRows(2).cwiseAbs().maxCoeff(), 1e-3 * speed) << "it slips sideways";
     }
 }
 
 TEST(Wind, IsNotFeltByWhatGoesWithIt) {
-    Sheet sheet = test::tetrahedron(card);
+    Shell shell = test::tetrahedron(card);
     const Vector3d velocity(3, 4, -2);
-    sheet.velocity.colwise() = velocity;
-    EXPECT_LT(forces(sheet, wind_on(sheet, velocity)).norm(), 1e-12);
-    EXPECT_GT(forces(sheet, wind_on(sheet, -velocity)).norm(), 1);
+    shell.velocity.colwise() = velocity;
+    EXPECT_LT(forces(shell, wind_on(shell, velocity)).norm(), 1e-12);
+    EXPECT_GT(forces(shell, wind_on(shell, -velocity)).norm(), 1);
 }
 
 TEST(Wind, OnASheetAtRestIsASheetThatMovesThroughStillAir) {
     const Vector3d velocity(6, 1, -3);
-    Sheet resting = test::tetrahedron(card), moving = resting;
+    Shell resting = test::tetrahedron(card), moving = resting;
     moving.velocity.colwise() = -velocity;
     StepperOptions options;
     options.step = 2e-3;
@@ -142,18 +142,18 @@ TEST(Wind, LiftsWhatIsAtAnAngleToIt) {
 // Huge coefficients and steps take a sheet to the wind's speed, and never past it.
 TEST(Wind, NeverBlowsASheetFasterThanItself) {
     for (const double step : {1e-4, 1e-2, 1.0}) {
-        Sheet sheet = test::tetrahedron(card);
+        Shell shell = test::tetrahedron(card);
         StepperOptions options;
         options.gravity.setZero();
         options.step = step;
-        Wind wind = wind_on(sheet, {20, 0, 0});
+        Wind wind = wind_on(shell, {20, 0, 0});
         wind.drag = wind.lift = wind.friction = 1e5;
         options.shell.winds = {wind};
-        ImplicitStepper time_step(sheet, options);
-        double before = 0.5 * sheet.mass.sum() * 400;
+        ImplicitStepper time_step(shell, options);
+        double before = 0.5 * shell.mass.sum() * 400;
         for (int i = 0; i < 20; ++i) {
             advance(time_step);
-            Sheet seen = sheet;
+            Shell seen = shell;
             seen.velocity.colwise() -= wind.velocity;
             const double energy =
                 kinetic_energy(seen) + time_step.energies().membrane + time_step.energies().bending;
@@ -161,7 +161,7 @@ TEST(Wind, NeverBlowsASheetFasterThanItself) {
             before = energy;
         }
         if (step == 1.0) {
-            EXPECT_LT((linear_momentum(sheet) / sheet.mass.sum() - wind.velocity).norm(), 0.2);
+            EXPECT_LT((linear_momentum(shell) / shell.mass.sum() - wind.velocity).norm(), 0.2);
         }
     }
 }

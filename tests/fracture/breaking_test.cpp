@@ -22,7 +22,7 @@ class Breaking : public testing::Test {
         flat.material = {1000, 0.01, 1e7, 0.3};
         flat.axes.assign(flat.mesh.number_of_faces(), Vector3d::UnitX());
         flat.strength = strength;
-        sheet = std::make_unique<BreakableSheet>(std::vector{flat});
+        sheet = std::make_unique<BreakableShell>(std::vector{flat});
         measures.bending = measures.strain = measures.stress =
             VectorXd::Zero(static_cast<Eigen::Index>(sheet->mechanics().hinges.size()));
     }
@@ -31,7 +31,7 @@ class Breaking : public testing::Test {
     }
     double& strain_at(unsigned a, unsigned b) { return measures.strain[sheet->hinge_of_edge(edge_at(a, b))]; }
 
-    std::unique_ptr<BreakableSheet> sheet;
+    std::unique_ptr<BreakableShell> sheet;
     HingeMeasures measures;
 };
 
@@ -104,7 +104,7 @@ TEST_F(Breaking, RefusesStrengthsThatDoNotFitTheMesh) {
     flat.mesh = test::grid(2, 2);
     flat.material = {1000, 0.01, 1e7, 0.3};
     flat.strength.along = 1;  // a direction, and no axes
-    EXPECT_THROW(BreakableSheet({flat}), Error);
+    EXPECT_THROW(BreakableShell({flat}), Error);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Outcome press(const SheetInput& input, const std::vector<Index>& faces, double f
     options.stepper.step = 2e-4;
     options.stepper.shell.damping.stiffness = 1e-4;
     options.stepper.contact.sheets = false;  // it is where cracks begin and run that counts here
-    const BreakableSheet sheet({input});
+    const BreakableShell sheet({input});
     Load load;
     load.dead = area_forces(sheet.mechanics(), faces, Vector3d(0, 0, -force));
     load.ramp = ramp;

@@ -55,7 +55,7 @@ constexpr std::array names{"cubic", "cubic-2007", "nonlinear"};
 /// Largest change of the linear momentum over so many steps, relative.
 double drift(BendingModel model, int steps) {
     Simulation simulation({spinning_bowl()}, weightless(1e-4, model));
-    const Vector3d start = linear_momentum(simulation.sheet().mechanics());
+    const Vector3d start = linear_momentum(simulation.shell().mechanics());
     double largest = 0;
     for (int i = 0; i < steps; ++i)
         largest = std::max(largest, (simulation.step().linear_momentum - start).norm() / start.norm());
@@ -80,7 +80,7 @@ TEST(FreeFlight, EachBendingModelKeepsLinearMomentum) {
 
 /// Brings a sheet to equilibrium, which is not its rest shape with cubic-2007, and gives it its motion back:
 /// what the rest shape sets free would be damped away as vibration.
-void settle_in_motion(Sheet& sheet, StepperOptions options) {
+void settle_in_motion(Shell& sheet, StepperOptions options) {
     const Positions motion = sheet.velocity;
     sheet.velocity.setZero();
     options.step = 1e-2;
@@ -93,8 +93,8 @@ struct Loss {
     double angular_momentum, energy;
 };
 Loss loss(BendingModel model, double step) {
-    BreakableSheet bowl({spinning_bowl()});
-    Sheet& sheet = bowl.mechanics();
+    BreakableShell bowl({spinning_bowl()});
+    Shell& sheet = bowl.mechanics();
     StepperOptions options;
     options.step = step;
     options.gravity.setZero();

@@ -13,7 +13,7 @@ namespace {
 constexpr double thickness = 0.002, young = 1e7, poisson = 0.3;
 
 /// Squared cosine between x and the direction across the hinge's edge.
-double across_of(const BreakableSheet& sheet, std::size_t hinge) {
+double across_of(const BreakableShell& sheet, std::size_t hinge) {
     const auto& vertices = sheet.mechanics().hinges[hinge].vertices;
     const Vector3d edge = sheet.mechanics().rest.col(vertices[1]) - sheet.mechanics().rest.col(vertices[0]);
     return std::pow(edge.y() / edge.norm(), 2);
@@ -32,10 +32,10 @@ class HingeMeasuresOfASquare : public testing::Test {
         SheetInput square;
         square.mesh = generate_rectangle(0.3, 0.3, {0.01, Layout::delaunay, 5});
         square.material = {1000, thickness, young, poisson};
-        sheet = std::make_unique<BreakableSheet>(std::vector{square});
+        sheet = std::make_unique<BreakableShell>(std::vector{square});
         flat = sheet->mechanics().rest;
     }
-    std::unique_ptr<BreakableSheet> sheet;
+    std::unique_ptr<BreakableShell> sheet;
     Positions flat;
 };
 

@@ -18,7 +18,7 @@ SheetInput disc() {
 }
 
 /// So much of the edge's number on every hinge.
-HingeMeasures by_edge(const BreakableSheet& sheet, double factor) {
+HingeMeasures by_edge(const BreakableShell& sheet, double factor) {
     VectorXd values(static_cast<Index>(sheet.mechanics().hinges.size()));
     for (Index i = 0; i < values.size(); ++i)
         values[i] = factor * static_cast<double>(sheet.edge_of_hinge(i));
@@ -27,7 +27,7 @@ HingeMeasures by_edge(const BreakableSheet& sheet, double factor) {
 
 // Hinges are renumbered when one fails: what one bore would be told of another one.
 TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
-    BreakableSheet sheet({disc()});
+    BreakableShell sheet({disc()});
     std::vector<Edge> failing;
     for (std::size_t i = 0; i < sheet.mechanics().hinges.size(); i += 3)
         failing.push_back(sheet.edge_of_hinge(i));
@@ -52,7 +52,7 @@ TEST(HingePeaks, StayWithTheirEdgesWhateverFails) {
 
 // A step that could not be solved to its end is done again, shorter; what it would have been never was.
 TEST(HingePeaks, ForgetAttemptsThatWereGivenUp) {
-    const BreakableSheet sheet({disc()});
+    const BreakableShell sheet({disc()});
     HingePeaks peaks;
     peaks.judge(sheet, by_edge(sheet, 100));
     peaks.judge(sheet, by_edge(sheet, 1));
@@ -78,7 +78,7 @@ TEST(HingePeaks, TheLargestIsThatOfTheReports) {
     EXPECT_EQ(simulation.peaks().of_edges().strain.maxCoeff(), peaks.peak_strain);
     EXPECT_EQ(simulation.peaks().of_edges().bending.maxCoeff(), peaks.peak_bending_strain);
     EXPECT_EQ(simulation.peaks().of_edges().strain.size(),
-              static_cast<Index>(simulation.sheet().mesh().number_of_edges()));
+              static_cast<Index>(simulation.shell().mesh().number_of_edges()));
 }
 
 }  // namespace

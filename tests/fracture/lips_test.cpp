@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/time/implicit_stepper.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 #include "meshops/generate.h"
 #include "meshops/self_intersections.h"
 
@@ -37,7 +37,7 @@ class BrokenStrip {
 
     template <class Velocity>
     void set_velocity(const Velocity& of_vertex) {
-        Sheet& mechanics = sheet.mechanics();
+        Shell& mechanics = sheet.mechanics();
         for (Index v = 0; v < static_cast<Index>(mechanics.position.cols()); ++v)
             mechanics.velocity.col(v) = of_vertex(on_left[v], Vector3d(mechanics.position.col(v)));
     }
@@ -65,7 +65,7 @@ class BrokenStrip {
         return sum / mass;
     }
 
-    BreakableSheet sheet;
+    BreakableShell sheet;
     std::unique_ptr<ImplicitStepper> time_step;
     std::vector<char> on_left;   ///< of each vertex
     double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
@@ -115,7 +115,7 @@ class BrokenStrips : public ::testing::TestWithParam<Layout> {};
 TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     BrokenStrip strip(GetParam(), 2e-6);
     strip.set_velocity([](bool left, const Vector3d&) { return Vector3d(left ? 0.5 : -0.5, 0, 0); });
-    const Sheet& mechanics = strip.sheet.mechanics();
+    const Shell& mechanics = strip.sheet.mechanics();
     const Vector3d momentum = mechanics.velocity * mechanics.mass;
     for (int i = 0; i < 50; ++i) strip.advance();
     EXPECT_LT(strip.mean(mechanics.velocity, true).x(), -0.1);

@@ -34,8 +34,8 @@ TEST(Simulation, LinearMomentumFollowsGravityWhileNothingTouches) {
     SimulationOptions options;
     options.stepper.step = 1e-3;
     Simulation simulation({shell}, options);
-    const double mass = simulation.sheet().mechanics().mass.sum();
-    const Vector3d start = linear_momentum(simulation.sheet().mechanics());
+    const double mass = simulation.shell().mechanics().mass.sum();
+    const Vector3d start = linear_momentum(simulation.shell().mechanics());
     for (int i = 0; i < 200; ++i) {
         const StepReport report = simulation.step();
         ASSERT_EQ(report.halvings, 0);
@@ -54,12 +54,12 @@ TEST(Simulation, CurvedSheetAtRestStaysAtRest) {
     options.stepper.gravity.setZero();
     Simulation simulation({tube}, options);
     for (int i = 0; i < 20; ++i) simulation.step();
-    EXPECT_LT(simulation.sheet().mechanics().velocity.cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT(simulation.shell().mechanics().velocity.cwiseAbs().maxCoeff(), 1e-9);
 }
 
 // The elastic forces of a sheet crumpled at random must have no net force and no net torque.
 TEST(Simulation, ElasticForcesBalanceOnAnyDeformation) {
-    const BreakableSheet sheet({disc(0.1, 0.02)});
+    const BreakableShell sheet({disc(0.1, 0.02)});
     Positions x = sheet.mechanics().position;
     for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 0.01 * std::sin(static_cast<double>(i * i));
     for (const bool bending : {true, false}) {
@@ -121,7 +121,7 @@ TEST(BreakingSimulation, BreaksWithoutGainingEnergyAndRecordsEveryEvent) {
         failed += after.edge_state[e] != before.edge_state[e];
     EXPECT_EQ(failed, events.failures.size());
     const HingeMeasures measures =
-        hinge_measures(simulation.sheet(), simulation.sheet().mechanics().position);
+        hinge_measures(simulation.shell(), simulation.shell().mechanics().position);
     EXPECT_LE(measures.strain.maxCoeff(), 0.3);
 }
 

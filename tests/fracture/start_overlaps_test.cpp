@@ -28,13 +28,13 @@ SheetInput square(double degrees, const Vector3d& shift) {
 }
 
 TEST(StartOverlaps, NoneWhereSheetsAreAThicknessApart) {
-    EXPECT_TRUE(start_overlaps(BreakableSheet({square(0, {0, 0, 0}), square(0, {0.1, 0, 0.0101})})).empty());
+    EXPECT_TRUE(start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(0, {0.1, 0, 0.0101})})).empty());
 }
 
 // A sheet through the middle of large triangles, far from all their vertices and edges: distances alone would
 // not see it.
 TEST(StartOverlaps, FindsFacesThatCrossFarFromTheirVertices) {
-    const auto found = start_overlaps(BreakableSheet({square(0, {0, 0, 0}), square(90, {0.1, 0.4, -0.5})}));
+    const auto found = start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(90, {0.1, 0.4, -0.5})}));
     ASSERT_FALSE(found.empty());
     for (const StartOverlap& overlap : found) {
         EXPECT_LT(overlap.faces[0], overlap.faces[1]);
@@ -45,7 +45,7 @@ TEST(StartOverlaps, FindsFacesThatCrossFarFromTheirVertices) {
 }
 
 TEST(StartOverlaps, FindsFacesThatAreTooNearWithTheirDistance) {
-    const auto found = start_overlaps(BreakableSheet({square(0, {0, 0, 0}), square(0, {0.1, 0.1, 0.004})}));
+    const auto found = start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(0, {0.1, 0.1, 0.004})}));
     ASSERT_FALSE(found.empty());
     for (const StartOverlap& overlap : found) {
         EXPECT_FALSE(overlap.crossing);
@@ -60,7 +60,7 @@ TEST(StartOverlaps, FindsFacesThatAreTooNearWithTheirDistance) {
 TEST(StartOverlaps, NoneAtASeamThatIsNotJoined) {
     SheetInput both = square(0, {0, 0, 0});
     both.mesh.join(square(0, {1, 0, 0}).mesh);
-    const BreakableSheet sheet({both});
+    const BreakableShell sheet({both});
     EXPECT_TRUE(start_overlaps(sheet).empty());
     EXPECT_EQ(sheet.mechanics().twins.size(), 2u);
     EXPECT_TRUE(sheet.mechanics().lips.empty());

@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 
 /// Angular frequencies, 1/s, of the `count` slowest modes at rest, rigid motions included, ascending:
 /// subspace iteration with the Hessian of an implicit Euler step, M / h^2 + K.
-VectorXd frequencies(const Sheet& sheet, const std::vector<MirrorHinge>& mirrors, int count, double step) {
+VectorXd frequencies(const Shell& sheet, const std::vector<MirrorHinge>& mirrors, int count, double step) {
     ShellEnergies shell(sheet, {.mirrors = mirrors});
     Inertia inertia(sheet, Vector3d::Zero());
     std::vector<Energy*> energies = shell.elastic();
@@ -65,7 +65,7 @@ std::vector<double> percent_errors(const VectorXd& measured, const std::vector<d
 TEST(TheoryModes, FreeSquarePlate) {
     const std::vector<double> leissa{13.468, 19.596, 24.270, 34.801, 34.801, 61.093};
     for (const int edges : {10, 20, 40}) {
-        const BreakableSheet plate = test::flat_plate(1, 1, 1.0 / edges, test::unit_plate(0.3, 0.01));
+        const BreakableShell plate = test::flat_plate(1, 1, 1.0 / edges, test::unit_plate(0.3, 0.01));
         const VectorXd all = frequencies(plate.mechanics(), {}, 12, 0.1);
         EXPECT_LT(all.head(6).maxCoeff(), 0.1) << "rigid motions cost energy";
         const std::vector<double> errors = percent_errors(all.tail(6), leissa);
@@ -83,8 +83,8 @@ TEST(TheoryModes, CantileverStrip) {
     const std::vector<double> theory{3.5160 * bend, 22.0345 * bend, 61.6972 * bend,
                                      twist,         120.902 * bend, 199.860 * bend};
     for (const int edges : {2, 4, 8}) {
-        BreakableSheet plate = test::flat_plate(1, width, width / edges, test::unit_plate(poisson, 0.001));
-        Sheet& sheet = plate.mechanics();
+        BreakableShell plate = test::flat_plate(1, width, width / edges, test::unit_plate(poisson, 0.001));
+        Shell& sheet = plate.mechanics();
         const auto at_wall = test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; });
         const auto mirrors = test::clamp(sheet, at_wall, sheet.hinges.front().stiffness);
         const VectorXd all = frequencies(sheet, mirrors, 6, 0.1);

@@ -48,8 +48,8 @@ TEST(TheoryStatics, HeavyCantilever) {
     const double exact = elastica_deflection(8);
     std::vector<double> errors;
     for (const int edges : {10, 20, 40}) {
-        BreakableSheet plate = test::flat_plate(1, 0.25, 1.0 / edges, test::unit_plate(0, 0.01));
-        Sheet& sheet = plate.mechanics();
+        BreakableShell plate = test::flat_plate(1, 0.25, 1.0 / edges, test::unit_plate(0, 0.01));
+        Shell& sheet = plate.mechanics();
         StepperOptions options;
         options.shell.mirrors =
             test::clamp(sheet, test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; }),
@@ -81,8 +81,8 @@ double navier() {
 TEST(TheoryStatics, SupportedSquareUnderPressure) {
     std::vector<double> errors;
     for (const int edges : {10, 20, 40}) {
-        BreakableSheet plate = test::flat_plate(1, 1, 1.0 / edges, test::unit_plate(0.3, 0.01));
-        Sheet& sheet = plate.mechanics();
+        BreakableShell plate = test::flat_plate(1, 1, 1.0 / edges, test::unit_plate(0.3, 0.01));
+        Shell& sheet = plate.mechanics();
         const auto rim = test::select(sheet, [](const Vector3d& p) {
             return std::min(p.x(), p.y()) < 1e-9 || std::max(p.x(), p.y()) > 1 - 1e-9;
         });
@@ -113,8 +113,8 @@ TEST(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
     constexpr double width = 0.25;
     std::vector<double> errors;
     for (const int edges : {10, 20, 40}) {
-        BreakableSheet plate = test::flat_plate(1, width, 1.0 / edges, test::unit_plate(0, 0.01));
-        Sheet& sheet = plate.mechanics();
+        BreakableShell plate = test::flat_plate(1, width, 1.0 / edges, test::unit_plate(0, 0.01));
+        Shell& sheet = plate.mechanics();
         for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
             const double angle = 2 * pi * sheet.rest(0, v), radius = 1 / (2 * pi);
             sheet.position.col(v) << radius * std::sin(angle), sheet.rest(1, v),
@@ -128,7 +128,7 @@ TEST(TheoryStatics, StripRolledByEndMomentsIntoACircle) {
         for (MirrorHinge& hinge :
              options.shell.mirrors)  // after the turn the tangent is the same, the place not
             hinge.offset =
-                hinge.normal.dot(Vector3d(sheet.position.col(side_vertices(sheet, hinge.side)[0])));
+                hinge.normal.dot(Vector3d(sheet.position.col(edge_and_apex(sheet, hinge.side)[0])));
         options.step = 2;
         options.gravity.setZero();
         test::settle(sheet, options, 12);

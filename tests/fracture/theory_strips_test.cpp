@@ -39,8 +39,8 @@ double measured_rigidity(double w, unsigned seed) {
     input.mesh = generate_rectangle(1, 0.15, {1.0 / 60, Layout::delaunay, seed});
     input.material = wooden_plate();
     input.axes.assign(input.mesh.number_of_faces(), Vector3d(std::cos(w), std::sin(w), 0));
-    BreakableSheet plate({input});
-    Sheet& sheet = plate.mechanics();
+    BreakableShell plate({input});
+    Shell& sheet = plate.mechanics();
     StepperOptions options;
     options.shell.mirrors =
         test::clamp(sheet, test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; }),

@@ -42,7 +42,7 @@ TEST(Touch, ByVerticesAndByFacesIsOfTheObstacleThatItIsOf) {
     EXPECT_EQ(simulation.touched_obstacles(), (Flags{0, 0, 0}));
     for (int i = 0; i < 40; ++i) simulation.step();
     EXPECT_EQ(simulation.touched_obstacles(), (Flags{0, 0, 1}));
-    for (double z : simulation.sheet().mechanics().position.row(2)) ASSERT_GT(z, -0.4);
+    for (double z : simulation.shell().mechanics().position.row(2)) ASSERT_GT(z, -0.4);
 }
 
 TEST(Touch, OnceIsEnough) {

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "core/contact/colliders/obstacle.h"
-#include "core/contact/geometry/solids.h"
-#include "core/shell/sheet.h"
+#include "core/contact/geometry/basic_shapes.h"
+#include "core/shell/shell.h"
 
 namespace sherd::test {
 
@@ -20,7 +20,7 @@ inline Obstacle floor(double young = 3e10, double friction = 0) {
 }
 
 /// A box of twelve triangles.
-inline std::shared_ptr<const SolidSurface> box_surface(const Vector3d& centre, const Vector3d& half) {
+inline std::shared_ptr<const ColliderSurface> box_surface(const Vector3d& centre, const Vector3d& half) {
     Positions points(3, 8);
     for (int i = 0; i < 8; ++i)
         points.col(i) = centre + half.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
@@ -31,7 +31,7 @@ inline std::shared_ptr<const SolidSurface> box_surface(const Vector3d& centre, c
         triangles.push_back({a, b, c});
         triangles.push_back({a, c, d});
     }
-    return std::make_shared<SolidSurface>(solid_surface(points, triangles));
+    return std::make_shared<ColliderSurface>(collider_surface(points, triangles));
 }
 
 /// A box with a surface.
@@ -43,7 +43,7 @@ inline Obstacle solid_box(const Vector3d& centre, const Vector3d& half, double y
 }
 
 /// A sphere about the origin, from an octahedron whose triangles are cut in four so many times.
-inline std::shared_ptr<const SolidSurface> sphere_surface(double radius, int times) {
+inline std::shared_ptr<const ColliderSurface> sphere_surface(double radius, int times) {
     std::vector<Vector3d> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::vector<std::array<Index, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                 {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -64,20 +64,20 @@ inline std::shared_ptr<const SolidSurface> sphere_surface(double radius, int tim
     }
     Positions all(3, points.size());
     for (std::size_t i = 0; i < points.size(); ++i) all.col(i) = radius * points[i];
-    return std::make_shared<SolidSurface>(solid_surface(all, triangles));
+    return std::make_shared<ColliderSurface>(collider_surface(all, triangles));
 }
 
 /// A lone vertex, which a step treats as a ball of mass 0.1 kg, 1 cm thick.
-inline Sheet lone_vertex(const Vector3d& at) {
-    Sheet sheet;
-    resize_vertices(sheet, 1);
-    sheet.position.col(0) = at;
-    sheet.rest = sheet.position;
-    sheet.mass[0] = 0.1;
-    sheet.thickness[0] = 0.01;
-    sheet.young[0] = 1e7;
-    sheet.footprint[0] = 1e-4;
-    return sheet;
+inline Shell lone_vertex(const Vector3d& at) {
+    Shell shell;
+    resize_vertices(shell, 1);
+    shell.position.col(0) = at;
+    shell.rest = shell.position;
+    shell.mass[0] = 0.1;
+    shell.thickness[0] = 0.01;
+    shell.young[0] = 1e7;
+    shell.footprint[0] = 1e-4;
+    return shell;
 }
 
 }  // namespace sherd::test

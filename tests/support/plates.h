@@ -10,7 +10,7 @@ namespace sherd::test {
 
 /// Square plates of side 0.1 m, each turned and moved its own way, of `count` x `count` squares of two
 /// triangles; plate k lies at height k `spacing`. They are bodies of their own.
-inline Sheet stacked_plates(int plates, int count, double spacing, const Material& material) {
+inline Shell stacked_plates(int plates, int count, double spacing, const Material& material) {
     const int side = count + 1;
     Positions rest(3, plates * side * side);
     std::vector<std::array<Index, 3>> triangles;
@@ -30,28 +30,28 @@ inline Sheet stacked_plates(int plates, int count, double spacing, const Materia
                 triangles.push_back({v, v + side + 1, v + side});
             }
     }
-    Sheet sheet = small_sheet(rest, triangles, material);
-    sheet.thickness.setConstant(material.thickness);
-    sheet.young.setConstant(material.young);
-    sheet.footprint = sheet.mass / (material.thickness * material.density);
-    for (Index v = 0; v < static_cast<Index>(rest.cols()); ++v) sheet.body[v] = v / (side * side);
-    return sheet;
+    Shell shell = small_sheet(rest, triangles, material);
+    shell.thickness.setConstant(material.thickness);
+    shell.young.setConstant(material.young);
+    shell.footprint = shell.mass / (material.thickness * material.density);
+    for (Index v = 0; v < static_cast<Index>(rest.cols()); ++v) shell.vertex_sheet[v] = v / (side * side);
+    return shell;
 }
 
 /// Smallest distance between elements of different bodies, m, by looking at all of them.
-inline double smallest_distance(const Sheet& sheet, const Positions& x) {
+inline double smallest_distance(const Shell& shell, const Positions& x) {
     double smallest = std::numeric_limits<double>::infinity();
     const auto look = [&](PairKind kind, const std::array<Index, 4>& vertices, Index a, Index b) {
-        if (sheet.body[a] == sheet.body[b]) return;
+        if (shell.vertex_sheet[a] == shell.vertex_sheet[b]) return;
         PairPositions local;
         for (int i = 0; i < 4; ++i) local.col(i) = x.col(vertices[i]);
         smallest = std::min(smallest, std::sqrt(squared_distance(closest_points(kind, local), local)));
     };
-    for (const TriangleStencil& s : sheet.triangles) {
+    for (const TriangleStencil& s : shell.triangles) {
         const auto [a, b, c] = s.vertices;
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
             look(PairKind::vertex_triangle, {v, a, b, c}, v, a);
-        for (const TriangleStencil& t : sheet.triangles)
+        for (const TriangleStencil& t : shell.triangles)
             for (int i = 0; i < 9; ++i) {
                 const Index d = t.vertices[i / 3], e = t.vertices[(i / 3 + 1) % 3];
                 look(PairKind::edge_edge, {s.vertices[i % 3], s.vertices[(i + 1) % 3], d, e}, a, d);
@@ -61,13 +61,13 @@ inline double smallest_distance(const Sheet& sheet, const Positions& x) {
 }
 
 /// Pairs of an edge and a triangle without a common vertex that cut each other, by looking at all of them.
-inline int intersections(const Sheet& sheet, const Positions& x) {
+inline int intersections(const Shell& shell, const Positions& x) {
     const auto volume = [&](Index a, Index b, Index c, Index d) {
         return (x.col(b) - x.col(a)).cross(x.col(c) - x.col(a)).dot(x.col(d) - x.col(a));
     };
     int count = 0;
-    for (const TriangleStencil& s : sheet.triangles)
-        for (const TriangleStencil& t : sheet.triangles)
+    for (const TriangleStencil& s : shell.triangles)
+        for (const TriangleStencil& t : shell.triangles)
             for (int i = 0; i < 3; ++i) {
                 const Index p = s.vertices[i], q = s.vertices[(i + 1) % 3];
                 const auto [a, b, c] = t.vertices;

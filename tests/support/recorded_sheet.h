@@ -5,34 +5,34 @@
 #include <vector>
 
 #include "app/recording/recording.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd::test {
 
 /// A sheet of rubber that is nothing but a surface for SheetContact. thickness: m, body: number of the sheet,
 /// of each vertex.
-inline Sheet bare_sheet(const Positions& rest, const Positions& position,
+inline Shell bare_sheet(const Positions& rest, const Positions& position,
                         const std::vector<std::array<Index, 3>>& triangles,
                         const std::vector<double>& thickness, const std::vector<Index>& body) {
-    Sheet sheet;
-    resize_vertices(sheet, static_cast<Index>(rest.cols()));
-    sheet.rest = rest;
-    sheet.position = position;
-    sheet.young.setConstant(2e6);
-    sheet.body = body;
-    std::copy(thickness.begin(), thickness.end(), sheet.thickness.begin());
+    Shell shell;
+    resize_vertices(shell, static_cast<Index>(rest.cols()));
+    shell.rest = rest;
+    shell.position = position;
+    shell.young.setConstant(2e6);
+    shell.vertex_sheet = body;
+    std::copy(thickness.begin(), thickness.end(), shell.thickness.begin());
     for (const std::array<Index, 3>& corners : triangles) {
         const Material rubber{
             .density = 1000, .thickness = thickness[corners[0]], .young = 2e6, .poisson = 0.4};
-        sheet.triangles.push_back(
+        shell.triangles.push_back(
             {corners, membrane_triangle(columns(rest, corners), membrane_elasticity(rubber))});
-        for (const Index v : corners) sheet.footprint[v] += sheet.triangles.back().membrane.area / 3;
+        for (const Index v : corners) shell.footprint[v] += shell.triangles.back().membrane.area / 3;
     }
-    return sheet;
+    return shell;
 }
 
 /// The sheets of a frame as such a surface. Vertices that a crack has split are twins, however far apart.
-inline Sheet recorded_sheet(const Snapshot& frame) {
+inline Shell recorded_sheet(const Snapshot& frame) {
     const std::size_t count = frame.position.cols();
     Positions rest(3, count);
     std::vector<double> thickness(count);
@@ -47,12 +47,12 @@ inline Sheet recorded_sheet(const Snapshot& frame) {
             thickness[v] = frame.rest.thickness[f];
             body[v] = frame.face_sheet[f];
         }
-    Sheet sheet = bare_sheet(rest, frame.position, frame.faces, thickness, body);
+    Shell shell = bare_sheet(rest, frame.position, frame.faces, thickness, body);
     for (const std::vector<Index>& all : copies)
         for (std::size_t i = 0; i < all.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) sheet.twins.push_back({all[j], all[i]});
-    std::sort(sheet.twins.begin(), sheet.twins.end());
-    return sheet;
+            for (std::size_t j = 0; j < i; ++j) shell.twins.push_back({all[j], all[i]});
+    std::sort(shell.twins.begin(), shell.twins.end());
+    return shell;
 }
 
 }  // namespace sherd::test

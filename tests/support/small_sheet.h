@@ -4,43 +4,43 @@
 #include <gtest/gtest.h>
 
 #include "core/energy.h"
-#include "core/shell/sides.h"
+#include "core/shell/triangle_edge.h"
 #include "tests/support/random_shapes.h"
 
 namespace sherd::test {
 
 /// A sheet without a mesh: a hinge wherever two triangles share a side.
-inline Sheet small_sheet(const Positions& rest, const std::vector<std::array<Index, 3>>& triangles,
+inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Index, 3>>& triangles,
                          const Material& material) {
-    Sheet sheet;
-    resize_vertices(sheet, static_cast<Index>(rest.cols()));
-    sheet.rest = sheet.position = rest;
+    Shell shell;
+    resize_vertices(shell, static_cast<Index>(rest.cols()));
+    shell.rest = shell.position = rest;
     for (const std::array<Index, 3>& vertices : triangles) {
-        sheet.triangles.push_back(
+        shell.triangles.push_back(
             {vertices, membrane_triangle(columns(rest, vertices), membrane_elasticity(material))});
         for (const Index v : vertices)
-            sheet.mass[v] += sheet.triangles.back().membrane.area * material.thickness * material.density / 3;
+            shell.mass[v] += shell.triangles.back().membrane.area * material.thickness * material.density / 3;
     }
     const Index count = static_cast<Index>(triangles.size());
     for (Index t = 0; t < 3 * count; ++t)
         for (Index u = 0; u < t; ++u) {
-            const auto [a, b, apex] = side_vertices(sheet, {t / 3, t % 3});
-            const auto [c, d, other] = side_vertices(sheet, {u / 3, u % 3});
+            const auto [a, b, apex] = edge_and_apex(shell, {t / 3, t % 3});
+            const auto [c, d, other] = edge_and_apex(shell, {u / 3, u % 3});
             if (a == d && b == c)
-                sheet.hinges.push_back(hinge_stencil(sheet, {a, b, apex, other}, hinge_stiffness(material)));
+                shell.hinges.push_back(hinge_stencil(shell, {a, b, apex, other}, hinge_stiffness(material)));
         }
-    return sheet;
+    return shell;
 }
 
 /// A closed tetrahedron, outward triangles.
-inline Sheet tetrahedron(const Material& material) {
+inline Shell tetrahedron(const Material& material) {
     Positions rest(3, 4);
     rest << 0, 1, 0.1, 0.2, 0, 0.1, 1, 0.3, 0, 0, 0.1, 1;
     return small_sheet(rest, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, material);
 }
 
 /// Two triangles, not symmetric, in the plane z = 0, normals along +z.
-inline Sheet two_triangles(const Material& material) {
+inline Shell two_triangles(const Material& material) {
     Positions rest(3, 4);
     rest << 0, 1, 0.3, 0.6, 0, 0, 0.8, -0.9, 0, 0, 0, 0;
     return small_sheet(rest, {{0, 1, 2}, {0, 3, 1}}, material);

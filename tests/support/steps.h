@@ -6,15 +6,15 @@
 namespace sherd::test {
 
 /// The step of implicit Euler from where the sheet and the bodies are; begin, length: s.
-inline StepContext step_of(const Sheet& sheet, double begin, double length,
+inline StepContext step_of(const Shell& shell, double begin, double length,
                            const std::vector<RigidBody>& bodies = {}) {
-    return ImplicitEuler().begin(sheet, bodies, begin, length);
+    return ImplicitEuler().begin(shell, bodies, begin, length);
 }
 
 /// The energy, in a step of implicit Euler from where the sheet is.
 template <class E>
-E begun(E energy, const Sheet& sheet, double begin, double length) {
-    energy.begin(step_of(sheet, begin, length));
+E begun(E energy, const Shell& shell, double begin, double length) {
+    energy.begin(step_of(shell, begin, length));
     return energy;
 }
 

@@ -15,8 +15,8 @@ constexpr double noticed = 1e-6;  // of a body's size: less is rounding, as of w
 /// m, how deep the deepest foot is in a shape; less than zero if none is.
 double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
     double deepest = -1;
-    for (const Vector3d& foot : body.feet)
-        deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.skin).depth);
+    for (const Vector3d& foot : body.contact_points)
+        deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.contact_radius).depth);
     const double size = body.shape->bounds().diagonal().norm();
     return deepest > noticed * size ? deepest : -1;
 }

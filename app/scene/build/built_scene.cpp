@@ -20,13 +20,13 @@
 namespace sherd {
 namespace {
 
-void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all) {
+void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all) {
     const BendingModel model = scene.solver.bending.model;
     if (stable_at_rest(all.mechanics(), model)) return;
     std::vector<std::string> mistakes;
     // Which one it is only a sheet alone can tell.
     for (std::size_t s = 0; s < inputs.size(); ++s)
-        if (!stable_at_rest(BreakableSheet({inputs[s]}).mechanics(), model))
+        if (!stable_at_rest(BreakableShell({inputs[s]}).mechanics(), model))
             mistakes.push_back(fmt::format(
                 "{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
                 "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
@@ -65,7 +65,7 @@ void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::strin
 
 BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
                        std::vector<std::string>& warnings) {
-    BreakableSheet all(inputs);
+    BreakableShell all(inputs);
     BuiltScene built{std::move(inputs), std::move(all), plain_options(scene)};
     require_stability(scene, built.inputs, built.sheets);
     part_sheets(scene, built.inputs, built.sheets, warnings);

@@ -12,7 +12,7 @@ namespace sherd {
 /// A scene as it is before its first step: all that a Simulation is made of.
 struct BuiltScene {
     std::vector<SheetInput> inputs;  ///< of the scene's sheets, in its order, where they start
-    BreakableSheet sheets;           ///< made of all inputs
+    BreakableShell sheets;           ///< made of all inputs
     SimulationOptions options;
 };
 

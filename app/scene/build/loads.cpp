@@ -16,7 +16,7 @@ std::vector<Index> numbers_of(const std::vector<char>& selected) {
     return numbers;
 }
 
-std::vector<Index> selected_triangles(const Sheet& mechanics, const std::vector<char>& selected) {
+std::vector<Index> selected_triangles(const Shell& mechanics, const std::vector<char>& selected) {
     std::vector<Index> triangles;
     for (Index t = 0; t < static_cast<Index>(mechanics.triangles.size()); ++t) {
         const std::array<Index, 3>& v = mechanics.triangles[t].vertices;
@@ -27,7 +27,7 @@ std::vector<Index> selected_triangles(const Sheet& mechanics, const std::vector<
 
 }  // namespace
 
-void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
+void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                SimulationOptions& options) {
     for (const LoadSpec& spec : scene.loads) {
         const std::vector<char> selected = selected_vertices(spec.on, spec.sheet, scene, inputs);
@@ -36,7 +36,7 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
         if (spec.kind == "point")
             load.dead = point_forces(mechanics, numbers_of(selected), spec.force);
         else if (spec.kind == "line")
-            load.dead = line_forces(mechanics, boundary_sides(mechanics, selected), spec.force);
+            load.dead = line_forces(mechanics, boundary_triangle_edges(mechanics, selected), spec.force);
         else if (spec.kind == "area")
             load.dead = area_forces(mechanics, selected_triangles(mechanics, selected), spec.force);
         else

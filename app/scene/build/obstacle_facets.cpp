@@ -21,7 +21,7 @@ int segments_of(double radius, double sagitta) {
 
 /// A closed profile of (r, z), from its lower end on the axis to its upper one, turned about the z axis. The
 /// ends are one point each.
-SolidSurface revolved(const std::vector<Vector2d>& profile, int segments, const Eigen::Affine3d& map) {
+ColliderSurface revolved(const std::vector<Vector2d>& profile, int segments, const Eigen::Affine3d& map) {
     const int rows = static_cast<int>(profile.size()) - 2;
     Positions points(3, 2 + rows * segments);
     points.col(0) = map * Vector3d(0, 0, profile.front().y());
@@ -44,16 +44,16 @@ SolidSurface revolved(const std::vector<Vector2d>& profile, int segments, const 
         }
         triangles.push_back({1, last + i, last + next});
     }
-    return solid_surface(std::move(points), std::move(triangles));
+    return collider_surface(std::move(points), std::move(triangles));
 }
 
 }  // namespace
 
-SolidSurface facets(const PlaneShape&, double) {
+ColliderSurface facets(const PlaneShape&, double) {
     return {};
 }
 
-SolidSurface facets(const SphereShape& sphere, double sagitta) {
+ColliderSurface facets(const SphereShape& sphere, double sagitta) {
     const int segments = segments_of(sphere.radius, sagitta);
     std::vector<Vector2d> profile;
     for (int i = 0; i <= segments / 2; ++i) {
@@ -63,14 +63,14 @@ SolidSurface facets(const SphereShape& sphere, double sagitta) {
     return revolved(profile, segments, Eigen::Affine3d(Eigen::Translation3d(sphere.centre)));
 }
 
-SolidSurface facets(const CylinderShape& cylinder, double sagitta) {
+ColliderSurface facets(const CylinderShape& cylinder, double sagitta) {
     const double r = cylinder.radius, z = cylinder.length / 2;
     return revolved({{0, -z}, {r, -z}, {r, z}, {0, z}}, segments_of(r, sagitta),
                     Eigen::Translation3d(cylinder.centre) *
                         Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), cylinder.axis));
 }
 
-SolidSurface facets(const BoxShape& box, double) {
+ColliderSurface facets(const BoxShape& box, double) {
     Positions points(3, 8);
     for (int i = 0; i < 8; ++i)
         points.col(i) =
@@ -82,10 +82,10 @@ SolidSurface facets(const BoxShape& box, double) {
         triangles.push_back({a, b, c});
         triangles.push_back({a, c, d});
     }
-    return solid_surface(std::move(points), std::move(triangles));
+    return collider_surface(std::move(points), std::move(triangles));
 }
 
-SolidSurface facets(const Mesh& mesh) {
+ColliderSurface facets(const Mesh& mesh) {
     Positions points(3, mesh.number_of_vertices());
     for (const Vertex vertex : mesh.vertices()) points.col(vertex) = position(mesh, vertex);
     std::vector<std::array<Index, 3>> triangles;
@@ -96,13 +96,13 @@ SolidSurface facets(const Mesh& mesh) {
             corners[i++] = static_cast<Index>(vertex);
         triangles.push_back(corners);
     }
-    return solid_surface(std::move(points), std::move(triangles));
+    return collider_surface(std::move(points), std::move(triangles));
 }
 
-SolidSurface facets(const GridSurface& surface) {
+ColliderSurface facets(const GridSurface& surface) {
     Positions points(3, surface.points.size());
     for (std::size_t i = 0; i < surface.points.size(); ++i) points.col(i) = surface.points[i];
-    return solid_surface(std::move(points), surface.triangles);
+    return collider_surface(std::move(points), surface.triangles);
 }
 
 }  // namespace sherd

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/geometry/solid_surface.h"
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
+#include "core/contact/geometry/collider_surface.h"
 #include "meshops/mesh.h"
 #include "meshops/signed_distance_grid.h"
 
@@ -12,11 +12,11 @@ namespace sherd {
 // on the surface and facets inside it, by about `sagitta` (m), but no fewer than are good to look at and no
 // more than 37,000.
 
-SolidSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
-SolidSurface facets(const SphereShape& sphere, double sagitta);
-SolidSurface facets(const CylinderShape& cylinder, double sagitta);
-SolidSurface facets(const BoxShape& box, double sagitta);
-SolidSurface facets(const Mesh& mesh);
-SolidSurface facets(const GridSurface& surface);
+ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
+ColliderSurface facets(const SphereShape& sphere, double sagitta);
+ColliderSurface facets(const CylinderShape& cylinder, double sagitta);
+ColliderSurface facets(const BoxShape& box, double sagitta);
+ColliderSurface facets(const Mesh& mesh);
+ColliderSurface facets(const GridSurface& surface);
 
 }  // namespace sherd

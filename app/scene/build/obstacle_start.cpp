@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "app/words/place_words.h"
-#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/sheets/sheet_contact.h"
 #include "meshops/error.h"
 #include "meshops/face_with.h"
@@ -72,10 +72,10 @@ bool is_refused(const SurfaceMeeting& found) {
 
 /// A face of the sheets that has its part of a pair of a sheet's elements and a solid's, whose vertices are
 /// numbered before the sheets'.
-Face face_of(const Mesh& mesh, const ContactPair& pair, Index solid_vertices) {
+Face face_of(const Mesh& mesh, const ContactPair& pair, Index collider_vertices) {
     std::vector<Index> own;
     for (const Index v : pair.vertices)
-        if (v >= solid_vertices) own.push_back(v - solid_vertices);
+        if (v >= collider_vertices) own.push_back(v - collider_vertices);
     return face_with(mesh, own);
 }
 
@@ -95,21 +95,21 @@ std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
 }
 
 /// Of each sheet, how it stands to the obstacle's surface.
-std::vector<SurfaceMeeting> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                              const Obstacle& obstacle) {
     std::vector<SurfaceMeeting> found(sheets);
     if (!obstacle.surface) return found;
-    const Sheet& mechanics = all.mechanics();
+    const Shell& mechanics = all.mechanics();
     const Positions& x = mechanics.position;
     for (const Face face :
-         faces_through(all.mesh(), obstacle, contact_solids(mechanics, {obstacle})[0].around)) {
+         faces_through(all.mesh(), obstacle, contact_colliders(mechanics, {obstacle})[0].around)) {
         const StartFault fault = start_fault(FaultKind::across_obstacle, face, all);
         found[fault.sheet].crossing.push_back(fault);
     }
     const SheetContact contact(mechanics, {obstacle}, false);
-    for (const ContactPair& pair : contact.touching(x)) {
+    for (const ContactPair& pair : contact.active_pairs(x)) {
         const PairPositions local = columns(contact.at_end(x), pair.vertices);
-        const Face face = face_of(all.mesh(), pair, contact.surface().solid_vertices());
+        const Face face = face_of(all.mesh(), pair, contact.surface().collider_vertices());
         const StartFault fault = start_fault(FaultKind::near_obstacle, face, all);
         SurfaceMeeting& met = found[fault.sheet];
         met.near.push_back(fault);
@@ -122,7 +122,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableSheet& all, std::siz
 }
 
 /// The same for each obstacle.
-std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableSheet& all, std::size_t sheets,
+std::vector<std::vector<SurfaceMeeting>> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                                           const std::vector<Obstacle>& obstacles) {
     std::vector<std::vector<SurfaceMeeting>> found;
     for (const Obstacle& obstacle : obstacles) found.push_back(surface_meetings(all, sheets, obstacle));
@@ -148,7 +148,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 
 }  // namespace
 
-void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
@@ -167,7 +167,7 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableShell& all,
                                         const std::vector<Obstacle>& obstacles) {
     std::vector<StartFault> faults;
     const auto meetings = surface_meetings(all, inputs.size(), obstacles);

@@ -4,7 +4,7 @@
 #include "app/scene/build/start_fault.h"
 #include "app/scene/scene.h"
 #include "core/contact/colliders/obstacle.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
@@ -13,12 +13,12 @@ namespace sherd {
 /// thickness, or across, contact would push them out with violence or not at all: it throws Error that names
 /// the scene's line and key, the sheet, how many there are and where; by less, it warns. inputs: of all
 /// sheets, in the scene's order; all: made of them; obstacles: made of specs.
-void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+void require_free_start(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all,
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings);
 
 /// The faces for which require_free_start() throws.
-std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableSheet& all,
+std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableShell& all,
                                         const std::vector<Obstacle>& obstacles);
 
 }  // namespace sherd

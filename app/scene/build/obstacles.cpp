@@ -21,7 +21,7 @@ constexpr double sagitta = 0.05;  // of the thinnest sheet's thickness: what fac
 /// An obstacle's shape, with what follows from it.
 struct Made {
     std::shared_ptr<const Shape> shape;
-    SolidSurface surface;
+    ColliderSurface surface;
 };
 
 /// What the sheets of a scene ask of obstacles, m.
@@ -62,8 +62,8 @@ Made make(const ObstacleLevelSet& spec, const Thicknesses& sheets, std::vector<s
     return {shape, facets(shape->grid.surface())};
 }
 
-std::shared_ptr<const SolidSurface> shared(SolidSurface surface) {
-    return surface.size() == 0 ? nullptr : std::make_shared<SolidSurface>(std::move(surface));
+std::shared_ptr<const ColliderSurface> shared(ColliderSurface surface) {
+    return surface.size() == 0 ? nullptr : std::make_shared<ColliderSurface>(std::move(surface));
 }
 
 }  // namespace

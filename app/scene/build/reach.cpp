@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/scene/scene.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 

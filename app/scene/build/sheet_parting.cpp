@@ -19,11 +19,11 @@ constexpr double farthest = 0.05;  // that a sheet is moved, of its thickness
 constexpr double steepest = 0.5;   // cosine between two normals of contact that one motion serves
 
 /// The fault of one face of an overlap; faces of all sheets are numbered in the sheets' order.
-StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableSheet& all) {
+StartFault fault_of(Index face, const StartOverlap& overlap, const BreakableShell& all) {
     return start_fault(overlap.crossing ? FaultKind::crossing : FaultKind::too_near, Face(face), all);
 }
 
-std::string sentence(const StartOverlap& overlap, const Scene& scene, const BreakableSheet& all) {
+std::string sentence(const StartOverlap& overlap, const Scene& scene, const BreakableShell& all) {
     const std::string a = fault_words(fault_of(overlap.faces[0], overlap, all), scene),
                       b = fault_words(fault_of(overlap.faces[1], overlap, all), scene);
     if (overlap.crossing) return fmt::format("{} and {} cross or touch", a, b);
@@ -31,7 +31,7 @@ std::string sentence(const StartOverlap& overlap, const Scene& scene, const Brea
                        overlap.needed);
 }
 
-Error not_apart(const Scene& scene, const BreakableSheet& all, const std::vector<StartOverlap>& overlaps) {
+Error not_apart(const Scene& scene, const BreakableShell& all, const std::vector<StartOverlap>& overlaps) {
     std::string text;
     for (std::size_t i = 0; i < std::min(most_shown, overlaps.size()); ++i)
         text += "\n  " + sentence(overlaps[i], scene, all);
@@ -75,7 +75,7 @@ std::optional<Parting> parting(const Scene& scene, const std::vector<SheetInput>
 /// The overlaps by the two sheets that they are of; none if there is one that no motion of sheets mends.
 using OverlapsOfSheets = std::map<std::array<Index, 2>, std::vector<StartOverlap>>;
 
-std::optional<OverlapsOfSheets> by_sheets(const BreakableSheet& all,
+std::optional<OverlapsOfSheets> by_sheets(const BreakableShell& all,
                                           const std::vector<StartOverlap>& overlaps) {
     OverlapsOfSheets found;
     for (const StartOverlap& overlap : overlaps) {
@@ -96,13 +96,13 @@ void move(SheetInput& input, const Vector3d& way) {
 /// Sheets that were parted, and how far each was moved, m.
 struct PartedSheets {
     std::vector<SheetInput> inputs;
-    BreakableSheet all;
+    BreakableShell all;
     std::vector<Vector3d> moved;
 };
 
 /// Moves sheets until none overlap; none where one would have to go too far.
 std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInput>& inputs,
-                                 const BreakableSheet& all, std::vector<StartOverlap> overlaps) {
+                                 const BreakableShell& all, std::vector<StartOverlap> overlaps) {
     PartedSheets parted{inputs, all, std::vector<Vector3d>(inputs.size(), Vector3d::Zero())};
     for (std::size_t sweep = 0; sweep <= inputs.size(); ++sweep) {
         const auto of_sheets = by_sheets(parted.all, overlaps);
@@ -116,7 +116,7 @@ std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInpu
             if (parted.moved[sheet].norm() > farthest * inputs[sheet].material.thickness) return {};
             move(parted.inputs[sheet], way);
         }
-        parted.all = BreakableSheet(parted.inputs);
+        parted.all = BreakableShell(parted.inputs);
         overlaps = start_overlaps(parted.all);
     }
     return {};
@@ -124,7 +124,7 @@ std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInpu
 
 }  // namespace
 
-void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableSheet& all,
+void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableShell& all,
                  std::vector<std::string>& warnings) {
     if (!scene.contact.sheets) return;
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
@@ -144,7 +144,7 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableS
 }
 
 std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
-                                     const BreakableSheet& all) {
+                                     const BreakableShell& all) {
     std::vector<StartFault> faults;
     if (!scene.contact.sheets) return faults;
     const std::vector<StartOverlap> overlaps = start_overlaps(all);

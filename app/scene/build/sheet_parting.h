@@ -6,7 +6,7 @@
 
 #include "app/scene/build/start_fault.h"
 #include "app/scene/scene.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
@@ -16,11 +16,11 @@ namespace sherd {
 /// Where that does not do it throws Error naming faces (numbered from 0 in each sheet) that cross, or that
 /// are too near. inputs: of all sheets, in the scene's order; all: made of them, and made anew when one is
 /// moved.
-void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableSheet& all,
+void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableShell& all,
                  std::vector<std::string>& warnings);
 
 /// The faces for which part_sheets() throws, two of each pair, one after the other.
 std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
-                                     const BreakableSheet& all);
+                                     const BreakableShell& all);
 
 }  // namespace sherd

@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-StartFault start_fault(FaultKind kind, Face face, const BreakableSheet& all) {
+StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all) {
     const std::span<const Index> sheets = all.face_sheet();
     const Index sheet = sheets[face],
                 first = static_cast<Index>(std::ranges::find(sheets, sheet) - sheets.begin());

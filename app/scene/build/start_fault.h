@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/scene/scene.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
@@ -29,7 +29,7 @@ struct StartFault {
 };
 
 /// The fault of a face of all sheets together, which are numbered in the scene's order.
-StartFault start_fault(FaultKind kind, Face face, const BreakableSheet& all);
+StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all);
 
 /// "face 12 at (0.1, 0.02, 0.03) m".
 std::string fault_place(const StartFault& fault);

@@ -8,7 +8,7 @@
 namespace sherd {
 
 std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
-                                     const BreakableSheet& all) {
+                                     const BreakableShell& all) {
     std::vector<StartFault> faults = sheet_faults(scene, inputs, all);
     std::vector<std::string> told;  // by who makes them for the run
     for (const auto* specs : {&scene.obstacles, &scene.bodies}) {

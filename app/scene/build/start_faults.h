@@ -5,13 +5,13 @@
 
 #include "app/scene/build/start_fault.h"
 #include "app/scene/scene.h"
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 namespace sherd {
 
 /// All faces of the sheets that keep a scene from starting: where sheets are not apart, and where obstacles
 /// are in the way. inputs: of all sheets, as made by make_sheet(); all: made of them.
 std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
-                                     const BreakableSheet& all);
+                                     const BreakableShell& all);
 
 }  // namespace sherd

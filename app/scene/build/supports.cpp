@@ -28,7 +28,7 @@ std::vector<char> vertices_on(const SymmetrySpec& plane, const SheetInput& input
     return selected;
 }
 
-bool holds_a_triangle(const Sheet& mechanics, const std::vector<char>& selected) {
+bool holds_a_triangle(const Shell& mechanics, const std::vector<char>& selected) {
     return std::any_of(mechanics.triangles.begin(), mechanics.triangles.end(), [&](const auto& triangle) {
         return std::all_of(triangle.vertices.begin(), triangle.vertices.end(),
                            [&](Index v) { return selected[v] != 0; });
@@ -102,42 +102,42 @@ namespace {
 
 /// lambda (N m) of the hinge on a boundary side. first_face: number of the sheet's first face in the
 /// mechanics.
-double side_stiffness(const SheetInput& input, const Sheet& mechanics, const TriangleSide& side,
+double side_stiffness(const SheetInput& input, const Shell& mechanics, const TriangleEdge& side,
                       Index first_face) {
     if (input.axes.empty()) return hinge_stiffness(input.material);
-    const TrianglePositions rest = columns(mechanics.rest, side_vertices(mechanics, side));
+    const TrianglePositions rest = columns(mechanics.rest, edge_and_apex(mechanics, side));
     return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
 }
 
 }  // namespace
 
-void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
+void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                   SimulationOptions& options) {
     std::map<Index, Matrix3d> freedom;
     Index first = 0, first_face = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const auto stiffness = [&](const TriangleSide& side) {
+        const auto stiffness = [&](const TriangleEdge& side) {
             return side_stiffness(inputs[i], mechanics, side, first_face);
         };
         for (const PinSpec& clamp : scene.sheets[i].clamps) {
             const std::vector<char> held = selected_vertices(clamp.on, scene.sheets[i].name, scene, inputs);
-            const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
+            const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
             if (sides.empty() && !holds_a_triangle(mechanics, held))
                 throw Error(
                     fmt::format("{}: holds no tangent: it must hold both ends of an edge of the "
                                 "boundary, or a whole face",
                                 clamp.on.where));
-            for (const TriangleSide& side : sides)
+            for (const TriangleEdge& side : sides)
                 options.stepper.shell.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
         }
         for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
             const std::vector<char> held =
                 vertices_on(plane, inputs[i], first, static_cast<Index>(mechanics.mass.size()));
-            const std::vector<TriangleSide> sides = boundary_sides(mechanics, held);
+            const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
             if (sides.empty())
                 throw Error(
                     fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
-            for (const TriangleSide& side : sides)
+            for (const TriangleEdge& side : sides)
                 options.stepper.shell.mirrors.push_back(
                     symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
             slide(freedom, held, plane.normal);

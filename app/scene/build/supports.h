@@ -19,7 +19,7 @@ std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed);
 
 /// Adds what clamps and symmetry planes need beyond the pinned vertices of the inputs. mechanics: of all
 /// inputs. Throws Error, naming the scene's line and key, on a clamp or a plane that holds no tangent.
-void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Sheet& mechanics,
+void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                   SimulationOptions& options);
 
 }  // namespace sherd

@@ -37,12 +37,12 @@ std::vector<GustWave> gust_waves(const GustSpec& gust, const Vector3d& wind, std
     return result;
 }
 
-void add_winds(const Scene& scene, const Sheet& mechanics, SimulationOptions& options) {
+void add_winds(const Scene& scene, const Shell& mechanics, SimulationOptions& options) {
     for (const WindSpec& spec : scene.winds) {
         Wind wind = spec.wind;
         if (spec.gust) wind.gusts = gust_waves(*spec.gust, wind.velocity, scene.seed);
         for (Index t = 0; t < static_cast<Index>(mechanics.triangles.size()); ++t) {
-            const Index sheet = mechanics.body[mechanics.triangles[t].vertices[0]];
+            const Index sheet = mechanics.vertex_sheet[mechanics.triangles[t].vertices[0]];
             if (spec.sheet.empty() || scene.sheets[sheet].name == spec.sheet) wind.triangles.push_back(t);
         }
         options.stepper.shell.winds.push_back(wind);

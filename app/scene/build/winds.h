@@ -12,6 +12,6 @@ namespace sherd {
 std::vector<GustWave> gust_waves(const GustSpec& gust, const Vector3d& wind, std::int64_t seed);
 
 /// mechanics: of all inputs.
-void add_winds(const Scene& scene, const Sheet& mechanics, SimulationOptions& options);
+void add_winds(const Scene& scene, const Shell& mechanics, SimulationOptions& options);
 
 }  // namespace sherd

@@ -28,14 +28,14 @@ double distance(const ContactPair& pair, const PairPositions& x) {
 
 double value(const ContactPair& pair, const PairPositions& x) {
     const double apart = distance(pair, x);
-    if (apart >= pair.touching) return 0;
+    if (apart >= pair.activation_distance) return 0;
     return pair.stiffness * pair.mollifier.value(x) * pair.barrier().value(apart - pair.minimum());
 }
 
 PairPositions gradient(const ContactPair& pair, const PairPositions& x) {
     const Closest closest = closest_points(pair.kind, x);
     const double apart = std::sqrt(squared_distance(closest, x)), gap = apart - pair.minimum();
-    if (apart >= pair.touching) return PairPositions::Zero();
+    if (apart >= pair.activation_distance) return PairPositions::Zero();
     const PairPositions by_x = squared_distance_gradient(closest, x) / (2 * apart);
     const Barrier barrier = pair.barrier();
     PairPositions sum = pair.mollifier.value(x) * barrier.slope(gap) * by_x;
@@ -46,7 +46,7 @@ PairPositions gradient(const ContactPair& pair, const PairPositions& x) {
 PairHessian hessian(const ContactPair& pair, const PairPositions& x, bool convex) {
     const Closest closest = closest_points(pair.kind, x);
     const double apart = std::sqrt(squared_distance(closest, x)), gap = apart - pair.minimum();
-    if (apart >= pair.touching) return PairHessian::Zero();
+    if (apart >= pair.activation_distance) return PairHessian::Zero();
     const PairVector by_x = (squared_distance_gradient(closest, x) / (2 * apart)).reshaped();
     const Barrier barrier = pair.barrier();
     const bool mollified = pair.mollifier.active(x);

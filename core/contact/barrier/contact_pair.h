@@ -14,12 +14,12 @@ struct ContactPair {
     PairKind kind;
     std::array<Index, 4> vertices;  ///< in the order of PairPositions
     double stiffness;               ///< N/m, of the column of sheet between them (see ContactSurface)
-    double touching;                ///< m, activation distance of the middle surfaces
+    double activation_distance;     ///< m, activation distance of the middle surfaces
     EdgeMollifier mollifier;        ///< used by edge-edge pairs only
     double closest = 0.75;          ///< minimum distance, as a share of the activation distance
 
-    double minimum() const { return closest * touching; }  ///< m
-    Barrier barrier() const { return {touching - minimum()}; }
+    double minimum() const { return closest * activation_distance; }  ///< m
+    Barrier barrier() const { return {activation_distance - minimum()}; }
 };
 
 /// Distance of the two elements, m.

@@ -17,16 +17,16 @@ constexpr double round_off_of_value = 1e-12;
 constexpr double ahead_of_contact = 0.1;  // share of a body's size within which contact is expected soon
 
 bool is_ball(const RigidBody& body) {
-    return body.feet.size() == 1;
+    return body.contact_points.size() == 1;
 }
 
 }  // namespace
 
-BodyContact::BodyContact(const Sheet& sheet, std::vector<RigidBody> bodies,
+BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
                          const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
-    : sheet(sheet), obstacles(obstacles), gravity(gravity), started(std::move(bodies)), finished(started) {
+    : shell(shell), obstacles(obstacles), gravity(gravity), started(std::move(bodies)), finished(started) {
     for (const RigidBody& body : started)
-        pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(sheet, body)) : nullptr);
+        pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(shell, body)) : nullptr);
 }
 
 void BodyContact::begin(const StepContext& step) {
@@ -37,23 +37,23 @@ void BodyContact::begin(const StepContext& step) {
 
 void BodyContact::topology_changed(const ShellChange&, const StepContext& step) {
     for (std::size_t b = 0; b < pairs.size(); ++b)
-        if (pairs[b]) pairs[b]->surface_changed(surface_with(sheet, started[b]));
+        if (pairs[b]) pairs[b]->surface_changed(surface_with(shell, started[b]));
     make_steps(step);
 }
 
 void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
-        steps.emplace_back(sheet, started[b], gravity, step, step.bodies[b], pairs[b].get());
+        steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get());
     obstacle_places.clear();
     for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(step.end()));
     last.resize(3, 0);
-    find_feet();
+    find_point_contacts();
     find_sliding(step);
 }
 
-void BodyContact::find_feet() {
-    feet.clear();
+void BodyContact::find_point_contacts() {
+    point_contacts.clear();
     for (std::size_t body = 0; body < steps.size(); ++body)
         for (std::size_t other = 0; other < steps.size() + obstacles.size(); ++other) {
             // A ball finds its contacts by itself, so the corners of a box, or a second ball, must not count
@@ -61,14 +61,15 @@ void BodyContact::find_feet() {
             const bool said =
                 is_free(other) && is_ball(started[other]) && (!is_ball(started[body]) || other < body);
             if (body == other || said) continue;
-            for (const Vector3d& foot : started[body].feet) feet.push_back({body, other, foot});
+            for (const Vector3d& point : started[body].contact_points)
+                point_contacts.push_back({body, other, point});
         }
 }
 
 void BodyContact::find_sliding(const StepContext& step) {
     sliding.clear();
     const VectorXd start = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
-    for (const auto& [one, other, foot] : feet) {
+    for (const auto& [one, other, point] : point_contacts) {
         const RigidBody& body = started[one];
         const double coefficient = friction_between(body, collider(other));
         if (coefficient == 0) continue;
@@ -76,17 +77,17 @@ void BodyContact::find_sliding(const StepContext& step) {
         const Eigen::Isometry3d here = place(one, start),
                                 there = given ? obstacles[other - steps.size()].motion.at(step.begin)
                                               : place(other, start);
-        const Overlap at = overlap(*collider(other).shape, there, here * foot, body.skin);
+        const Overlap at = overlap(*collider(other).shape, there, here * point, body.contact_radius);
         if (at.depth <= 0) continue;
         const Matrix3d turn = given ? Matrix3d(place(other, start).linear() * there.linear().transpose())
                                     : Matrix3d::Identity();
-        const Vector3d touching = here * foot - body.skin * at.normal;
-        const double force = body.foot_stiffness(collider(other)) * at.depth;
+        const Vector3d contact_point = here * point - body.contact_radius * at.normal;
+        const double force = body.point_stiffness(collider(other)) * at.depth;
         const Friction friction{coefficient * force, smoothing_speed * step.lag};
         sliding.push_back({one,
                            other,
-                           here.inverse() * touching,
-                           {there.inverse() * touching, turn * at.normal, friction}});
+                           here.inverse() * contact_point,
+                           {there.inverse() * contact_point, turn * at.normal, friction}});
     }
 }
 
@@ -118,24 +119,24 @@ void BodyContact::add_between(const VectorXd& q, std::size_t body, std::size_t o
     sum.hessian.block<6, 6>(6 * other, 6 * body) += mixed.transpose();
 }
 
-Overlap BodyContact::overlap_of(const FootContact& contact, const VectorXd& q, double margin) const {
+Overlap BodyContact::overlap_of(const PointContact& contact, const VectorXd& q, double margin) const {
     return overlap(*collider(contact.other).shape, place(contact.other, q),
-                   place(contact.body, q) * contact.foot, started[contact.body].skin + margin);
+                   place(contact.body, q) * contact.point, started[contact.body].contact_radius + margin);
 }
 
-void BodyContact::add_feet(const VectorXd& q, Potential& sum) const {
-    for (const FootContact& contact : feet) {
+void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
+    for (const PointContact& contact : point_contacts) {
         const Overlap at = overlap_of(contact, q);
         if (at.depth <= 0) continue;
-        const Vector3d x = place(contact.body, q) * contact.foot;
-        const double stiffness = started[contact.body].foot_stiffness(collider(contact.other));
+        const Vector3d x = place(contact.body, q) * contact.point;
+        const double stiffness = started[contact.body].point_stiffness(collider(contact.other));
         const PointForce force = spring(at, stiffness, Curvature::convex);
         sum.stored += force.value;
         add_between(q, contact.body, contact.other, force, x, x, sum);
     }
-    for (const auto& [body, other, foot, point] : sliding) {
-        const Vector3d x = place(body, q) * foot, anchor = place(other, q) * point.anchor;
-        const PointForce force = point.force(x, anchor);
+    for (const auto& [body, other, point, friction] : sliding) {
+        const Vector3d x = place(body, q) * point, anchor = place(other, q) * friction.anchor;
+        const PointForce force = friction.force(x, anchor);
         sum.value += force.value;
         add_between(q, body, other, force, x, anchor, sum);
     }
@@ -146,7 +147,7 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
     const auto size = static_cast<Eigen::Index>(6 * steps.size());
     sum.gradient = VectorXd::Zero(size);
     sum.hessian = Eigen::MatrixXd::Zero(size, size);
-    add_feet(q, sum);
+    add_point_contacts(q, sum);
     sum.value += sum.stored;
     for (std::size_t b = 0; b < steps.size(); ++b) {
         sum.bodies.push_back(steps[b].potential(x, part(q, b)));
@@ -166,14 +167,14 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         const auto [kept, gone] = std::minmax(group[one], group[other]);
         std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
     };
-    for (const FootContact& contact : feet) {
+    for (const PointContact& contact : point_contacts) {
         if (!is_free(contact.other)) continue;
         const double size = started[contact.other].shape->bounds().diagonal().norm();
         if (overlap_of(contact, q, ahead ? ahead_of_contact * size : 0).depth > 0)
             join(contact.body, contact.other);
     }
-    for (const SlidingFoot& foot : sliding)
-        if (is_free(foot.other)) join(foot.body, foot.other);
+    for (const SlidingContact& contact : sliding)
+        if (is_free(contact.other)) join(contact.body, contact.other);
     return group;
 }
 
@@ -303,7 +304,7 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }
-    for (const FootContact& contact : feet) {
+    for (const PointContact& contact : point_contacts) {
         if (overlap_of(contact, best).depth <= 0) continue;
         touch.bodies.insert(contact.body);
         if (is_free(contact.other))

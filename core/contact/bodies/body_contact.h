@@ -22,7 +22,7 @@ class BodyContact : public Energy {
   public:
     /// bodies: their state at the start of the run. Shell and obstacles must outlive this object. gravity:
     /// m/s^2.
-    BodyContact(const Sheet& sheet, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
+    BodyContact(const Shell& shell, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
                 const Vector3d& gravity);
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
@@ -53,20 +53,20 @@ class BodyContact : public Energy {
     };
     /// A contact point of a body against the shape of another collider. Bodies are numbered first, then
     /// obstacles.
-    struct FootContact {
+    struct PointContact {
         std::size_t body, other;
-        Vector3d foot;  ///< m, contact point in the body's frame
+        Vector3d point;  ///< m, contact point in the body's frame
     };
     /// A contact point that touched another collider at the beginning of the step.
-    struct SlidingFoot {
+    struct SlidingContact {
         std::size_t body, other;
-        Vector3d foot;       ///< m, where it touched, in the body's frame
-        SlidingPoint point;  ///< its anchor is in the frame of the other collider
+        Vector3d point;        ///< m, where it touched, in the body's frame
+        SlidingPoint sliding;  ///< its anchor is in the frame of the other collider
     };
 
     /// Makes the bodies' potentials for the step from their poses at its beginning.
     void make_steps(const StepContext& step);
-    void find_feet();
+    void find_point_contacts();
     void find_sliding(const StepContext& step);
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
@@ -75,8 +75,8 @@ class BodyContact : public Energy {
     Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
     Potential potential(const Positions& x, const VectorXd& q) const;
     /// Overlap of a contact point with the other collider; margin: m, added to the contact radius.
-    Overlap overlap_of(const FootContact& contact, const VectorXd& q, double margin = 0) const;
-    void add_feet(const VectorXd& q, Potential& sum) const;
+    Overlap overlap_of(const PointContact& contact, const VectorXd& q, double margin = 0) const;
+    void add_point_contacts(const VectorXd& q, Potential& sum) const;
     /// Adds a force on the point x of a body, and the opposite force on the point `anchor` of another
     /// collider.
     void add_between(const VectorXd& q, std::size_t body, std::size_t other, const PointForce& force,
@@ -90,7 +90,7 @@ class BodyContact : public Energy {
     /// The potential at the optimal poses for x, which are kept until x changes.
     const Potential& solve(const Positions& x) const;
 
-    const Sheet& sheet;
+    const Shell& shell;
     const std::vector<Obstacle>& obstacles;
     Vector3d gravity;
     std::vector<RigidBody> started,
@@ -98,8 +98,8 @@ class BodyContact : public Energy {
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
     std::vector<BodyStep> steps;
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
-    std::vector<FootContact> feet;
-    std::vector<SlidingFoot> sliding;
+    std::vector<PointContact> point_contacts;
+    std::vector<SlidingContact> sliding;
     VectorXd base;  ///< [6 B] poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;

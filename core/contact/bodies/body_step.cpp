@@ -21,19 +21,19 @@ PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
 
 }  // namespace
 
-ContactSurface surface_with(const Sheet& sheet, const RigidBody& body) {
-    return ContactSurface(sheet, {{body.surface.get(), body.young, body.friction, {}}}, false);
+ContactSurface surface_with(const Shell& shell, const RigidBody& body) {
+    return ContactSurface(shell, {{body.surface.get(), body.young, body.friction, {}}}, false);
 }
 
-BodyStep::BodyStep(const Sheet& sheet, const RigidBody& body, const Vector3d& gravity,
+BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity,
                    const StepContext& step, const BodyOrigin& origin, const NearPairs* near)
-    : sheet(sheet),
+    : shell(shell),
       body(body),
       near(near),
       lag(step.lag),
       origin(origin),
       inertia(body.inertia_in_space()),
-      vertices(sheet, body) {
+      vertices(shell, body) {
     predicted = origin.pose + lag * origin.velocity;
     predicted.head<3>() += lag * lag * gravity;
     find_sliding();
@@ -44,8 +44,8 @@ void BodyStep::find_sliding() {
     vertices.begin(start.place, Matrix3d::Identity(), lag,
                    [&](Index, const Vector3d& x) { return Vector3d(start.place.inverse() * x); });
     if (!near || body.friction == 0) return;
-    const Positions local = seen_from(start, sheet.position), space = start.place * local;
-    for (const ContactPair& pair : near->touching(local))
+    const Positions local = seen_from(start, shell.position), space = start.place * local;
+    for (const ContactPair& pair : near->active_pairs(local))
         sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, lag));
 }
 
@@ -91,7 +91,7 @@ void BodyStep::add_pairs(const Positions& x, const BodyPose& here, BodyPotential
     const Positions& points = body.surface->points;
     const Positions local = seen_from(here, x);
     const Matrix3d rotation = here.place.linear();
-    for (const ContactPair& pair : near->touching(local)) {
+    for (const ContactPair& pair : near->active_pairs(local)) {
         const PairPositions at = columns(local, pair.vertices);
         sum.stored += sherd::value(pair, at);
         sum.add_element(here, pair.vertices, body.surface->size(), points, rotation * gradient(pair, at),
@@ -111,7 +111,7 @@ void BodyStep::add_sliding_pairs(const Positions& x, const BodyPose& here, BodyP
                     here.place * Vector3d(points.col(vertex)) - before * Vector3d(points.col(vertex));
             else
                 moved.col(i) =
-                    x.col(vertex - body.surface->size()) - sheet.position.col(vertex - body.surface->size());
+                    x.col(vertex - body.surface->size()) - shell.position.col(vertex - body.surface->size());
         }
         sum.value += pair.value(moved);
         sum.add_element(here, pair.vertices, body.surface->size(), points, pair.gradient(moved),
@@ -177,7 +177,7 @@ Touch BodyStep::touch(const Positions& x, const Vector6d& q) const {
     Touch touch;
     const BodyPose here = pose(q);
     vertices.add_touch(x, here.place, touch);
-    std::set<const SolidSurface*> itself;
+    std::set<const ColliderSurface*> itself;
     if (near) near->add_touched(seen_from(here, x), touch.vertices, itself);
     return touch;
 }

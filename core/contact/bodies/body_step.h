@@ -6,12 +6,12 @@
 #include "core/contact/detection/near_pairs.h"
 #include "core/contact/penalty/vertex_contact.h"
 #include "core/contact/sheets/sheet_friction.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
 /// The contact surface of the shell and of a body that has a surface, for NearPairs.
-ContactSurface surface_with(const Sheet& sheet, const RigidBody& body);
+ContactSurface surface_with(const Shell& shell, const RigidBody& body);
 
 /// The incremental potential P(x, q) of one free rigid body in one step, as a function of the positions x of
 /// the shell and the motion q of the body at its end. It consists of the body's inertia and weight (as for
@@ -23,7 +23,7 @@ class BodyStep {
     /// sheet, body: as they are at the beginning of the step; origin: the body's origins in the step;
     /// gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the body's frame; null
     /// if it has none. Shell, body and near must outlive this object.
-    BodyStep(const Sheet& sheet, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
+    BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
              const BodyOrigin& origin, const NearPairs* near = nullptr);
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
@@ -49,7 +49,7 @@ class BodyStep {
     void add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
     void add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
 
-    const Sheet& sheet;
+    const Shell& shell;
     const RigidBody& body;
     const NearPairs* near;
     double lag;  ///< s

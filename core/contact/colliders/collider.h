@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "core/contact/geometry/collider_surface.h"
 #include "core/contact/geometry/shape.h"
-#include "core/contact/geometry/solid_surface.h"
 
 namespace sherd {
 
@@ -15,7 +15,7 @@ struct Collider {
     std::shared_ptr<const Shape> shape;
     /// The surface of the shape, in its frame. Without it only vertices of sheets meet the collider, which is
     /// enough for a plane.
-    std::shared_ptr<const SolidSurface> surface = nullptr;
+    std::shared_ptr<const ColliderSurface> surface = nullptr;
     double young = 3e10;  ///< Pa, of its material
     double friction = 0;  ///< Coulomb coefficient
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
 
 namespace sherd {
 namespace {
@@ -19,9 +19,9 @@ RigidBody rigid_sphere(double radius, double density) {
     body.shape = std::make_shared<SphereShape>(Vector3d::Zero(), radius);
     body.mass = 4.0 / 3 * std::numbers::pi * radius * radius * radius * density;
     body.inertia.setConstant(0.4 * body.mass * radius * radius);
-    body.feet = {Vector3d::Zero()};
-    body.skin = radius;
-    body.foot = radius;
+    body.contact_points = {Vector3d::Zero()};
+    body.contact_radius = radius;
+    body.contact_length = radius;
     return body;
 }
 
@@ -33,9 +33,9 @@ RigidBody rigid_box(const Vector3d& size, double density) {
     const Vector3d squares = size.cwiseAbs2();
     body.inertia = body.mass / 12 * (Vector3d::Constant(squares.sum()) - squares);
     for (int i = 0; i < 8; ++i)
-        body.feet.push_back(0.5 *
-                            size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
-    body.foot = 0.25 * std::cbrt(size.prod());
+        body.contact_points.push_back(
+            0.5 * size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    body.contact_length = 0.25 * std::cbrt(size.prod());
     return body;
 }
 

@@ -14,8 +14,8 @@ struct RigidBody : Collider {
     Vector3d inertia = Vector3d::Ones();  ///< kg m^2, about the principal axes
     /// The points at which it meets other colliders, in its frame, with the contact radius around them (m)
     /// and their stiffness per contact modulus (m).
-    std::vector<Vector3d> feet;
-    double skin = 0, foot = 0;
+    std::vector<Vector3d> contact_points;
+    double contact_radius = 0, contact_length = 0;
 
     Vector3d centre = Vector3d::Zero();            ///< m, centre of mass
     Matrix3d rotation = Matrix3d::Identity();      ///< from its frame to space
@@ -29,7 +29,9 @@ struct RigidBody : Collider {
         return pose;
     }
     /// Stiffness of a contact point against another collider, N/m.
-    double foot_stiffness(const Collider& other) const { return foot / (1 / young + 1 / other.young); }
+    double point_stiffness(const Collider& other) const {
+        return contact_length / (1 / young + 1 / other.young);
+    }
     Matrix3d inertia_in_space() const { return rotation * inertia.asDiagonal() * rotation.transpose(); }
     Vector3d spin() const {  ///< angular velocity, rad/s
         return rotation * inertia.cwiseInverse().asDiagonal() * rotation.transpose() * angular_momentum;

@@ -13,7 +13,7 @@ namespace {
 /// thickness and by `margins` margins.
 std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
     std::vector<Box> boxes(surface.vertices());
-    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v) {
+    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v) {
         const Eigen::Array3d from = within.start.col(v), to = from + within.motion.col(v).array();
         const double inflation = ContactCandidates::nearness * surface.half_thickness(v) +
                                  margins * (within.margin + within.round_off);
@@ -84,15 +84,15 @@ std::vector<char> changed_vertices(const ContactSurface& before, const ContactSu
 }  // namespace
 
 ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
-                                     SolidTrees& solids)
+                                     ColliderTrees& colliders)
     : within(std::move(neighbourhood)) {
-    find(surface, std::vector<char>(surface.vertices(), 1), solids);
+    find(surface, std::vector<char>(surface.vertices(), 1), colliders);
 }
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
-                             SolidTrees& solids) {
+                             ColliderTrees& colliders) {
     if (surface.sheets_meet()) find_on_sheets(surface, changed);
-    if (surface.solid_vertices() > 0) find_on_solids(surface, changed, solids);
+    if (surface.collider_vertices() > 0) find_on_colliders(surface, changed, colliders);
 }
 
 void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed) {
@@ -103,10 +103,10 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     const auto has_not = [&](const auto& element, const Box& box) { return !has_changed(element, box); };
     const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
         some.tree.meet(others.tree, [&](Index i, Index j) {
-            look_at(surface, kind, both(some.vertices[i], others.vertices[j]));
+            consider(surface, kind, both(some.vertices[i], others.vertices[j]));
         });
     };
-    const auto all_points = points(surface.solid_vertices(), surface.vertices());
+    const auto all_points = points(surface.collider_vertices(), surface.vertices());
     const auto vertices = those(all_points, boxes, has_changed);
     const auto triangles = those(surface.triangles(), boxes, has_changed);
     const auto edges = those(surface.edges(), boxes, has_changed);
@@ -115,18 +115,18 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
     meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
     edges.tree.meet_itself([&](Index i, Index j) {
-        look_at(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
+        consider(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
     });
 }
 
-void ContactCandidates::find_on_solids(const ContactSurface& surface, const std::vector<char>& changed,
-                                       SolidTrees& solids) {
+void ContactCandidates::find_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
+                                          ColliderTrees& colliders) {
     // Boxes of colliders have no margin, so the boxes of sheets have two.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
-    const auto all_points = points(surface.solid_vertices(), surface.vertices());
-    for (std::size_t solid = 0; solid + 1 < surface.solid_starts().size(); ++solid) {
-        const ContactSurface::Start first = surface.solid_starts()[solid];
-        const SolidTrees::Trees& trees = solids.of(solid, surface, within);
+    const auto all_points = points(surface.collider_vertices(), surface.vertices());
+    for (std::size_t collider = 0; collider + 1 < surface.collider_starts().size(); ++collider) {
+        const ContactSurface::Start first = surface.collider_starts()[collider];
+        const ColliderTrees::Trees& trees = colliders.of(collider, surface, within);
         const Box around = trees.points.bounds();
         const auto wanted = [&](const auto& element, const Box& box) {
             return box.meets(around) &&
@@ -136,22 +136,22 @@ void ContactCandidates::find_on_solids(const ContactSurface& surface, const std:
         const auto edges = those(surface.edges(), boxes, wanted);
         const auto triangles = those(surface.triangles(), boxes, wanted);
         vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
-            look_at(surface, PairKind::vertex_triangle,
-                    both(vertices.vertices[i], surface.solid_triangles()[first.triangle + j]));
+            consider(surface, PairKind::vertex_triangle,
+                     both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j]));
         });
         triangles.tree.meet(trees.points, [&](Index i, Index j) {
-            look_at(surface, PairKind::vertex_triangle,
-                    both(std::array{first.vertex + j}, triangles.vertices[i]));
+            consider(surface, PairKind::vertex_triangle,
+                     both(std::array{first.vertex + j}, triangles.vertices[i]));
         });
         edges.tree.meet(trees.edges, [&](Index i, Index j) {
-            look_at(surface, PairKind::edge_edge,
-                    both(edges.vertices[i], surface.solid_edges()[first.edge + j]));
+            consider(surface, PairKind::edge_edge,
+                     both(edges.vertices[i], surface.collider_edges()[first.edge + j]));
         });
     }
 }
 
-void ContactCandidates::look_at(const ContactSurface& surface, PairKind kind,
-                                const std::array<Index, 4>& vertices) {
+void ContactCandidates::consider(const ContactSurface& surface, PairKind kind,
+                                 const std::array<Index, 4>& vertices) {
     if (surface.apart(kind, vertices)) return;
     const PairPositions x = columns(within.start, vertices);
     const double way =
@@ -161,23 +161,23 @@ void ContactCandidates::look_at(const ContactSurface& surface, PairKind kind,
     const Closest closest = closest_points(kind, x);
     const double distance = std::sqrt(squared_distance(closest, x));
     if (distance > farthest) return;
-    const double touching = surface.touching(kind, vertices);
-    if (distance <= nearness * touching + way)
-        candidates.push_back({kind, vertices, touching, (x * closest.weights).normalized()});
+    const double activation_distance = surface.activation_distance(kind, vertices);
+    if (distance <= nearness * activation_distance + way)
+        candidates.push_back({kind, vertices, activation_distance, (x * closest.weights).normalized()});
 }
 
 std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
                                                  const Neighbourhood& smaller) {
     std::vector<ContactPair> picked;
     const double around = 2 * smaller.margin + smaller.round_off;
-    for (auto& [kind, vertices, touching, direction] : candidates) {
+    for (auto& [kind, vertices, activation_distance, direction] : candidates) {
         const PairPositions from = columns(smaller.start, vertices);
         const PairPositions to = from + columns(smaller.motion, vertices);
-        const double far = nearness * touching + around;
+        const double far = nearness * activation_distance + around;
         if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
         direction = (from * closest_points(kind, from).weights).normalized();
         if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
-        picked.push_back(surface.pair(kind, vertices, touching));
+        picked.push_back(surface.pair(kind, vertices, activation_distance));
     }
     std::sort(picked.begin(), picked.end(), [](const ContactPair& a, const ContactPair& b) {
         return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
@@ -186,7 +186,7 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
 }
 
 void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after,
-                               SolidTrees& solids) {
+                               ColliderTrees& colliders) {
     const Index known = static_cast<Index>(within.start.cols());
     if (known != before.vertices() || before.triangles().size() != after.triangles().size()) {
         *this = {};
@@ -207,7 +207,7 @@ void ContactCandidates::follow(const ContactSurface& before, const ContactSurfac
         return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
                            [&](Index v) { return changed[v]; });
     });
-    find(after, changed, solids);
+    find(after, changed, colliders);
 }
 
 }  // namespace sherd

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/contact/detection/solid_trees.h"
+#include "core/contact/detection/collider_trees.h"
 
 namespace sherd {
 
@@ -16,8 +16,8 @@ class ContactCandidates {
     static constexpr double nearness = 1.15;
 
     ContactCandidates() = default;
-    /// solids: the trees of the colliders, kept from one call to the next.
-    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, SolidTrees& solids);
+    /// colliders: the trees of the colliders, kept from one call to the next.
+    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, ColliderTrees& colliders);
 
     const Neighbourhood& neighbourhood() const { return within; }
     /// Returns a superset of the pairs that come near contact somewhere in `smaller`, which must lie in the
@@ -25,21 +25,22 @@ class ContactCandidates {
     std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller);
     /// Searches pairs again where triangles have other vertices, or vertices gained or lost twins. A new
     /// vertex must have the start and the motion of the vertex that it replaced.
-    void follow(const ContactSurface& before, const ContactSurface& after, SolidTrees& solids);
+    void follow(const ContactSurface& before, const ContactSurface& after, ColliderTrees& colliders);
 
   private:
     struct Candidate {
         PairKind kind;
         std::array<Index, 4> vertices;  ///< in the order of PairPositions
-        double touching;                ///< m, activation distance
+        double activation_distance;     ///< m, activation distance
         Vector3d direction;             ///< unit vector from the second element to the first
     };
 
     /// Searches all pairs with a vertex that has changed.
-    void find(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
+    void find(const ContactSurface& surface, const std::vector<char>& changed, ColliderTrees& colliders);
     void find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed);
-    void find_on_solids(const ContactSurface& surface, const std::vector<char>& changed, SolidTrees& solids);
-    void look_at(const ContactSurface& surface, PairKind kind, const std::array<Index, 4>& vertices);
+    void find_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
+                           ColliderTrees& colliders);
+    void consider(const ContactSurface& surface, PairKind kind, const std::array<Index, 4>& vertices);
 
     Neighbourhood within;
     std::vector<Candidate> candidates;

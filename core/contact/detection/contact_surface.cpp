@@ -13,8 +13,8 @@ constexpr double share = 0.5;           // of a column, for each of the ways in 
 constexpr double share_of_rest = 0.75;  // activation distance of neighbours, over their distance at rest
 // A collider's surface is active from this share of half the thickness on. Above that only the springs of
 // vertices act, whose stiffness is that of the materials; a soft collider yields there, perhaps by much.
-constexpr double share_of_solid = 0.5;
-constexpr double closest_to_sheet = 0.75, closest_to_solid = 0.2;  // minimum over activation distance
+constexpr double share_of_collider = 0.5;
+constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;  // minimum over activation distance
 
 template <std::size_t N>
 std::array<Index, N> shifted(std::array<Index, N> vertices, Index by) {
@@ -29,14 +29,15 @@ double width_of(const std::vector<std::array<Index, 2>>& edges, const std::vecto
 
 }  // namespace
 
-ContactSurface::ContactSurface(const Sheet& sheet, const std::vector<ContactSolid>& solids, bool sheets_meet)
-    : sheet(&sheet), solids(solids), sheets(sheets_meet), has_twin(sheet.rest.cols(), 0) {
-    add_solids();
-    const Index start = solid_vertices();
-    for (const TriangleStencil& stencil : sheet.triangles)
+ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders,
+                               bool sheets_meet)
+    : shell(&shell), colliders(colliders), sheets(sheets_meet), has_twin(shell.rest.cols(), 0) {
+    add_colliders();
+    const Index start = collider_vertices();
+    for (const TriangleStencil& stencil : shell.triangles)
         triangle.push_back(shifted(stencil.vertices, start));
     add_sheet_edges();
-    for (const auto& [a, b] : sheet.twins) {
+    for (const auto& [a, b] : shell.twins) {
         twin.push_back(shifted(std::array{a, b}, start));
         twin.push_back(shifted(std::array{b, a}, start));
         has_twin[a] = has_twin[b] = 1;
@@ -44,32 +45,32 @@ ContactSurface::ContactSurface(const Sheet& sheet, const std::vector<ContactSoli
     std::sort(twin.begin(), twin.end());
 }
 
-void ContactSurface::add_solids() {
+void ContactSurface::add_colliders() {
     start_of.push_back({0, 0, 0});
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const SolidSurface& surface = *solids[i].surface;
-        const Index start = solid_vertices();
-        solid.resize(start + surface.size(), static_cast<Index>(i));
-        for (const auto& vertices : surface.triangles) solid_triangle.push_back(shifted(vertices, start));
-        for (const auto& ends : surface.edges) solid_edge.push_back(shifted(ends, start));
-        solid_width.insert(solid_width.end(), surface.width.begin(), surface.width.end());
-        start_of.push_back({solid_vertices(), static_cast<Index>(solid_edge.size()),
-                            static_cast<Index>(solid_triangle.size())});
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        const ColliderSurface& surface = *colliders[i].surface;
+        const Index start = collider_vertices();
+        collider.resize(start + surface.size(), static_cast<Index>(i));
+        for (const auto& vertices : surface.triangles) collider_triangle.push_back(shifted(vertices, start));
+        for (const auto& ends : surface.edges) collider_edge.push_back(shifted(ends, start));
+        collider_width.insert(collider_width.end(), surface.width.begin(), surface.width.end());
+        start_of.push_back({collider_vertices(), static_cast<Index>(collider_edge.size()),
+                            static_cast<Index>(collider_triangle.size())});
     }
 }
 
 void ContactSurface::add_sheet_edges() {
     std::vector<std::array<Index, 3>> triangles;
     std::vector<double> areas;
-    for (const TriangleStencil& stencil : sheet->triangles) {
+    for (const TriangleStencil& stencil : shell->triangles) {
         triangles.push_back(stencil.vertices);
         areas.push_back(stencil.membrane.area);
     }
     for (const SurfaceEdge& side : surface_edges(triangles, areas)) {
         const auto [a, b] = side.ends;
-        edge.push_back(shifted(side.ends, solid_vertices()));
-        width.push_back(side.area / (sheet->rest.col(a) - sheet->rest.col(b)).norm() +
-                        (side.triangles == 1 ? sheet->thickness[a] : 0));
+        edge.push_back(shifted(side.ends, collider_vertices()));
+        width.push_back(side.area / (shell->rest.col(a) - shell->rest.col(b)).norm() +
+                        (side.triangles == 1 ? shell->thickness[a] : 0));
     }
 }
 
@@ -79,9 +80,9 @@ bool ContactSurface::joined(Index a, Index b) const {
 }
 
 bool ContactSurface::apart(PairKind kind, const std::array<Index, 4>& vertices) const {
-    if (const ContactSolid* met = solid_of(kind, vertices))
+    if (const ContactCollider* met = collider_of(kind, vertices))
         return std::any_of(vertices.begin(), vertices.end(), [&](Index vertex) {
-            return !of_solid(vertex) &&
+            return !of_collider(vertex) &&
                    std::binary_search(met->around.begin(), met->around.end(), of_sheet(vertex));
         });
     const int first = vertices_of_first(kind);
@@ -91,9 +92,10 @@ bool ContactSurface::apart(PairKind kind, const std::array<Index, 4>& vertices) 
     return false;
 }
 
-const ContactSolid* ContactSurface::solid_of(PairKind kind, const std::array<Index, 4>& vertices) const {
+const ContactCollider* ContactSurface::collider_of(PairKind kind,
+                                                   const std::array<Index, 4>& vertices) const {
     for (const Index vertex : {vertices[0], vertices[vertices_of_first(kind)]})
-        if (of_solid(vertex)) return &solids[solid[vertex]];
+        if (of_collider(vertex)) return &colliders[collider[vertex]];
     return nullptr;
 }
 
@@ -101,38 +103,38 @@ double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vert
     return half_thickness(vertices[0]) + half_thickness(vertices[vertices_of_first(kind)]);
 }
 
-double ContactSurface::touching(PairKind kind, const std::array<Index, 4>& vertices) const {
+double ContactSurface::activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const {
     const double together = thickness(kind, vertices);
-    if (solid_of(kind, vertices)) return share_of_solid * together;
-    const std::array<Index, 4> mine = shifted(vertices, -solid_vertices());
-    if (sheet->body[mine[0]] != sheet->body[mine[vertices_of_first(kind)]]) return together;
-    const PairPositions rest = columns(sheet->rest, mine);
+    if (collider_of(kind, vertices)) return share_of_collider * together;
+    const std::array<Index, 4> mine = shifted(vertices, -collider_vertices());
+    if (shell->vertex_sheet[mine[0]] != shell->vertex_sheet[mine[vertices_of_first(kind)]]) return together;
+    const PairPositions rest = columns(shell->rest, mine);
     const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
     // Lips of a crack have distance zero at rest; whoever opened the crack has passed them on to the barrier.
     return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
 }
 
 double ContactSurface::footprint(Index vertex) const {
-    if (!of_solid(vertex)) return sheet->footprint[of_sheet(vertex)];
-    return solids[solid[vertex]].surface->footprint[vertex - start_of[solid[vertex]].vertex];
+    if (!of_collider(vertex)) return shell->footprint[of_sheet(vertex)];
+    return colliders[collider[vertex]].surface->footprint[vertex - start_of[collider[vertex]].vertex];
 }
 
 double ContactSurface::edge_width(Index a, Index b) const {
-    return of_solid(a) ? width_of(solid_edge, solid_width, a, b) : width_of(edge, width, a, b);
+    return of_collider(a) ? width_of(collider_edge, collider_width, a, b) : width_of(edge, width, a, b);
 }
 
 double ContactSurface::rest_length(Index a, Index b) const {
-    if (!of_solid(a)) return (sheet->rest.col(of_sheet(a)) - sheet->rest.col(of_sheet(b))).norm();
-    const Positions& points = solids[solid[a]].surface->points;
-    const Index first = start_of[solid[a]].vertex;
+    if (!of_collider(a)) return (shell->rest.col(of_sheet(a)) - shell->rest.col(of_sheet(b))).norm();
+    const Positions& points = colliders[collider[a]].surface->points;
+    const Index first = start_of[collider[a]].vertex;
     return (points.col(a - first) - points.col(b - first)).norm();
 }
 
-double ContactSurface::area_on_solid(PairKind kind, const std::array<Index, 4>& vertices) const {
+double ContactSurface::area_on_collider(PairKind kind, const std::array<Index, 4>& vertices) const {
     const auto [a, b, c, d] = vertices;
     if (kind == PairKind::vertex_triangle)
-        return of_solid(a) ? std::min(footprint(a), (footprint(b) + footprint(c) + footprint(d)) / 3)
-                           : footprint(a);
+        return of_collider(a) ? std::min(footprint(a), (footprint(b) + footprint(c) + footprint(d)) / 3)
+                              : footprint(a);
     // In a pair of edges the collider's edge comes first.
     return std::numbers::pi / 2 * std::min(edge_width(a, b), rest_length(c, d)) * edge_width(c, d);
 }
@@ -145,25 +147,26 @@ double ContactSurface::area(PairKind kind, const std::array<Index, 4>& vertices)
 
 double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertices) const {
     const Index a = vertices[0], b = vertices[vertices_of_first(kind)];
-    const auto young = [&](Index v) { return sheet->young[of_sheet(v)]; };
-    if (const ContactSolid* met = solid_of(kind, vertices)) {
-        const Index v = of_solid(a) ? b : a;
+    const auto young = [&](Index v) { return shell->young[of_sheet(v)]; };
+    if (const ContactCollider* met = collider_of(kind, vertices)) {
+        const Index v = of_collider(a) ? b : a;
         return 2 * half_thickness(v) * (1 / young(v) + 1 / met->young);
     }
     return half_thickness(a) / young(a) + half_thickness(b) / young(b);
 }
 
-ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices, double touching) const {
+ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices,
+                                 double activation_distance) const {
     const auto [a, b, c, d] = vertices;
-    const bool on_solid = solid_of(kind, vertices);
-    const double on = on_solid ? area_on_solid(kind, vertices) : area(kind, vertices);
+    const bool on_collider = collider_of(kind, vertices);
+    const double on = on_collider ? area_on_collider(kind, vertices) : area(kind, vertices);
     return {
         kind,
         vertices,
         share * on / column(kind, vertices),
-        touching,
+        activation_distance,
         kind == PairKind::edge_edge ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{},
-        on_solid ? closest_to_solid : closest_to_sheet};
+        on_collider ? closest_to_collider : closest_to_sheet};
 }
 
 }  // namespace sherd

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "core/contact/barrier/contact_pair.h"
-#include "core/contact/geometry/solid_surface.h"
-#include "core/shell/sheet.h"
+#include "core/contact/geometry/collider_surface.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
 /// A collider as surface contact sees it.
-struct ContactSolid {
-    const SolidSurface* surface = nullptr;
+struct ContactCollider {
+    const ColliderSurface* surface = nullptr;
     double young = 3e10;  ///< Pa
     double friction = 0;  ///< Coulomb coefficient
     std::vector<Index> around =
@@ -40,12 +40,12 @@ class ContactSurface {
   public:
     /// Sheet and colliders' surfaces must outlive this object, which must be made anew when the shell's
     /// vertices or triangles have changed. sheets_meet: whether elements of sheets collide with each other.
-    explicit ContactSurface(const Sheet& sheet, const std::vector<ContactSolid>& solids = {},
+    explicit ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders = {},
                             bool sheets_meet = true);
 
-    Index solid_vertices() const { return static_cast<Index>(solid.size()); }
-    Index vertices() const { return solid_vertices() + static_cast<Index>(has_twin.size()); }
-    bool of_solid(Index vertex) const { return vertex < solid_vertices(); }
+    Index collider_vertices() const { return static_cast<Index>(collider.size()); }
+    Index vertices() const { return collider_vertices() + static_cast<Index>(has_twin.size()); }
+    bool of_collider(Index vertex) const { return vertex < collider_vertices(); }
     bool sheets_meet() const { return sheets; }
 
     // These describe the sheets:
@@ -54,17 +54,17 @@ class ContactSurface {
     /// Pairs of twins in both orders, ascending.
     const std::vector<std::array<Index, 2>>& twins() const { return twin; }
     // These describe the colliders, one collider after the other:
-    const std::vector<std::array<Index, 3>>& solid_triangles() const { return solid_triangle; }
-    const std::vector<std::array<Index, 2>>& solid_edges() const { return solid_edge; }  ///< ascending
+    const std::vector<std::array<Index, 3>>& collider_triangles() const { return collider_triangle; }
+    const std::vector<std::array<Index, 2>>& collider_edges() const { return collider_edge; }  ///< ascending
     /// The number of the first vertex, edge and triangle of a collider.
     struct Start {
         Index vertex, edge, triangle;
     };
     /// Has one entry more than there are colliders: the last one is the end of all.
-    const std::vector<Start>& solid_starts() const { return start_of; }
+    const std::vector<Start>& collider_starts() const { return start_of; }
 
     double half_thickness(Index vertex) const {
-        return of_solid(vertex) ? 0 : 0.5 * sheet->thickness[of_sheet(vertex)];
+        return of_collider(vertex) ? 0 : 0.5 * shell->thickness[of_sheet(vertex)];
     }
 
     // These take two elements, given by their vertices in the order of PairPositions, edges as in edges():
@@ -74,34 +74,34 @@ class ContactSurface {
     /// Half the sum of their thicknesses, m.
     double thickness(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// The activation distance, m.
-    double touching(PairKind kind, const std::array<Index, 4>& vertices) const;
-    ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double touching) const;
+    double activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const;
+    ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double activation_distance) const;
     /// The collider that one of the elements belongs to; null if none does.
-    const ContactSolid* solid_of(PairKind kind, const std::array<Index, 4>& vertices) const;
+    const ContactCollider* collider_of(PairKind kind, const std::array<Index, 4>& vertices) const;
 
   private:
-    Index of_sheet(Index vertex) const { return vertex - solid_vertices(); }
+    Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }
     bool joined(Index a, Index b) const;  ///< whether they are the same vertex or twins
     double edge_width(Index a, Index b) const;
     double rest_length(Index a, Index b) const;
     double footprint(Index vertex) const;
     /// The contact area of the pair, m^2.
     double area(PairKind kind, const std::array<Index, 4>& vertices) const;
-    double area_on_solid(PairKind kind, const std::array<Index, 4>& vertices) const;
+    double area_on_collider(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// Compliance times area of the materials between the middle surfaces, m/Pa.
     double column(PairKind kind, const std::array<Index, 4>& vertices) const;
-    void add_solids();
+    void add_colliders();
     void add_sheet_edges();
 
-    const Sheet* sheet;
-    std::vector<ContactSolid> solids;
+    const Shell* shell;
+    std::vector<ContactCollider> colliders;
     bool sheets;
-    std::vector<Index> solid;     ///< the collider of each vertex of colliders
+    std::vector<Index> collider;  ///< the collider of each vertex of colliders
     std::vector<Start> start_of;  ///< of each collider
-    std::vector<std::array<Index, 3>> triangle, solid_triangle;
-    std::vector<std::array<Index, 2>> edge, solid_edge, twin;
-    std::vector<double> width, solid_width;  ///< m, of each edge
-    std::vector<char> has_twin;              ///< of each vertex of sheets
+    std::vector<std::array<Index, 3>> triangle, collider_triangle;
+    std::vector<std::array<Index, 2>> edge, collider_edge, twin;
+    std::vector<double> width, collider_width;  ///< m, of each edge
+    std::vector<char> has_twin;                 ///< of each vertex of sheets
 };
 
 }  // namespace sherd

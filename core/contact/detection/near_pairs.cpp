@@ -35,7 +35,7 @@ double lookahead(const Positions& motion, double unit) {
 
 double thinnest_half(const ContactSurface& surface) {
     double thinnest = std::numeric_limits<double>::infinity();
-    for (Index v = surface.solid_vertices(); v < surface.vertices(); ++v)
+    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v)
         thinnest = std::min(thinnest, surface.half_thickness(v));
     return thinnest;
 }
@@ -44,7 +44,7 @@ double thinnest_half(const ContactSurface& surface) {
 
 void NearPairs::surface_changed(ContactSurface surface) {
     const ContactSurface before = std::exchange(of, std::move(surface));
-    found.follow(before, of, solids);
+    found.follow(before, of, colliders);
     near = {};
     last.resize(3, 0);
 }
@@ -52,21 +52,21 @@ void NearPairs::surface_changed(ContactSurface surface) {
 const std::vector<ContactPair>& NearPairs::candidates(const Positions& x, const Positions& motion) const {
     if (near.contains(x) && near.contains(x + motion)) return pairs;
     const double unit = thinnest_half(of);
-    near = Neighbourhood(x, motion, margin_of_step * unit, of.solid_vertices());
+    near = Neighbourhood(x, motion, margin_of_step * unit, of.collider_vertices());
     if (!found.neighbourhood().contains(near))
         found = ContactCandidates(of,
                                   Neighbourhood(x, lookahead(near.motion, unit) * motion,
-                                                margin_of_all * unit, of.solid_vertices()),
-                                  solids);
+                                                margin_of_all * unit, of.collider_vertices()),
+                                  colliders);
     pairs = found.pick(of, near);
     return pairs;
 }
 
-const std::vector<ContactPair>& NearPairs::touching(const Positions& x) const {
+const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return active;
     active.clear();
     for (const ContactPair& pair : candidates(x, Positions::Zero(3, x.cols())))
-        if (within(pair.touching, pair, x)) active.push_back(pair);
+        if (within(pair.activation_distance, pair, x)) active.push_back(pair);
     last = x;
     return active;
 }
@@ -85,20 +85,20 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
 
 void NearPairs::add_contacts(const Positions& x, bool ahead,
                              std::vector<std::pair<Index, Index>>& blocks) const {
-    for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : touching(x))
-        if (!ahead || within(ContactCandidates::nearness * pair.touching, pair, x))
-            add_pairs(blocks, numbered_from(pair.vertices, of.solid_vertices()));
+    for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : active_pairs(x))
+        if (!ahead || within(ContactCandidates::nearness * pair.activation_distance, pair, x))
+            add_pairs(blocks, numbered_from(pair.vertices, of.collider_vertices()));
 }
 
 void NearPairs::add_touched(const Positions& x, std::set<Index>& vertices,
-                            std::set<const SolidSurface*>& touched) const {
-    if (of.solid_vertices() == 0) return;
-    for (const ContactPair& pair : touching(x)) {
-        const ContactSolid* solid = of.solid_of(pair.kind, pair.vertices);
-        if (!solid) continue;
-        touched.insert(solid->surface);
+                            std::set<const ColliderSurface*>& touched) const {
+    if (of.collider_vertices() == 0) return;
+    for (const ContactPair& pair : active_pairs(x)) {
+        const ContactCollider* collider = of.collider_of(pair.kind, pair.vertices);
+        if (!collider) continue;
+        touched.insert(collider->surface);
         for (const Index vertex : pair.vertices)
-            if (!of.of_solid(vertex)) vertices.insert(vertex - of.solid_vertices());
+            if (!of.of_collider(vertex)) vertices.insert(vertex - of.collider_vertices());
     }
 }
 

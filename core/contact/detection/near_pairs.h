@@ -18,7 +18,7 @@ class NearPairs {
     const ContactSurface& surface() const { return of; }
 
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
-    const std::vector<ContactPair>& touching(const Positions& x) const;
+    const std::vector<ContactPair>& active_pairs(const Positions& x) const;
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, valid until the next call.
@@ -30,12 +30,12 @@ class NearPairs {
     /// Adds the shell's vertices of pairs with colliders that are active at x, numbered as in the shell, and
     /// the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
-                     std::set<const SolidSurface*>& touched) const;
+                     std::set<const ColliderSurface*>& touched) const;
 
   private:
     ContactSurface of;
     // These are caches: no result depends on them.
-    mutable SolidTrees solids;
+    mutable ColliderTrees colliders;
     mutable ContactCandidates found;          ///< candidates for many steps to come
     mutable Neighbourhood near;               ///< the neighbourhood of the current step
     mutable std::vector<ContactPair> pairs;   ///< pairs that may be active in that neighbourhood

@@ -17,23 +17,23 @@ Positions less_mean(const Positions& motion) {
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin, Index solids)
+Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double margin, Index colliders)
     : start(x),
-      motion(solids > 0 ? motion : less_mean(motion)),
+      motion(colliders > 0 ? motion : less_mean(motion)),
       margin(margin),
-      solids(solids),
-      solids_rest(motion.leftCols(solids).isZero(0)) {
+      colliders(colliders),
+      colliders_rest(motion.leftCols(colliders).isZero(0)) {
     round_off = rounding * ((start.cwiseAbs() + this->motion.cwiseAbs()).maxCoeff() + margin);
 }
 
 bool Neighbourhood::contains(const Positions& x, double spare) const {
     if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
-    const bool skip = solids_rest && x.leftCols(solids) == start.leftCols(solids);
+    const bool skip = colliders_rest && x.leftCols(colliders) == start.leftCols(colliders);
     const auto looked_at = [&](const Positions& all) {
-        return all.rightCols(all.cols() - (skip ? solids : 0));
+        return all.rightCols(all.cols() - (skip ? colliders : 0));
     };
     const Positions difference = looked_at(x) - looked_at(start);
-    const Positions moved = solids > 0 ? difference : less_mean(difference);
+    const Positions moved = colliders > 0 ? difference : less_mean(difference);
     const auto along_motion = looked_at(motion);
     const double way = along_motion.squaredNorm(), along = moved.cwiseProduct(along_motion).sum();
     const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;

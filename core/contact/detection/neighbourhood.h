@@ -11,8 +11,8 @@ namespace sherd {
 class Neighbourhood {
   public:
     Neighbourhood() = default;
-    /// x, motion: [3, V] m, the first `solids` vertices belonging to colliders; margin: m.
-    Neighbourhood(const Positions& x, const Positions& motion, double margin, Index solids = 0);
+    /// x, motion: [3, V] m, the first `colliders` vertices belonging to colliders; margin: m.
+    Neighbourhood(const Positions& x, const Positions& motion, double margin, Index colliders = 0);
 
     bool contains(const Positions& x) const { return contains(x, 0); }
     bool contains(const Neighbourhood& other) const;
@@ -25,8 +25,8 @@ class Neighbourhood {
   private:
     bool contains(const Positions& x, double spare) const;
 
-    Index solids = 0;
-    bool solids_rest = true;  ///< whether the colliders are at rest, so that their vertices need no check
+    Index colliders = 0;
+    bool colliders_rest = true;  ///< whether the colliders are at rest, so that their vertices need no check
 };
 
 }  // namespace sherd

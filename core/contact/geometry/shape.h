@@ -14,13 +14,13 @@ struct SurfaceDistance {
     Matrix3d hessian;   ///< 1/m
 };
 
-/// A solid, given by its signed distance in a frame of its own.
+/// A collider, given by its signed distance in a frame of its own.
 struct Shape {
     virtual ~Shape() = default;
     /// Signed distance, continuous, with its exact derivatives. Far outside, sampled shapes may return an
     /// infinite distance and no derivatives.
     virtual SurfaceDistance distance(const Vector3d& point) const = 0;
-    /// A box that contains the solid; infinite where the solid is.
+    /// A box that contains the collider; infinite where the collider is.
     virtual Eigen::AlignedBox3d bounds() const = 0;
 };
 

@@ -10,8 +10,8 @@ namespace sherd {
 class ObstacleContact : public Energy {
   public:
     /// Shell and obstacle must outlive this object.
-    ObstacleContact(const Sheet& sheet, const Obstacle& obstacle)
-        : obstacle(obstacle), contact(sheet, obstacle) {}
+    ObstacleContact(const Shell& shell, const Obstacle& obstacle)
+        : obstacle(obstacle), contact(shell, obstacle) {}
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;

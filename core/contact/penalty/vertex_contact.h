@@ -5,7 +5,7 @@
 
 #include "core/contact/colliders/touch.h"
 #include "core/contact/penalty/point_force.h"
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
@@ -22,7 +22,7 @@ namespace sherd {
 class VertexContact {
   public:
     /// Shell and collider must outlive this object.
-    VertexContact(const Sheet& sheet, const Collider& collider) : sheet(sheet), collider(collider) {}
+    VertexContact(const Shell& shell, const Collider& collider) : shell(shell), collider(collider) {}
 
     /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
     /// anchor(vertex, x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in
@@ -31,11 +31,11 @@ class VertexContact {
     void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double lag, Anchor anchor) {
         sliding.clear();
         if (collider.friction == 0) return;
-        for (Index v = 0; v < static_cast<Index>(sheet.position.cols()); ++v) {
-            const Overlap at = overlap(sheet.position, v, pose);
+        for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v) {
+            const Overlap at = overlap(shell.position, v, pose);
             if (at.depth <= 0) continue;
             const Friction friction{collider.friction * stiffness(v) * at.depth, smoothing_speed * lag};
-            sliding.push_back({v, {anchor(v, Vector3d(sheet.position.col(v))), turn * at.normal, friction}});
+            sliding.push_back({v, {anchor(v, Vector3d(shell.position.col(v))), turn * at.normal, friction}});
         }
     }
     /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
@@ -60,7 +60,7 @@ class VertexContact {
     /// Overlap of a vertex with the collider; margin: m, added to half the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
                     double margin = 0) const {
-        return sherd::overlap(*collider.shape, pose, x.col(vertex), 0.5 * sheet.thickness[vertex] + margin);
+        return sherd::overlap(*collider.shape, pose, x.col(vertex), 0.5 * shell.thickness[vertex] + margin);
     }
 
   private:
@@ -69,11 +69,11 @@ class VertexContact {
         SlidingPoint point;
     };
     double stiffness(Index vertex) const {  ///< N/m
-        return column_stiffness(sheet.footprint[vertex], sheet.thickness[vertex], sheet.young[vertex],
+        return column_stiffness(shell.footprint[vertex], shell.thickness[vertex], shell.young[vertex],
                                 collider.young);
     }
 
-    const Sheet& sheet;
+    const Shell& shell;
     const Collider& collider;
     std::vector<Sliding> sliding;
 };

@@ -8,47 +8,47 @@ namespace sherd {
 namespace {
 
 std::string message(const ContactSurface& surface, const ContactPair& pair, double apart) {
-    std::string sheet, solid;
+    std::string shell, collider;
     for (const Index vertex : pair.vertices)
-        (surface.of_solid(vertex) ? solid : sheet) +=
-            " " + std::to_string(vertex - (surface.of_solid(vertex) ? 0 : surface.solid_vertices()));
+        (surface.of_collider(vertex) ? collider : shell) +=
+            " " + std::to_string(vertex - (surface.of_collider(vertex) ? 0 : surface.collider_vertices()));
     const std::string elements =
         pair.kind == PairKind::edge_edge ? "the edges of vertices" : "a vertex and the triangle of vertices";
-    const std::string others = solid.empty() ? "" : " and of an obstacle's" + solid;
-    return "contact: " + elements + sheet + others + " are " + std::to_string(apart) +
+    const std::string others = collider.empty() ? "" : " and of an obstacle's" + collider;
+    return "contact: " + elements + shell + others + " are " + std::to_string(apart) +
            " m apart, which must be more than " + std::to_string(pair.minimum()) +
            " m; move the sheets apart, or make them thinner";
 }
 
 }  // namespace
 
-SheetContact::SheetContact(const Sheet& sheet, std::vector<Obstacle> given, bool sheets_meet)
-    : sheet(sheet),
+SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool sheets_meet)
+    : shell(shell),
       obstacles(std::move(given)),
-      solids(contact_solids(sheet, obstacles)),
-      near(ContactSurface(sheet, solids, sheets_meet)) {
-    start = end = solid_positions(obstacles, 0);
+      colliders(contact_colliders(shell, obstacles)),
+      near(ContactSurface(shell, colliders, sheets_meet)) {
+    start = end = collider_positions(obstacles, 0);
 }
 
 void SheetContact::begin(const StepContext& step) {
-    start = solid_positions(obstacles, step.begin);
-    end = solid_positions(obstacles, step.end());
+    start = collider_positions(obstacles, step.begin);
+    end = collider_positions(obstacles, step.end());
 }
 
 void SheetContact::topology_changed(const ShellChange&, const StepContext& step) {
-    near.surface_changed(ContactSurface(sheet, solids, surface().sheets_meet()));
+    near.surface_changed(ContactSurface(shell, colliders, surface().sheets_meet()));
     begin(step);
 }
 
-const Positions& SheetContact::with(const Positions& solid, const Positions& x) const {
-    if (solid.cols() == 0) return x;
-    whole.resize(3, solid.cols() + x.cols());
-    whole << solid, x;
+const Positions& SheetContact::with(const Positions& collider, const Positions& x) const {
+    if (collider.cols() == 0) return x;
+    whole.resize(3, collider.cols() + x.cols());
+    whole << collider, x;
     return whole;
 }
 
 SheetContact::Pairs SheetContact::pairs_at(const Positions& all) const {
-    return {near.touching(all), all, surface().solid_vertices()};
+    return {near.active_pairs(all), all, surface().collider_vertices()};
 }
 
 double SheetContact::value(const Positions& x) const {
@@ -86,18 +86,18 @@ Positions SheetContact::pushed_along(const Positions& x) const {
     if (start == end) return pushed;
     Positions way = Positions::Zero(3, end.cols() + x.cols());
     way.leftCols(end.cols()) = end - start;
-    const Index first = surface().solid_vertices();
+    const Index first = surface().collider_vertices();
     for (const ContactPair& pair : near.candidates(with(start, x), way))
-        for (const Index of_solid : pair.vertices)
+        for (const Index of_collider : pair.vertices)
             for (const Index of_sheet : pair.vertices)
-                if (of_solid < first && of_sheet >= first && way.col(of_solid).squaredNorm() > 0)
-                    pushed.col(of_sheet - first) = way.col(of_solid);
+                if (of_collider < first && of_sheet >= first && way.col(of_collider).squaredNorm() > 0)
+                    pushed.col(of_sheet - first) = way.col(of_collider);
     return pushed;
 }
 
 void SheetContact::require_apart(const Positions& x) const {
     const Positions& all = with(start, x);
-    for (const ContactPair& pair : near.touching(all)) {
+    for (const ContactPair& pair : near.active_pairs(all)) {
         const double apart = distance(pair, columns(all, pair.vertices));
         if (!(apart > pair.minimum())) throw std::runtime_error(message(surface(), pair, apart));
     }

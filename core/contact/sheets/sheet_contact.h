@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/detection/near_pairs.h"
 #include "core/element_energy.h"
 
@@ -14,7 +14,7 @@ namespace sherd {
 class SheetContact : public Energy {
   public:
     /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
-    explicit SheetContact(const Sheet& sheet, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true);
+    explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true);
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
@@ -40,14 +40,16 @@ class SheetContact : public Energy {
     const Positions& at_end(const Positions& x) const { return with(end, x); }
     Positions at_start(const Positions& x) const { return with(start, x); }
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
-    const std::vector<ContactPair>& touching(const Positions& x) const { return near.touching(at_end(x)); }
+    const std::vector<ContactPair>& active_pairs(const Positions& x) const {
+        return near.active_pairs(at_end(x));
+    }
     /// The same with the colliders where they are at the beginning of the step.
-    const std::vector<ContactPair>& touching_at_start(const Positions& x) const {
-        return near.touching(with(start, x));
+    const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
+        return near.active_pairs(with(start, x));
     }
     /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
-                     std::set<const SolidSurface*>& touched) const {
+                     std::set<const ColliderSurface*>& touched) const {
         near.add_touched(at_end(x), vertices, touched);
     }
     /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
@@ -77,11 +79,11 @@ class SheetContact : public Energy {
 
     Pairs pairs_at(const Positions& all) const;
     /// The two arrays joined, valid until the next call.
-    const Positions& with(const Positions& solid, const Positions& x) const;
+    const Positions& with(const Positions& collider, const Positions& x) const;
 
-    const Sheet& sheet;
+    const Shell& shell;
     std::vector<Obstacle> obstacles;
-    std::vector<ContactSolid> solids;
+    std::vector<ContactCollider> colliders;
     NearPairs near;
     Positions start, end;     ///< m, [3, S], vertices of all colliders in their order
     mutable Positions whole;  ///< buffer, kept to save allocations

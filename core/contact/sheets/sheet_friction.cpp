@@ -65,7 +65,7 @@ PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
     for (int v = 0; v < 4; ++v) {
         const Index vertex = pairs[i].vertices[v];
         if (vertex < first)
-            moved.col(v) = solids.col(vertex);
+            moved.col(v) = colliders.col(vertex);
         else
             moved.col(v) = x.col(vertex - first) - origin.col(vertex);
     }
@@ -73,15 +73,15 @@ PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
 }
 
 void SheetFriction::begin(const StepContext& step) {
-    const Positions start = contact.at_start(sheet.position);
+    const Positions start = contact.at_start(shell.position);
     elements.pairs.clear();
-    elements.first = contact.surface().solid_vertices();
+    elements.first = contact.surface().collider_vertices();
     elements.origin = contact.at_start(step.origin);
-    elements.solids = (step.lag / step.length) * (contact.at_end(sheet.position).leftCols(elements.first) -
-                                                  start.leftCols(elements.first));
-    for (const ContactPair& pair : contact.touching_at_start(sheet.position)) {
-        const ContactSolid* solid = contact.surface().solid_of(pair.kind, pair.vertices);
-        const double own = solid ? solid->friction : coefficient;
+    elements.colliders = (step.lag / step.length) * (contact.at_end(shell.position).leftCols(elements.first) -
+                                                     start.leftCols(elements.first));
+    for (const ContactPair& pair : contact.active_pairs_at_start(shell.position)) {
+        const ContactCollider* collider = contact.surface().collider_of(pair.kind, pair.vertices);
+        const double own = collider ? collider->friction : coefficient;
         if (own > 0)
             elements.pairs.push_back(sliding_pair(pair, columns(start, pair.vertices), own, step.lag));
     }

@@ -30,7 +30,7 @@ struct SlidingPairs {
     std::vector<SlidingPair> pairs;  ///< numbered as in SheetContact::surface()
     Index first = 0;                 ///< number of the first vertex of sheets
     Positions origin;                ///< [3, S + V] m
-    Positions solids;                ///< m, [3, S], displacements of the colliders' vertices
+    Positions colliders;             ///< m, [3, S], displacements of the colliders' vertices
 
     std::size_t size() const { return pairs.size(); }
     std::array<Index, 4> vertices(std::size_t i) const { return numbered_from(pairs[i].vertices, first); }
@@ -51,8 +51,8 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
   public:
     /// coefficient: between sheets. Shell and contact must outlive this object; contact's step must begin
     /// first.
-    SheetFriction(const Sheet& sheet, const SheetContact& contact, double coefficient)
-        : ElementEnergy({}), sheet(sheet), contact(contact), coefficient(coefficient) {}
+    SheetFriction(const Shell& shell, const SheetContact& contact, double coefficient)
+        : ElementEnergy({}), shell(shell), contact(contact), coefficient(coefficient) {}
     void begin(const StepContext& step) override;
     Task task() const override { return Task::contact; }
     // Its pairs may change with every step, so none is part of the fixed pattern.
@@ -61,7 +61,7 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    const Sheet& sheet;
+    const Shell& shell;
     const SheetContact& contact;
     double coefficient;
 };

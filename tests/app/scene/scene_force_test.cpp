@@ -90,7 +90,7 @@ step = 1e-2
 )");
     Simulation simulation(prepared.inputs, prepared.options);
     for (int i = 0; i < 10; ++i) simulation.step();
-    const Sheet& sheet = simulation.sheet().mechanics();
+    const Shell& sheet = simulation.shell().mechanics();
     double drop = 0;
     for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
         const Vector3d rest = sheet.rest.col(v), now = sheet.position.col(v);
@@ -119,7 +119,7 @@ clamp = { box = [[1.999, -1, -1], [3, 2, 1]], centre = [2, 0, 0], keys = [
 step = 5e-3
 )");
     Simulation simulation(prepared.inputs, prepared.options);
-    const Sheet& sheet = simulation.sheet().mechanics();
+    const Shell& sheet = simulation.shell().mechanics();
     const auto expect_place = [&](double x, const Vector3d& centre, const Vector3d& way,
                                   const Vector3d& turn) {
         for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
@@ -136,7 +136,7 @@ step = 5e-3
     expect_place(0, {0, 0.5, 0}, {0.05, 0, 0}, {std::numbers::pi / 4, 0, 0});
     expect_place(2, {2, 0, 0}, {0, 0, 0}, {0, -std::numbers::pi / 2, 0});
     EXPECT_GT(linear_momentum(sheet).norm(), 0.1) << "the pinned vertices are a part of the momentum";
-    for (const MirrorHinge& hinge : prepared.options.stepper.shell.mirrors) EXPECT_EQ(hinge.carrier, 2);
+    for (const MirrorHinge& hinge : prepared.options.stepper.shell.mirrors) EXPECT_EQ(hinge.script, 2);
 }
 
 TEST(SceneSupport, MotionsThatCannotBeAreRefused) {

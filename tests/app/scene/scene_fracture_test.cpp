@@ -53,7 +53,7 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
 TEST(SceneFracture, ADirectedStrengthGetsItsAxes) {
     const SheetInput input = input_of(scene_of("strength = [4e7, 1e7]"));
     EXPECT_EQ(input.axes.size(), input.mesh.number_of_faces());
-    EXPECT_NO_THROW(BreakableSheet({input}));
+    EXPECT_NO_THROW(BreakableShell({input}));
     EXPECT_TRUE(input_of(scene_of("strength = 4e7")).axes.empty());
 }
 

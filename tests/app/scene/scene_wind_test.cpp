@@ -145,7 +145,7 @@ TEST(SceneWind, TheSameSeedGivesTheSameBitsAndAnotherOneOthers) {
         if (seed != 7) options.stepper.shell.winds[0].gusts = gust_waves({2, 0.3, 0.5}, {5, 0, 0}, seed);
         Simulation simulation(inputs, options);
         for (int i = 0; i < 10; ++i) simulation.step();
-        return Positions(simulation.sheet().mechanics().position);
+        return Positions(simulation.shell().mechanics().position);
     };
     const Positions once = positions(7);
     EXPECT_EQ(once, positions(7));
@@ -160,7 +160,7 @@ TEST(SceneWind, BlowsFlags) {
         flags + "[force]\ngravity = [0, 0, 0]\nwind = { velocity = [0, 0, 4], ramp = 0.01 }\n", inputs);
     Simulation simulation(inputs, options);
     for (int i = 0; i < 50; ++i) simulation.step();
-    const Sheet& sheet = simulation.sheet().mechanics();
+    const Shell& sheet = simulation.shell().mechanics();
     const auto lower = static_cast<Index>(inputs[0].mesh.number_of_vertices());
     EXPECT_GT(sheet.velocity.rightCols(sheet.velocity.cols() - lower).row(2).minCoeff(), 2);
     EXPECT_LT(sheet.velocity.row(2).maxCoeff(), 4.5);

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 #include "meshops/components.h"
 #include "meshops/generate.h"
 
@@ -17,7 +17,7 @@ int main() {
     input.material.thickness = 0.01;
     input.material.young = 1e9;
     input.strength = sherd::uniform_strength(1);
-    sherd::BreakableSheet sheet({input});
+    sherd::BreakableShell sheet({input});
     const double mass = sheet.mechanics().mass.sum();
 
     std::vector<sherd::Edge> interior;

@@ -46,7 +46,7 @@ Parted parted(const std::string& sheets, const std::string& head = "") {
     for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, result.warnings));
     const std::vector<SheetInput> before = inputs;
     result.warnings.clear();
-    BreakableSheet all(inputs);
+    BreakableShell all(inputs);
     try {
         part_sheets(scene, inputs, all, result.warnings);
     } catch (const Error& error) {
@@ -61,7 +61,7 @@ Parted parted(const std::string& sheets, const std::string& head = "") {
         result.moved.push_back(way.z());
     }
     result.apart = start_overlaps(all).empty();
-    EXPECT_TRUE(all.mechanics().rest == BreakableSheet(inputs).mechanics().rest) << "not made anew";
+    EXPECT_TRUE(all.mechanics().rest == BreakableShell(inputs).mechanics().rest) << "not made anew";
     return result;
 }
 

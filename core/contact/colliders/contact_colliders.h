@@ -8,9 +8,9 @@ namespace sherd {
 
 /// The obstacles that have a surface, as they stand at time 0. Pinned vertices that touch an obstacle at that
 /// time, or are inside it, do not collide with it: it may be what holds them.
-std::vector<ContactSolid> contact_solids(const Sheet& sheet, const std::vector<Obstacle>& obstacles);
+std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::vector<Obstacle>& obstacles);
 
 /// Positions at `time` (s) of the vertices of the same obstacles, in their order: [3, S] m.
-Positions solid_positions(const std::vector<Obstacle>& obstacles, double time);
+Positions collider_positions(const std::vector<Obstacle>& obstacles, double time);
 
 }  // namespace sherd

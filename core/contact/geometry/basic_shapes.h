@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// A half-space; the solid is behind the plane.
+/// A half-space; the collider is behind the plane.
 struct PlaneShape : Shape {
     Vector3d point = Vector3d::Zero();    ///< m
-    Vector3d normal = Vector3d::UnitZ();  ///< unit length, points out of the solid
+    Vector3d normal = Vector3d::UnitZ();  ///< unit length, points out of the collider
 
     PlaneShape() = default;
     PlaneShape(const Vector3d& point, const Vector3d& normal) : point(point), normal(normal) {}

@@ -29,20 +29,20 @@ struct HingeStencil {
 /// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
 /// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
 /// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
-struct Sheet {
-    Positions rest;           ///< [3, V] m
-    Positions position;       ///< [3, V] m
-    Positions velocity;       ///< [3, V] m/s
-    VectorXd mass;            ///< [V] kg, lumped
-    VectorXd thickness;       ///< [V] m
-    VectorXd young;           ///< [V] Pa
-    VectorXd footprint;       ///< [V] m^2, contact area of the vertex: see
-                              ///< contact/penalty/vertex_contact.h
-    std::vector<char> fixed;  ///< [V] 1 where a pin holds the vertex
+struct Shell {
+    Positions rest;             ///< [3, V] m
+    Positions position;         ///< [3, V] m
+    Positions velocity;         ///< [3, V] m/s
+    VectorXd mass;              ///< [V] kg, lumped
+    VectorXd thickness;         ///< [V] m
+    VectorXd young;             ///< [V] Pa
+    VectorXd footprint;         ///< [V] m^2, contact area of the vertex: see
+                                ///< contact/penalty/vertex_contact.h
+    std::vector<char> fixed;    ///< [V] 1 where a pin holds the vertex
+    std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
+    std::vector<char> guide;    ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
     std::vector<Index>
-        carrier;              ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
-    std::vector<char> guide;  ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
-    std::vector<Index> body;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
+        vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
 
     std::vector<TriangleStencil> triangles;  ///< [F]
     std::vector<double> face_area;           ///< [F] m^2, at rest
@@ -66,55 +66,55 @@ struct Sheet {
 /// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an
 /// entry for each vertex. An attribute that is listed here follows every change of the mesh.
 template <class S, class Visit>
-void visit_vertices(S& sheet, Visit visit) {
-    visit(sheet.rest);
-    visit(sheet.position);
-    visit(sheet.velocity);
-    visit(sheet.mass);
-    visit(sheet.thickness);
-    visit(sheet.young);
-    visit(sheet.footprint);
-    visit(sheet.fixed, Inheritance::common, char(0));
-    visit(sheet.carrier, Inheritance::common, Index(0));
-    visit(sheet.guide, Inheritance::common, char(0));
-    visit(sheet.body, Inheritance::first, Index(0));
+void visit_vertices(S& shell, Visit visit) {
+    visit(shell.rest);
+    visit(shell.position);
+    visit(shell.velocity);
+    visit(shell.mass);
+    visit(shell.thickness);
+    visit(shell.young);
+    visit(shell.footprint);
+    visit(shell.fixed, Inheritance::common, char(0));
+    visit(shell.script, Inheritance::common, Index(0));
+    visit(shell.guide, Inheritance::common, char(0));
+    visit(shell.vertex_sheet, Inheritance::first, Index(0));
 }
 
 /// Visits the attributes of edges in the same way.
 template <class S, class Visit>
-void visit_edges(S& sheet, Visit visit) {
-    visit(sheet.edge_hinge, Inheritance::none, Index(-1));
-    visit(sheet.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
+void visit_edges(S& shell, Visit visit) {
+    visit(shell.edge_hinge, Inheritance::none, Index(-1));
+    visit(shell.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
 }
 
 /// Visits the attributes of faces in the same way. Whoever makes the change sets their corners and shape.
 template <class S, class Visit>
-void visit_faces(S& sheet, Visit visit) {
-    visit(sheet.triangles, Inheritance::first, TriangleStencil());
-    visit(sheet.face_area, Inheritance::none, 0.0);
-    visit(sheet.face_mass, Inheritance::none, 0.0);
-    visit(sheet.face_sheet, Inheritance::first, Index(0));
+void visit_faces(S& shell, Visit visit) {
+    visit(shell.triangles, Inheritance::first, TriangleStencil());
+    visit(shell.face_area, Inheritance::none, 0.0);
+    visit(shell.face_mass, Inheritance::none, 0.0);
+    visit(shell.face_sheet, Inheritance::first, Index(0));
 }
 
 /// Gives the vertices' arrays `count` entries; new ones are zero.
-void resize_vertices(Sheet& sheet, Index count);
+void resize_vertices(Shell& shell, Index count);
 
 /// Applies a change to all attributes of elements. Whoever made the change sets masses, footprints and the
 /// shape of elements that are new or lost a part.
-void follow(Sheet& sheet, const ShellChange& change);
+void follow(Shell& shell, const ShellChange& change);
 
 /// Removes the hinge of an edge. The last hinge takes its number, which is returned.
-Index remove_hinge_of(Sheet& sheet, Index edge);
+Index remove_hinge_of(Shell& shell, Index edge);
 
 /// The stencil of the hinge whose edge runs from vertices[0] to vertices[1], in the order of HingePositions.
 /// stiffness: lambda, N m.
-HingeStencil hinge_stencil(const Sheet& sheet, const std::array<Index, 4>& vertices, double stiffness);
+HingeStencil hinge_stencil(const Shell& shell, const std::array<Index, 4>& vertices, double stiffness);
 
 /// Kinetic energy, J.
-double kinetic_energy(const Sheet& sheet);
+double kinetic_energy(const Shell& shell);
 /// Linear momentum, kg m/s.
-Vector3d linear_momentum(const Sheet& sheet);
+Vector3d linear_momentum(const Shell& shell);
 /// Angular momentum about the origin, kg m^2/s.
-Vector3d angular_momentum(const Sheet& sheet);
+Vector3d angular_momentum(const Shell& shell);
 
 }  // namespace sherd

@@ -3,12 +3,12 @@
 // long, its vertices alone would let it through.
 #include <gtest/gtest.h>
 
-#include "core/contact/colliders/contact_solids.h"
+#include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/sheets/sheet_friction.h"
 #include "core/time/implicit_stepper.h"
+#include "tests/support/collider_gap.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
-#include "tests/support/solid_gap.h"
 #include "tests/support/steps.h"
 
 namespace sherd::test {
@@ -27,13 +27,13 @@ StepperOptions against(const Obstacle& obstacle, double step) {
 }
 
 /// Advances by `count` steps, each of which must be possible and leave a gap.
-void advance(Sheet& sheet, const StepperOptions& options, int count, double thickness) {
-    ImplicitStepper time_step(sheet, options);
+void advance(Shell& shell, const StepperOptions& options, int count, double thickness) {
+    ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= count; ++i) {
         ASSERT_TRUE(time_step.begin()) << "step " << i;
         ASSERT_TRUE(time_step.solve(200).converged) << "step " << i;
         time_step.finish();
-        ASSERT_GT(gap(sheet, options.contact.obstacles[0], i * options.step), 0.05 * thickness)
+        ASSERT_GT(gap(shell, options.contact.obstacles[0], i * options.step), 0.05 * thickness)
             << "step " << i;
     }
 }
@@ -49,96 +49,96 @@ Obstacle spike(double friction = 0) {
 }
 
 // The corner and the edges of a box under faces; what they do to the sheet must be what the energy says.
-TEST(SolidContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    Sheet sheet = stacked_plates(1, 2, 0, rubber);
-    sheet.position.colwise() += Vector3d(0.011, 0.007, 0.2 * rubber.thickness);
+TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
+    Shell shell = stacked_plates(1, 2, 0, rubber);
+    shell.position.colwise() += Vector3d(0.011, 0.007, 0.2 * rubber.thickness);
     Obstacle moving = spike(0.4);
     moving.motion.keys = {{.time = 1}, {.time = 1 + 1e-3, .translation = Vector3d(2e-5, 0, 0)}};
-    SheetContact contact(sheet, {moving}, false);
-    contact.begin(test::step_of(sheet, 0, 1e-3));
-    ASSERT_GT(contact.touching(sheet.position).size(), 0u);
-    expect_derivatives(contact, sheet.position, 1e-9, 1e-4);
+    SheetContact contact(shell, {moving}, false);
+    contact.begin(test::step_of(shell, 0, 1e-3));
+    ASSERT_GT(contact.active_pairs(shell.position).size(), 0u);
+    expect_derivatives(contact, shell.position, 1e-9, 1e-4);
 
-    const StepContext moved = test::step_of(sheet, 1, 1e-3);
+    const StepContext moved = test::step_of(shell, 1, 1e-3);
     contact.begin(moved);
-    SheetFriction friction(sheet, contact, 0);
+    SheetFriction friction(shell, contact, 0);
     friction.begin(moved);
-    Positions force = Positions::Zero(3, sheet.position.cols());
-    friction.add_gradient(sheet.position, force);
+    Positions force = Positions::Zero(3, shell.position.cols());
+    friction.add_gradient(shell.position, force);
     EXPECT_LT(force.row(0).sum(), 0) << "the energy falls where the sheet follows";
-    expect_derivatives(friction, sheet.position, 1e-10, 1e-3);
+    expect_derivatives(friction, shell.position, 1e-10, 1e-3);
 }
 
 // Between the vertices of a coarse plate there is room for the corner of a box.
-TEST(SolidContact, ACornerDoesNotPassThroughAFace) {
-    Sheet sheet = stacked_plates(1, 2, 0, rubber);
-    sheet.position.colwise() += Vector3d(0.011, 0.007, 0.004);
-    sheet.velocity.row(2).setConstant(-10);
-    advance(sheet, against(spike(), 1e-4), 40, rubber.thickness);
-    EXPECT_GT(linear_momentum(sheet).z(), -0.9 * 10 * sheet.mass.sum()) << "it felt the corner";
+TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
+    Shell shell = stacked_plates(1, 2, 0, rubber);
+    shell.position.colwise() += Vector3d(0.011, 0.007, 0.004);
+    shell.velocity.row(2).setConstant(-10);
+    advance(shell, against(spike(), 1e-4), 40, rubber.thickness);
+    EXPECT_GT(linear_momentum(shell).z(), -0.9 * 10 * shell.mass.sum()) << "it felt the corner";
 }
 
 // A kilometre a second at a step in which the plate would be far behind the wall.
-TEST(SolidContact, AThinWallStopsAPlateAtAKilometreASecond) {
-    Sheet sheet = stacked_plates(1, 4, 0, ceramic);
-    sheet.position.row(2).array() += 0.05;
-    sheet.velocity.row(2).setConstant(-1000);
+TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
+    Shell shell = stacked_plates(1, 4, 0, ceramic);
+    shell.position.row(2).array() += 0.05;
+    shell.velocity.row(2).setConstant(-1000);
     const Obstacle wall = solid_box(Vector3d::Zero(), Vector3d(0.2, 0.2, 5e-5));
-    advance(sheet, against(wall, 1e-4), 5, ceramic.thickness);
-    EXPECT_GT(sheet.position.row(2).minCoeff(), 0);
-    EXPECT_GT(linear_momentum(sheet).z(), 0) << "thrown back";
+    advance(shell, against(wall, 1e-4), 5, ceramic.thickness);
+    EXPECT_GT(shell.position.row(2).minCoeff(), 0);
+    EXPECT_GT(linear_momentum(shell).z(), 0) << "thrown back";
 }
 
 // A thin box that is moved takes along what is in its way, though it advances by many thicknesses a step.
-TEST(SolidContact, AMovingWallTakesAPlateAlong) {
-    Sheet sheet = stacked_plates(1, 4, 0, rubber);
-    sheet.position.row(2).array() += 0.003;
+TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
+    Shell shell = stacked_plates(1, 4, 0, rubber);
+    shell.position.row(2).array() += 0.003;
     Obstacle wall = solid_box(Vector3d::Zero(), Vector3d(0.2, 0.2, 5e-5));
     wall.motion.smooth = false;
     wall.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                         {1, Vector3d(0, 0, 20), Vector3d::UnitX(), 0.3}};
-    advance(sheet, against(wall, 1e-3), 20, rubber.thickness);
-    EXPECT_GT(sheet.velocity.row(2).mean(), 15);
+    advance(shell, against(wall, 1e-3), 20, rubber.thickness);
+    EXPECT_GT(shell.velocity.row(2).mean(), 15);
 }
 
 // The surface must not add to the spring that the vertices feel: a plate lies on a box as on a plane.
-TEST(SolidContact, APlateLiesOnABoxAsOnAPlane) {
+TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
     double depth[2];
     for (const bool surface : {false, true}) {
-        Sheet sheet = stacked_plates(1, 4, 0, rubber);
-        sheet.position.row(2).array() += 0.5 * rubber.thickness;
+        Shell shell = stacked_plates(1, 4, 0, rubber);
+        shell.position.row(2).array() += 0.5 * rubber.thickness;
         Obstacle box = solid_box(Vector3d(0, 0, -1), Vector3d(1, 1, 1));
         if (!surface) box.surface = nullptr;
         StepperOptions options = against(box, 1e-2);
         options.gravity = Vector3d(0, 0, -9.81);
         options.tolerance = 1e-13;
-        ImplicitStepper time_step(sheet, options);
+        ImplicitStepper time_step(shell, options);
         for (int i = 0; i < 100; ++i) {
             time_step.begin();
             time_step.solve(50);
             time_step.finish();
         }
-        depth[surface] = 0.5 * rubber.thickness - sheet.position.row(2).mean();
+        depth[surface] = 0.5 * rubber.thickness - shell.position.row(2).mean();
     }
     EXPECT_GT(depth[0], 0);
     EXPECT_NEAR(depth[1], depth[0], 1e-2 * depth[0]);
 }
 
 // A sheet that is pinned inside a box, near its surface, hangs from it; the rest of it meets the box.
-TEST(SolidContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
-    Sheet sheet = stacked_plates(1, 8, 0, rubber);
+TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
+    Shell shell = stacked_plates(1, 8, 0, rubber);
     const Obstacle holder = solid_box(Vector3d(-0.06, 0, 0), Vector3d(0.0105, 0.2, 0.01));
-    for (Index v = 0; v < static_cast<Index>(sheet.rest.cols()); ++v)
-        sheet.fixed[v] = sheet.rest(0, v) < -0.044;
+    for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
+        shell.fixed[v] = shell.rest(0, v) < -0.044;
     StepperOptions options = against(holder, 1e-3);
     options.gravity = Vector3d(0, 0, -9.81);
-    ImplicitStepper time_step(sheet, options);
+    ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 50; ++i) {
         ASSERT_TRUE(time_step.begin());
         ASSERT_TRUE(time_step.solve(100).converged);
         time_step.finish();
     }
-    EXPECT_LT(sheet.position.row(2).minCoeff(), -5e-3) << "it hangs";
+    EXPECT_LT(shell.position.row(2).minCoeff(), -5e-3) << "it hangs";
 }
 
 }  // namespace

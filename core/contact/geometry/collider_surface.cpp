@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/geometry/solid_surface.h"
+#include "core/contact/geometry/collider_surface.h"
 
 #include <Eigen/Geometry>
 #include <stdexcept>
@@ -24,8 +24,8 @@ bool in_one_plane(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-SolidSurface solid_surface(Positions points, std::vector<std::array<Index, 3>> triangles) {
-    SolidSurface surface;
+ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles) {
+    ColliderSurface surface;
     surface.footprint = VectorXd::Zero(points.cols());
     std::vector<Vector3d> normals;
     std::vector<double> areas;

@@ -4,25 +4,25 @@
 #include <span>
 #include <vector>
 
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 
 namespace sherd {
 
 /// The side of a triangle opposite `corner`. It refers to a triangle since triangles keep their number when a
 /// crack splits vertices.
-struct TriangleSide {
+struct TriangleEdge {
     Index triangle = 0;
     int corner = 0;  ///< 0, 1 or 2
 };
 
 /// The side's vertices in the triangle's order: its two ends, then the opposite corner.
-inline std::array<Index, 3> side_vertices(const Sheet& sheet, const TriangleSide& side) {
-    const std::array<Index, 3>& v = sheet.triangles[side.triangle].vertices;
+inline std::array<Index, 3> edge_and_apex(const Shell& shell, const TriangleEdge& side) {
+    const std::array<Index, 3>& v = shell.triangles[side.triangle].vertices;
     return {v[(side.corner + 1) % 3], v[(side.corner + 2) % 3], v[side.corner]};
 }
 
 /// The sides on the boundary whose two ends are selected (one flag for each vertex), ordered by triangle and
 /// corner.
-std::vector<TriangleSide> boundary_sides(const Sheet& sheet, std::span<const char> selected);
+std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<const char> selected);
 
 }  // namespace sherd

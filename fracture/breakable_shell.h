@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/shell/sheet.h"
+#include "core/shell/shell.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/strength.h"
@@ -32,28 +32,28 @@ struct SheetInput {
 
 /// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and
 /// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
-class BreakableSheet {
+class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
     /// depend on the direction and an axis is missing for a face, or if the number of the strength's factors
     /// differs from the number of edges.
-    explicit BreakableSheet(const std::vector<SheetInput>& inputs);
+    explicit BreakableShell(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
     const Mesh& mesh() const { return crack_mesh.mesh(); }
-    const Sheet& mechanics() const { return sheet; }
-    Sheet& mechanics() { return sheet; }
-    std::span<const Index> face_sheet() const { return sheet.face_sheet; }  ///< [F] number of the input
-    Edge edge_of_hinge(std::size_t hinge) const { return Edge(sheet.hinge_edge[hinge]); }
+    const Shell& mechanics() const { return shell; }
+    Shell& mechanics() { return shell; }
+    std::span<const Index> face_sheet() const { return shell.face_sheet; }  ///< [F] number of the input
+    Edge edge_of_hinge(std::size_t hinge) const { return Edge(shell.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
-    Index hinge_of_edge(Edge edge) const { return sheet.edge_hinge[edge]; }
+    Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
     /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail.
-    double strength(Edge edge) const { return sheet.edge_strength[edge]; }
+    double strength(Edge edge) const { return shell.edge_strength[edge]; }
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
-    std::span<const double> face_areas() const { return sheet.face_area; }  ///< [F] m^2, at rest
+    std::span<const double> face_areas() const { return shell.face_area; }  ///< [F] m^2, at rest
 
     /// What a crack changed in the mesh and in the mechanics.
     struct Change {
@@ -80,7 +80,7 @@ class BreakableSheet {
     void share_masses(const TopologyChange& change);
 
     CrackMesh crack_mesh;
-    Sheet sheet;
+    Shell shell;
     Lips lips;
     std::vector<Measure> measures;  ///< of each input
     std::vector<double> crack_tip_factors;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -69,11 +69,11 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 
 }  // namespace
 
-BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
+BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
         add_vertices(input, number(&input - inputs.data()), first_vertex);
-        sheet.face_sheet.insert(sheet.face_sheet.end(), input.mesh.number_of_faces(),
+        shell.face_sheet.insert(shell.face_sheet.end(), input.mesh.number_of_faces(),
                                 number(&input - inputs.data()));
         first_vertex += number(input.mesh.number_of_vertices());
     }
@@ -90,67 +90,67 @@ BreakableSheet::BreakableSheet(const std::vector<SheetInput>& inputs) : crack_me
     }
 }
 
-void BreakableSheet::add_vertices(const SheetInput& input, Index body, Index first_vertex) {
-    resize_vertices(sheet, first_vertex + number(input.mesh.number_of_vertices()));
+void BreakableShell::add_vertices(const SheetInput& input, Index body, Index first_vertex) {
+    resize_vertices(shell, first_vertex + number(input.mesh.number_of_vertices()));
     for (const Vertex vertex : input.mesh.vertices()) {
         const Index v = first_vertex + number(vertex);
-        sheet.rest.col(v) = sheet.position.col(v) = vector_of(input.mesh.point(vertex));
-        sheet.thickness[v] = input.material.thickness;
-        sheet.young[v] = mean_young(input.material);
-        sheet.body[v] = body;
+        shell.rest.col(v) = shell.position.col(v) = vector_of(input.mesh.point(vertex));
+        shell.thickness[v] = input.material.thickness;
+        shell.young[v] = mean_young(input.material);
+        shell.vertex_sheet[v] = body;
     }
-    for (const Index pinned : input.pinned) sheet.fixed[first_vertex + pinned] = 1;
+    for (const Index pinned : input.pinned) shell.fixed[first_vertex + pinned] = 1;
     for (const MovingPin& pin : input.moving_pins) {
-        sheet.motions.push_back(pin.motion);
-        for (const Index v : pin.vertices) sheet.carrier[first_vertex + v] = number(sheet.motions.size());
+        shell.motions.push_back(pin.motion);
+        for (const Index v : pin.vertices) shell.script[first_vertex + v] = number(shell.motions.size());
     }
 }
 
-void BreakableSheet::add_coincident_vertices() {
+void BreakableShell::add_coincident_vertices() {
     using Place = std::tuple<Index, double, double, double>;
     std::map<Place, std::vector<Vertex>> at_place;
     for (const Vertex vertex : mesh().vertices()) {
-        const Vector3d at = sheet.rest.col(number(vertex));
-        std::vector<Vertex>& others = at_place[{sheet.body[number(vertex)], at.x(), at.y(), at.z()}];
+        const Vector3d at = shell.rest.col(number(vertex));
+        std::vector<Vertex>& others = at_place[{shell.vertex_sheet[number(vertex)], at.x(), at.y(), at.z()}];
         for (const Vertex other : others) lips.lie_together(other, vertex);
         others.push_back(vertex);
     }
-    lips.write(mesh(), sheet);
+    lips.write(mesh(), shell);
 }
 
-void BreakableSheet::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
+void BreakableShell::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Face face : mesh().faces()) {
-        const Material& material = inputs[sheet.face_sheet[face]].material;
+        const Material& material = inputs[shell.face_sheet[face]].material;
         const std::array<Index, 3> vertices = face_vertices(mesh(), face);
-        const TrianglePositions rest = columns(sheet.rest, vertices);
+        const TrianglePositions rest = columns(shell.rest, vertices);
         const MembraneTriangle membrane =
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
-        sheet.triangles.push_back({vertices, membrane});
-        sheet.face_area.push_back(membrane.area);
-        sheet.face_mass.push_back(membrane.area * material.thickness * material.density);
-        for (const Index vertex : vertices) sheet.mass[vertex] += sheet.face_mass.back() / 3;
+        shell.triangles.push_back({vertices, membrane});
+        shell.face_area.push_back(membrane.area);
+        shell.face_mass.push_back(membrane.area * material.thickness * material.density);
+        for (const Index vertex : vertices) shell.mass[vertex] += shell.face_mass.back() / 3;
     }
 }
 
-void BreakableSheet::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
+void BreakableShell::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Edge edge : mesh().edges()) {
-        sheet.edge_hinge.push_back(-1);
-        sheet.edge_strength.push_back(std::numeric_limits<double>::infinity());
+        shell.edge_hinge.push_back(-1);
+        shell.edge_strength.push_back(std::numeric_limits<double>::infinity());
         if (cracks().state(edge) != EdgeState::interior) continue;
         const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
                                         mesh().face(mesh().halfedge(edge, 1))};
-        const SheetInput& input = inputs[sheet.face_sheet[faces[0]]];
-        sheet.edge_hinge.back() = number(sheet.hinges.size());
-        sheet.hinge_edge.push_back(number(edge));
+        const SheetInput& input = inputs[shell.face_sheet[faces[0]]];
+        shell.edge_hinge.back() = number(shell.hinges.size());
+        shell.hinge_edge.push_back(number(edge));
         const std::array<Index, 4> vertices = hinge_vertices(edge);
         const double angle =
-            hinge_axis_angle(columns(sheet.rest, vertices), {axes[faces[0]], axes[faces[1]]});
-        sheet.edge_strength.back() = directional_strength(input.strength, angle);
-        sheet.hinges.push_back(hinge_stencil(sheet, vertices, hinge_stiffness(input.material, angle)));
+            hinge_axis_angle(columns(shell.rest, vertices), {axes[faces[0]], axes[faces[1]]});
+        shell.edge_strength.back() = directional_strength(input.strength, angle);
+        shell.hinges.push_back(hinge_stencil(shell, vertices, hinge_stiffness(input.material, angle)));
     }
 }
 
-void BreakableSheet::add_strengths(const std::vector<SheetInput>& inputs) {
+void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
     std::size_t first_edge = 0;
     for (const SheetInput& input : inputs) {
         const std::vector<double>& factors = input.strength.factors;
@@ -159,93 +159,93 @@ void BreakableSheet::add_strengths(const std::vector<SheetInput>& inputs) {
             throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
                         std::to_string(factors.size()) + " factors of the strength for " +
                         std::to_string(edges) + " edges");
-        for (std::size_t e = 0; e < factors.size(); ++e) sheet.edge_strength[first_edge + e] *= factors[e];
+        for (std::size_t e = 0; e < factors.size(); ++e) shell.edge_strength[first_edge + e] *= factors[e];
         first_edge += edges;
         measures.push_back(input.strength.measure);
         crack_tip_factors.push_back(input.strength.crack_tip_factor);
     }
 }
 
-Index BreakableSheet::sheet_of(Edge edge) const {
+Index BreakableShell::sheet_of(Edge edge) const {
     const Halfedge h = mesh().halfedge(edge);
-    return sheet.face_sheet[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
+    return shell.face_sheet[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
 }
 
-void BreakableSheet::add_footprints() {
-    for (const TriangleStencil& triangle : sheet.triangles)
-        for (const Index vertex : triangle.vertices) sheet.footprint[vertex] += triangle.membrane.area / 3;
+void BreakableShell::add_footprints() {
+    for (const TriangleStencil& triangle : shell.triangles)
+        for (const Index vertex : triangle.vertices) shell.footprint[vertex] += triangle.membrane.area / 3;
     for (const Edge edge : mesh().edges()) {
         if (!mesh().is_border(edge)) continue;
         const Index a = number(mesh().vertex(edge, 0)), b = number(mesh().vertex(edge, 1));
-        const double rim = 0.5 * (sheet.rest.col(a) - sheet.rest.col(b)).norm();
-        for (const Index end : {a, b}) sheet.footprint[end] += rim * sheet.thickness[end];
+        const double rim = 0.5 * (shell.rest.col(a) - shell.rest.col(b)).norm();
+        for (const Index end : {a, b}) shell.footprint[end] += rim * shell.thickness[end];
     }
 }
 
-void BreakableSheet::set_rigid_motion(const SheetInput& input, Index first_vertex) {
+void BreakableShell::set_rigid_motion(const SheetInput& input, Index first_vertex) {
     const Index count = number(input.mesh.number_of_vertices());
-    const VectorXd mass = sheet.mass.segment(first_vertex, count);
-    const Vector3d centre = sheet.position.middleCols(first_vertex, count) * mass / mass.sum();
+    const VectorXd mass = shell.mass.segment(first_vertex, count);
+    const Vector3d centre = shell.position.middleCols(first_vertex, count) * mass / mass.sum();
     for (Index v = first_vertex; v < first_vertex + count; ++v)
-        if (!sheet.fixed[v])
-            sheet.velocity.col(v) =
-                input.velocity + input.spin.cross(Vector3d(sheet.position.col(v)) - centre);
+        if (!shell.fixed[v])
+            shell.velocity.col(v) =
+                input.velocity + input.spin.cross(Vector3d(shell.position.col(v)) - centre);
 }
 
-std::array<Index, 4> BreakableSheet::hinge_vertices(Edge edge) const {
+std::array<Index, 4> BreakableShell::hinge_vertices(Edge edge) const {
     const Halfedge h = mesh().halfedge(edge, 0), other = mesh().opposite(h);
     return {number(mesh().source(h)), number(mesh().target(h)), number(mesh().target(mesh().next(h))),
             number(mesh().target(mesh().next(other)))};
 }
 
-BreakableSheet::Change BreakableSheet::fail(std::span<const Edge> edges) {
+BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     Change change{crack_mesh.fail(edges), {}};
     const TopologyChange& topology = change.cracks.topology;
-    for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(sheet, number(edge)));
+    for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
     change.shell.vertices = heirs(topology.vertices);
     change.shell.edges = heirs(topology.edges);
     change.shell.faces = heirs(topology.faces);
-    follow(sheet, change.shell);
+    follow(shell, change.shell);
     renumber(topology.changed);
     share_masses(topology);
     lips.open(topology);
-    lips.write(mesh(), sheet);
+    lips.write(mesh(), shell);
     return change;
 }
 
-bool BreakableSheet::release_lips() {
-    if (!lips.release(mesh(), sheet, sheet.position)) return false;
-    lips.write(mesh(), sheet);
+bool BreakableShell::release_lips() {
+    if (!lips.release(mesh(), shell, shell.position)) return false;
+    lips.write(mesh(), shell);
     return true;
 }
 
-void BreakableSheet::renumber(std::span<const Face> faces) {
+void BreakableShell::renumber(std::span<const Face> faces) {
     for (const Face face : faces) {
-        sheet.triangles[face].vertices = face_vertices(mesh(), face);
+        shell.triangles[face].vertices = face_vertices(mesh(), face);
         for (const Halfedge h : mesh().halfedges_around_face(mesh().halfedge(face))) {
-            const Index hinge = sheet.edge_hinge[mesh().edge(h)];
-            if (hinge >= 0) sheet.hinges[hinge].vertices = hinge_vertices(mesh().edge(h));
+            const Index hinge = shell.edge_hinge[mesh().edge(h)];
+            if (hinge >= 0) shell.hinges[hinge].vertices = hinge_vertices(mesh().edge(h));
         }
     }
 }
 
-void BreakableSheet::share_masses(const TopologyChange& change) {
+void BreakableShell::share_masses(const TopologyChange& change) {
     const auto rest_mass = [this](Vertex vertex) {
         double sum = 0;
         for (const Face face : mesh().faces_around_target(mesh().halfedge(vertex)))
-            if (face != Mesh::null_face()) sum += sheet.face_mass[face] / 3;
+            if (face != Mesh::null_face()) sum += shell.face_mass[face] / 3;
         return sum;
     };
     const auto share = [&](Vertex vertex, double footprint_per_mass) {
-        sheet.mass[number(vertex)] = rest_mass(vertex);
-        sheet.footprint[number(vertex)] = footprint_per_mass * sheet.mass[number(vertex)];
+        shell.mass[number(vertex)] = rest_mass(vertex);
+        shell.footprint[number(vertex)] = footprint_per_mass * shell.mass[number(vertex)];
     };
     Vertex shared;  // the original vertex whose copies are being processed; they are consecutive
     double footprint_per_mass = 0;
     for (const Born<Vertex>& copy : change.vertices) {
         if (copy.parent() != shared) {
             shared = copy.parent();
-            footprint_per_mass = sheet.footprint[number(shared)] / sheet.mass[number(shared)];
+            footprint_per_mass = shell.footprint[number(shared)] / shell.mass[number(shared)];
             share(shared, footprint_per_mass);
         }
         share(copy.element, footprint_per_mass);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/detection/solid_trees.h"
+#include "core/contact/detection/collider_trees.h"
 
 namespace sherd {
 namespace {
@@ -15,15 +15,15 @@ BoxTree tree(const std::vector<std::array<Index, N>>& elements, Index from, Inde
 
 }  // namespace
 
-const SolidTrees::Trees& SolidTrees::of(std::size_t solid, const ContactSurface& surface,
-                                        const Neighbourhood& within) {
-    const ContactSurface::Start first = surface.solid_starts()[solid],
-                                end = surface.solid_starts()[solid + 1];
+const ColliderTrees::Trees& ColliderTrees::of(std::size_t collider, const ContactSurface& surface,
+                                              const Neighbourhood& within) {
+    const ContactSurface::Start first = surface.collider_starts()[collider],
+                                end = surface.collider_starts()[collider + 1];
     const Positions from = within.start.middleCols(first.vertex, end.vertex - first.vertex);
     const Positions to = from + within.motion.middleCols(first.vertex, end.vertex - first.vertex);
-    while (kept.size() <= solid)
+    while (kept.size() <= collider)
         kept.push_back({Positions(3, 0), Positions(3, 0), {BoxTree({}), BoxTree({}), BoxTree({})}});
-    Kept& known = kept[solid];
+    Kept& known = kept[collider];
     if (known.from.cols() == from.cols() && known.from == from && known.to == to) return known.trees;
     std::vector<Box> boxes;
     for (Eigen::Index v = 0; v < from.cols(); ++v)
@@ -31,8 +31,8 @@ const SolidTrees::Trees& SolidTrees::of(std::size_t solid, const ContactSurface&
             {from.col(v).array().min(to.col(v).array()), from.col(v).array().max(to.col(v).array())});
     known = {from,
              to,
-             {BoxTree(boxes), tree(surface.solid_edges(), first.edge, end.edge, first.vertex, boxes),
-              tree(surface.solid_triangles(), first.triangle, end.triangle, first.vertex, boxes)}};
+             {BoxTree(boxes), tree(surface.collider_edges(), first.edge, end.edge, first.vertex, boxes),
+              tree(surface.collider_triangles(), first.triangle, end.triangle, first.vertex, boxes)}};
     return known.trees;
 }
 

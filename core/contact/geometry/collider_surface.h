@@ -10,7 +10,7 @@ namespace sherd {
 
 /// The surface of a collider, as triangles in a frame of its own. It is empty for shapes without corners and
 /// edges, and for a plane, where contact of the sheet's vertices is enough.
-struct SolidSurface {
+struct ColliderSurface {
     Positions points = Positions(3, 0);           ///< [3, P] m
     std::vector<std::array<Index, 3>> triangles;  ///< each of three points
     // These follow from points and triangles:
@@ -23,6 +23,6 @@ struct SolidSurface {
 
 /// The surface of triangles on points [3, P] m. Throws std::out_of_range if a triangle refers to a missing
 /// point.
-SolidSurface solid_surface(Positions points, std::vector<std::array<Index, 3>> triangles);
+ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles);
 
 }  // namespace sherd

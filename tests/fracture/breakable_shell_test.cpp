@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fracture/breakable_sheet.h"
+#include "fracture/breakable_shell.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ SheetInput input(Mesh mesh) {
 }
 
 /// The stencils that a sheet built afresh on the broken mesh would have.
-void expect_stencils_of_the_mesh(const BreakableSheet& sheet) {
+void expect_stencils_of_the_mesh(const BreakableShell& sheet) {
     const auto faces = test::triangles_of(sheet.mesh());
     for (std::size_t f = 0; f < faces.size(); ++f)
         for (int i = 0; i < 3; ++i) RC_ASSERT(sheet.mechanics().triangles[f].vertices[i] == faces[f][i]);
@@ -45,13 +45,13 @@ void expect_stencils_of_the_mesh(const BreakableSheet& sheet) {
 }
 
 // A crack may change nothing but connectivity: mass, rest shape, positions and velocities stay.
-RC_GTEST_PROP(BreakableSheet, CrackCarriesEverythingOver, ()) {
+RC_GTEST_PROP(BreakableShell, CrackCarriesEverythingOver, ()) {
     static const Mesh disc = generate_disc(0.1, {0.025, Layout::delaunay, 3});
     SheetInput start = input(disc);
     start.spin = Vector3d(1, 2, 3);
     start.pinned = {0, 5};
-    BreakableSheet sheet({start});
-    const Sheet before = sheet.mechanics();
+    BreakableShell sheet({start});
+    const Shell before = sheet.mechanics();
     for (int batch = 0; batch < 3; ++batch) {
         std::vector<Edge> edges;
         for (const Edge edge : sheet.mesh().edges())
@@ -60,7 +60,7 @@ RC_GTEST_PROP(BreakableSheet, CrackCarriesEverythingOver, ()) {
         sheet.fail(edges);
         expect_stencils_of_the_mesh(sheet);
     }
-    const Sheet& after = sheet.mechanics();
+    const Shell& after = sheet.mechanics();
     RC_ASSERT(std::abs(after.mass.sum() - before.mass.sum()) <= 1e-14 * before.mass.sum());
     RC_ASSERT(std::abs(after.footprint.sum() - before.footprint.sum()) <= 1e-13 * before.footprint.sum());
     RC_ASSERT(after.mass.minCoeff() > 0);
@@ -72,12 +72,12 @@ RC_GTEST_PROP(BreakableSheet, CrackCarriesEverythingOver, ()) {
     }
 }
 
-TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
+TEST(BreakableShell, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
     SheetInput first = input(test::grid(3, 2)), second = input(test::grid(1, 1));
     second.velocity = Vector3d(0, 0, -2);
     second.spin = Vector3d(0, 0, 4);
     second.strength = {};
-    const BreakableSheet sheet({first, second});
+    const BreakableShell sheet({first, second});
     EXPECT_NEAR(sheet.mechanics().mass.sum(), 7 * 0.01 * 2400, 1e-9);
     EXPECT_EQ(sheet.face_sheet()[11], 0);
     EXPECT_EQ(sheet.face_sheet()[12], 1);
@@ -90,13 +90,13 @@ TEST(BreakableSheet, WeighsAreaTimesThicknessTimesDensityAndMovesRigidly) {
 }
 
 // A sheet whose axis is lost or taken for that of a neighbour bends like another material.
-TEST(BreakableSheet, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
+TEST(BreakableShell, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     SheetInput iron = input(test::grid(1, 1)), cloth = input(test::grid(3, 2));
     cloth.material.young1 = 1e8;
     cloth.material.shear = 3e7;
     const double angle = 0.3;
     cloth.axes.assign(cloth.mesh.number_of_faces(), Vector3d(std::cos(angle), std::sin(angle), 0));
-    const BreakableSheet sheet({iron, cloth});
+    const BreakableShell sheet({iron, cloth});
     for (const HingeStencil& stencil : sheet.mechanics().hinges) {
         const HingePositions rest = columns(sheet.mechanics().rest, stencil.vertices);
         const Vector3d edge = rest.col(1) - rest.col(0);
@@ -117,15 +117,15 @@ TEST(BreakableSheet, HingesAndTrianglesHaveTheStiffnessOfTheirAxis) {
     }
 }
 
-TEST(BreakableSheet, RefusesInadmissibleConstantsAndMissingAxes) {
+TEST(BreakableShell, RefusesInadmissibleConstantsAndMissingAxes) {
     SheetInput cloth = input(test::grid(1, 1));
     cloth.material.shear = -1;
     cloth.axes.assign(2, Vector3d::UnitX());
-    EXPECT_THROW(BreakableSheet({cloth}), Error);
+    EXPECT_THROW(BreakableShell({cloth}), Error);
     cloth.material.shear = 1e8;
-    EXPECT_NO_THROW(BreakableSheet({cloth}));
+    EXPECT_NO_THROW(BreakableShell({cloth}));
     cloth.axes.clear();
-    EXPECT_THROW(BreakableSheet({cloth}), Error);
+    EXPECT_THROW(BreakableShell({cloth}), Error);
 }
 
 }  // namespace

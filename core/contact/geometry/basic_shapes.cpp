@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/geometry/solids.h"
+#include "core/contact/geometry/basic_shapes.h"
 
 #include <cmath>
 #include <limits>

@@ -9,7 +9,7 @@ namespace sherd {
 
 /// Trees of bounding boxes around the elements of colliders, kept as long as a collider rests. Many colliders
 /// have far more elements than the sheets, and do not move.
-class SolidTrees {
+class ColliderTrees {
   public:
     /// The trees of one collider, in which element 0 is the first of that collider.
     struct Trees {
@@ -17,7 +17,7 @@ class SolidTrees {
     };
     /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin.
     /// They are valid until the next call for the same collider.
-    const Trees& of(std::size_t solid, const ContactSurface& surface, const Neighbourhood& within);
+    const Trees& of(std::size_t collider, const ContactSurface& surface, const Neighbourhood& within);
 
   private:
     struct Kept {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shell/shell.h"
+
+#include <Eigen/Geometry>
+
+namespace sherd {
+namespace {
+
+void resize(Positions& columns, Index count) {
+    const Eigen::Index before = columns.cols();
+    columns.conservativeResize(3, count);
+    if (count > before) columns.rightCols(count - before).setZero();
+}
+
+void resize(VectorXd& values, Index count) {
+    const Eigen::Index before = values.size();
+    values.conservativeResize(count);
+    if (count > before) values.tail(count - before).setZero();
+}
+
+}  // namespace
+
+void resize_vertices(Shell& shell, Index count) {
+    visit_vertices(shell, [count](auto& values, auto... rule) {
+        if constexpr (sizeof...(rule) == 0)
+            resize(values, count);
+        else
+            values.resize(count, 0);
+    });
+}
+
+void follow(Shell& shell, const ShellChange& change) {
+    const auto append_to = [](const std::vector<Heir>& heirs) {
+        return [&heirs](auto& values, const auto&... rule) { append(values, heirs, rule...); };
+    };
+    visit_vertices(shell, append_to(change.vertices));
+    visit_edges(shell, append_to(change.edges));
+    visit_faces(shell, append_to(change.faces));
+}
+
+Index remove_hinge_of(Shell& shell, Index edge) {
+    const Index hinge = shell.edge_hinge[edge];
+    shell.edge_hinge[shell.hinge_edge.back()] = hinge;
+    shell.edge_hinge[edge] = -1;
+    remove_hinge(shell.hinge_edge, hinge);
+    remove_hinge(shell.hinges, hinge);
+    return hinge;
+}
+
+HingeStencil hinge_stencil(const Shell& shell, const std::array<Index, 4>& vertices, double stiffness) {
+    return {vertices, rest_hinge(columns(shell.rest, vertices)), stiffness};
+}
+
+double kinetic_energy(const Shell& shell) {
+    return 0.5 * shell.mass.dot(shell.velocity.colwise().squaredNorm().transpose());
+}
+
+Vector3d linear_momentum(const Shell& shell) {
+    return shell.velocity * shell.mass;
+}
+
+Vector3d angular_momentum(const Shell& shell) {
+    Vector3d sum = Vector3d::Zero();
+    for (Eigen::Index v = 0; v < shell.mass.size(); ++v)
+        sum += shell.mass[v] * shell.position.col(v).cross(shell.velocity.col(v));
+    return sum;
+}
+
+}  // namespace sherd
