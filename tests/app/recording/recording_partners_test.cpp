@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(split_run)
 class SplitPartners : public RecordingPartners {};
 
 TEST_P(SplitPartners, TheBlenderPlayerGivesBlenderWhatWasRecorded) {
-    const fs::path player = fs::path(__FILE__).parent_path() / "../../app/blender/sherd_recording.py";
+    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
     EXPECT_TRUE(passes("check_player.py", quoted(player) + " " + quoted(recording)));
 }
 
