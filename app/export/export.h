@@ -25,22 +25,22 @@ struct ExportOptions {
     bool force = false;               ///< replace files that exist
 };
 
-/// The frames that `text` selects out of `count`, ascending, each once. Throws Error (input) on a text that
-/// is none of those above, a frame that does not exist, and a selection of nothing.
+/// Returns the frames that `text` selects out of `count`, ascending, each once. Throws Error (input) on a
+/// text that is none of those above, on a frame that does not exist, and on a selection of nothing.
 std::vector<std::size_t> selected_frames(const std::string& text, std::size_t count);
 
-/// What an export has written, and what a user should know of it.
+/// Holds what an export has written, and what a user should know of it.
 struct ExportReport {
     std::vector<std::filesystem::path> files;
     std::vector<std::string> warnings;
     std::string pace;  ///< how fast the run is shown; may be empty
 };
 
-/// Writes meshes of the frames of a recording. One frame and an output NAME.obj make that file, several make
+/// Writes meshes of the frames of a recording. One frame and an output NAME.obj make that file; several make
 /// NAME_000000.obj and so on, numbered by frame, and so does a folder. Every file appears under its name when
-/// it is complete. Throws Error: (input) before anything is written, on a bad recording, selection or output
-/// and on files that exist, and (run) when a file cannot be written or on interrupted(), telling which are
-/// complete.
+/// it is complete. Before anything is written it throws Error (input) on a bad recording, selection or output
+/// and on files that exist. It throws Error (run) when a file cannot be written or on interrupted(), telling
+/// which files are complete.
 ExportReport export_recording(const ExportOptions& options);
 
 }  // namespace sherd

@@ -6,21 +6,21 @@
 
 namespace sherd {
 
-/// Moments of the run on the topology of the last of the chosen frames: where a crack is still to come, the
-/// vertices that it will part are in the same place, that of the vertex they come from, and the parts of a
-/// face that it will split lie flat in that face.
+/// Holds moments of the run on the topology of the last of the chosen frames. Where a crack is still to come,
+/// the vertices that it will part are in the same place, that of the vertex they come from, and the parts of
+/// a face that it will split lie flat in that face.
 class Clip {
   public:
-    /// moments: of or between the chosen frames, the last one that of the last frame.
+    /// The moments are those of or between the chosen frames; the last one is that of the last frame.
     Clip(ExportSource& source, std::vector<Moment> moments);
 
     std::size_t size() const { return moments.size(); }
-    /// The last frame, a solid when that is asked for; the groups are the fragments.
+    /// Returns the last frame, a solid when that is asked for; the groups are the fragments.
     const TriangleSheet& topology() const { return last; }
     double time(std::size_t i) const { return moments[i].time; }  ///< s, of the i-th moment
-    /// Of the vertices of the last frame at the i-th moment: [V] m.
+    /// Returns the places of the vertices of the last frame at the i-th moment: [V] m.
     std::vector<Vector3d> sheet_points(std::size_t i);
-    /// Of the points of topology() at the i-th moment: [P] m.
+    /// Returns the places of the points of topology() at the i-th moment: [P] m.
     std::vector<Vector3d> points(std::size_t i);
 
   private:

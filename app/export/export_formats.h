@@ -11,11 +11,12 @@ struct ExportFormat {
     const char* extension;  ///< of -o
     bool all_frames;        ///< what it is made for: the whole run, or a single moment
     bool fragments, solid;  ///< whether it knows these options
-    /// What is to be written, in this order. The jobs refer to the source.
+    /// Says what is to be written, in this order. The jobs refer to the source.
     std::vector<ExportJob> (*plan)(ExportSource& source);
 };
 
-/// Throws Error (input) on an unknown name, and on options that the format does not know.
+/// Returns the format that the options name. Throws Error (input) on an unknown name, and on options that the
+/// format does not know.
 const ExportFormat& export_format(const ExportOptions& options);
 std::string export_format_names();  ///< "obj, ply, ..."
 

@@ -12,20 +12,20 @@ namespace sherd {
 std::string fragment_name(std::size_t fragment);  ///< fragment_007
 std::size_t fragment_count(const Snapshot& frame);
 
-/// All faces and vertices of a frame, in their order; the groups are the fragments.
+/// Returns all faces and vertices of a frame, in their order; the groups are the fragments.
 TriangleSheet frame_sheet(const Snapshot& frame);
 
-/// The points that the triangles of a group use, ascending.
+/// Returns the points that the triangles of a group use, ascending.
 std::vector<std::size_t> group_points(const TriangleSheet& sheet, std::int32_t group);
 
-/// The triangles of one group with the points that they use, in their order.
+/// Returns the triangles of one group with the points that they use, in their order.
 TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group);
 
-/// A number for each face [F]: `strain`, the largest of the hinges at its edges in absolute value (1/m),
-/// `speed`, the mean of its vertices (m/s), or `fragment`.
+/// Returns a number for each face [F]: `strain`, the largest of the hinges at its edges in absolute value
+/// (1/m), `speed`, the mean of its vertices (m/s), or `fragment`.
 std::vector<double> face_quality(const Snapshot& frame, const std::string& name);
 
-/// values[chosen[0]], values[chosen[1]], ...
+/// Returns values[chosen[0]], values[chosen[1]], and so on.
 template <class T>
 std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::size_t>& chosen) {
     std::vector<T> result;

@@ -20,25 +20,26 @@ struct ExportJob {
 /// The recording that is exported: the chosen frames, as surfaces, and the names of their files.
 class ExportSource {
   public:
-    /// Throws Error (input) on a bad recording, selection of frames or output; `extension` is that of -o,
-    /// `all_frames` what no selection means (else the last).
+    /// Opens the recording. `extension` is that of -o, and `all_frames` says what no selection means (else
+    /// the last). Throws Error (input) on a bad recording, selection of frames or output.
     ExportSource(const ExportOptions& options, const std::string& extension, bool all_frames);
 
     const std::vector<std::size_t>& frames() const { return chosen; }  ///< ascending, at least one
     std::vector<double> times() const;                                 ///< s, of frames()
     Pace pace() const;                                                 ///< how fast they are to be shown
-    /// Keeps the frame until another one is asked for. Throws Error (run) when interrupted().
+    /// Returns a frame, and keeps it until another one is asked for. Throws Error (run) when interrupted().
     const Snapshot& frame(std::size_t number);
-    /// m, of each face of a frame. Throws Error (input) when neither the recording says it nor the options.
+    /// Returns the thickness of each face of a frame, in m. Throws Error (input) when neither the recording
+    /// says it nor the options.
     std::vector<double> thickness(const Snapshot& frame) const;
 
-    /// A frame as it is to be written: a solid when that is asked for, and a warning for each fragment whose
-    /// body intersects itself. The groups are the fragments. Keeps it, too.
+    /// Returns a frame as it is to be written, a solid when that is asked for, and adds a warning for each
+    /// fragment whose body intersects itself. The groups are the fragments. It is kept, too.
     const TriangleSheet& sheet(std::size_t number);
 
-    /// NAME, for what holds all frames.
+    /// Returns NAME, for what holds all frames.
     std::filesystem::path clip_file(const std::string& extension) const;
-    /// NAME_000007, or NAME when only one frame is asked for by a file's name.
+    /// Returns NAME_000007, or NAME when only one frame is asked for by a file's name.
     std::filesystem::path frame_file(std::size_t frame, const std::string& extension) const;
     std::filesystem::path numbered_file(std::size_t frame, const std::string& extension) const;
 

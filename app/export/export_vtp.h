@@ -9,9 +9,9 @@
 
 namespace sherd {
 
-/// The content of a VTK file (.vtp, XML that any parser reads, numbers in base64 of zlib's blocks) of a
-/// frame: its faces with `fragment`, `sheet` and `strain` (1/m, largest of the face's edges), its vertices
-/// with `speed` and `velocity`, all in the frame's order.
+/// Returns the content of a VTK file (.vtp, XML that any parser reads, numbers in base64 of zlib's blocks) of
+/// a frame: its faces with `fragment`, `sheet` and `strain` (1/m, largest of the face's edges), and its
+/// vertices with `speed` and `velocity`, all in the frame's order.
 std::string vtp_bytes(const Snapshot& frame);
 
 /// A file of a frame and its time.
@@ -20,7 +20,7 @@ struct TimedFile {
     double time = 0;  ///< s
 };
 
-/// The content of a .pvd file that shows the files, in the same folder, one after the other.
+/// Returns the content of a .pvd file that shows the files, in the same folder, one after the other.
 std::string pvd_text(std::span<const TimedFile> files);
 
 }  // namespace sherd

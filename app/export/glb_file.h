@@ -22,7 +22,8 @@ struct GlbNode {
     std::vector<Eigen::Isometry3d> motions;  ///< [1] or one for each time
 };
 
-/// What a .glb file holds. Lengths in m, z up (glTF has y up: one node above all others turns them).
+/// Holds what a .glb file says. Lengths are in m, and z is up (glTF has y up: one node above all others turns
+/// them).
 struct GlbScene {
     std::string name;
     bool double_sided = true;
@@ -30,8 +31,8 @@ struct GlbScene {
     std::vector<GlbNode> nodes;
 };
 
-/// The content of a binary glTF 2.0 file. Nodes whose motion has several values get an animation of
-/// translation and rotation, those with several shapes a morph target for each but the first.
+/// Returns the content of a binary glTF 2.0 file. Nodes whose motion has several values get an animation of
+/// translation and rotation, and those with several shapes get a morph target for each but the first.
 std::string glb_bytes(const GlbScene& scene);
 
 }  // namespace sherd

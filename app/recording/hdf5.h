@@ -15,8 +15,8 @@
 
 #include "core/vector.h"
 
-/// The little of HDF5 that a recording needs. Every function throws Error (Fault::run) with the name of the
-/// object and HDF5's own reason when something cannot be done.
+/// Here is the little of HDF5 that a recording needs. Every function throws Error (Fault::run) with the name
+/// of the object and HDF5's own reason when something cannot be done.
 namespace sherd::hdf5 {
 
 /// Owns an identifier of HDF5, of whatever kind.
@@ -40,7 +40,7 @@ class Handle {
     hid_t id;
 };
 
-/// How the values of a C++ type lie in a dataset: [rows] of `Scalar`, or [rows, width].
+/// Says how the values of a C++ type lie in a dataset: [rows] of `Scalar`, or [rows, width].
 template <class T>
 struct Element {
     using Scalar = T;
@@ -71,14 +71,14 @@ hid_t native_type() {
     if constexpr (std::same_as<Scalar, std::uint8_t>) return H5T_NATIVE_UINT8;
 }
 
-/// What a dataset is, for whoever opens it: attributes `unit` and `description`.
+/// Says what a dataset is, for whoever opens it, as the attributes `unit` and `description`.
 struct Meaning {
     const char* unit = "1";
     const char* description = "";
 };
 
 Handle create_file(const std::filesystem::path& file);
-/// Wait for a writer to finish; Error (input) when the file is missing or not HDF5.
+/// Waits for a writer to finish. Throws Error (input) when the file is missing or not HDF5.
 Handle open_to_read(const std::filesystem::path& file);
 /// Waits a moment for readers to close the file, then goes on beside them (they may have to open it again to
 /// see what is new). Never goes on beside another writer.
@@ -90,10 +90,10 @@ Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
 void remove(hid_t where, const std::string& name);
-/// A name for the object at the path `target` of the same file.
+/// Makes a name for the object at the path `target` of the same file.
 void create_link(hid_t where, const std::string& name, const std::string& target);
 
-/// Attributes of a file, group or dataset; writing one again replaces its value.
+/// These are attributes of a file, group or dataset; writing one again replaces its value.
 void write_attribute(hid_t where, const std::string& name, const std::string& value);
 void write_attribute(hid_t where, const std::string& name, double value);
 void write_attribute(hid_t where, const std::string& name, std::int64_t value);
@@ -106,18 +106,18 @@ std::string read_text(hid_t where, const std::string& name);
 void write_texts(hid_t where, const std::string& name, const std::vector<std::string>& texts);
 std::vector<std::string> read_texts(hid_t where, const std::string& name);
 
-/// Untyped core of the functions below; `type` is the type in memory.
+/// These are the untyped cores of the functions below; `type` is the type in memory.
 void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
                   const void* values, const Meaning& meaning);
 void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning);
 void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
                   const void* values);
 void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values);
-/// Rows of a dataset; throws when its other dimension is not `width`.
+/// Returns the number of rows of a dataset; throws when its other dimension is not `width`.
 hsize_t row_count(hid_t where, const std::string& name, hsize_t width);
 void resize_table(hid_t where, const std::string& name, hsize_t rows);
 
-/// A compressed dataset that does not change any more.
+/// Makes a compressed dataset that does not change any more.
 template <class T>
 void write(hid_t where, const std::string& name, std::span<const T> values, const Meaning& meaning) {
     using E = Element<T>;
@@ -125,7 +125,7 @@ void write(hid_t where, const std::string& name, std::span<const T> values, cons
                  meaning);
 }
 
-/// An empty dataset that rows are appended to.
+/// Makes an empty dataset that rows are appended to.
 template <class T>
 void create_column(hid_t where, const std::string& name, const Meaning& meaning) {
     create_table(where, name, native_type<typename Element<T>::Scalar>(), Element<T>::width, meaning);

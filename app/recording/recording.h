@@ -38,7 +38,7 @@ struct RecordedObstacle {
     GridSurface surface;  ///< in the obstacle's own frame
 };
 
-/// The names of a recording and of its index, locked for this program as long as this lives.
+/// Holds the names of a recording and of its index, locked for this program as long as this lives.
 struct RecordingOutput {
     /// Throws Error (input) when another program writes one of them, when one exists and not `force`, or when
     /// the folder cannot be written; nothing is left behind then.
@@ -49,7 +49,7 @@ struct RecordingOutput {
 };
 
 /// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
-/// replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
+/// is replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
 /// later append fails. A mesh at rest is written when it is another one than in the frame before. The layout
 /// of the file is in app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error
 /// like a full disk.
@@ -61,9 +61,9 @@ class RecordingWriter {
     RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                     std::span<const RecordedObstacle> obstacles = {});
 
-    /// Adds a frame, the steps since the last append, and the events since then. poses: of each obstacle,
-    /// from its frame to space. Throws Error (run) when the disk is full or the file cannot be written; the
-    /// file is then as it was before.
+    /// Adds a frame, the steps since the last append, and the events since then. The poses are those of each
+    /// obstacle, from its frame to space. Throws Error (run) when the disk is full or the file cannot be
+    /// written; the file is then as it was before.
     void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
                 std::span<const Eigen::Isometry3d> poses = {});
 
@@ -84,7 +84,8 @@ class RecordingWriter {
 /// damaged, or when the file is not the one any more that was opened at first.
 class Recording {
   public:
-    /// Throws Error when the file is missing, not HDF5 or not a recording of ours, of a version that is read.
+    /// Opens the recording. Throws Error when the file is missing, not HDF5, not a recording of ours, or of a
+    /// version that is not read.
     explicit Recording(const std::filesystem::path& file);
 
     RecordingHeader header() const;

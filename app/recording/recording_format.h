@@ -9,13 +9,13 @@
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
 
-/// Where each member of a snapshot, a step report and a crack event stands in a recording, with its unit.
-/// Writer and reader both walk these lists, so they cannot disagree.
+/// These lists say where each member of a snapshot, a step report and a crack event stands in a recording,
+/// with its unit. Writer and reader both walk them, so they cannot disagree.
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
 inline constexpr std::int64_t version = 3;
-/// Oldest version that can be read: it knows no faces that change.
+/// The oldest version that can be read: it knows no faces that change.
 inline constexpr std::int64_t oldest_version = 2;
 
 /// Calls visit(dataset name, meaning, array) for every array of a frame.
@@ -194,24 +194,24 @@ void visit_tables(Visit visit) {
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*) { visit(std::type_identity<Event>{}); });
 }
 
-/// Name of the group of a frame.
+/// Returns the name of the group of a frame.
 std::string frame_group(std::size_t number);
 
-/// Name of the group of an obstacle's surface.
+/// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
 
 /// An obstacle's pose as it is stored: the three rows of rotation | translation.
 using StoredPose = std::array<double, 12>;
 
-/// The unbroken mesh.
+/// Makes the unbroken mesh of a header.
 RestMesh unbroken_mesh(const RecordingHeader& header);
 
-/// What is wrong with the array lengths and indices of a snapshot of a run whose unbroken mesh has so many
-/// vertices; empty when nothing is.
+/// Says what is wrong with the array lengths and indices of a snapshot of a run whose unbroken mesh has so
+/// many vertices; it is empty when nothing is.
 std::string inconsistency(const Snapshot& snapshot, std::size_t unbroken_vertices);
-/// Likewise of the mesh at rest.
+/// Says the same of the mesh at rest.
 std::string inconsistency(const RecordingHeader& header);
-/// Likewise of an obstacle's surface.
+/// Says the same of an obstacle's surface.
 std::string inconsistency(const RecordedObstacle& obstacle);
 
 }  // namespace sherd::recording_format

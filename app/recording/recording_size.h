@@ -8,7 +8,7 @@ struct MeshSize {
     double vertices = 0, faces = 0, edges = 0;
 };
 
-/// About how many bytes a recording takes, without cracks.
+/// Returns about how many bytes a recording takes, without cracks.
 double recording_size(const MeshSize& mesh, double frames, double steps);
 
 }  // namespace sherd

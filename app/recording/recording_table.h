@@ -6,7 +6,7 @@
 #include "app/recording/recording_format.h"
 #include "meshops/error.h"
 
-/// Rows of plain structs as columns of a recording, one dataset a member.
+/// Here rows of plain structs are columns of a recording, one dataset a member.
 namespace sherd::recording_format {
 
 /// The member type of a column as it is stored (HDF5 has no bool that all readers know).
@@ -34,7 +34,7 @@ void append_table(hid_t file, std::span<const Row> rows) {
     });
 }
 
-/// Number of rows that are complete.
+/// Returns the number of rows that are complete.
 template <class Row>
 std::size_t table_rows(hid_t file) {
     std::size_t rows = SIZE_MAX;

@@ -6,16 +6,16 @@
 
 namespace sherd {
 
-/// What the index says of a frame of a recording.
+/// Holds what the index says of a frame of a recording.
 struct XdmfFrame {
     double time = 0;  ///< s
     std::size_t vertices = 0, faces = 0, edges = 0;
 };
 
-/// The text of an .xdmf file (XDMF 2, for ParaView's XDMFReader) that shows the frames of the recording
-/// `recording_name`, a file name without folder, as two collections in time, whose topology may change from
-/// frame to frame: `surface` (triangles: fragment, sheet; vertices: speed, velocity) and `edges` (lines:
-/// state, strain).
+/// Returns the text of an .xdmf file (XDMF 2, for ParaView's XDMFReader). It shows the frames of the
+/// recording `recording_name`, a file name without folder, as two collections in time, whose topology may
+/// change from frame to frame: `surface` (triangles: fragment, sheet; vertices: speed, velocity) and `edges`
+/// (lines: state, strain).
 std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames);
 
 }  // namespace sherd

@@ -7,14 +7,14 @@
 
 namespace sherd {
 
-/// What a recording shows of a scene's obstacles: those with a surface, the free ones last.
+/// Holds what a recording shows of a scene's obstacles: those with a surface, the free ones last.
 class ObstacleTrack {
   public:
-    /// simulation: of the scene.
+    /// The simulation has to be that of the scene.
     ObstacleTrack(const Scene& scene, const Simulation& simulation);
 
     const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
-    /// From the frame of each to space, as the simulation stands.
+    /// Returns the motions from the frame of each to space, as the simulation stands.
     std::vector<Eigen::Isometry3d> poses(const Simulation& simulation) const;
 
   private:

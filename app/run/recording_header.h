@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// The head of the recording of a simulation that has not made a step yet.
+/// Makes the head of the recording of a simulation that has not made a step yet.
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation);
 
 }  // namespace sherd

@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// What wants to know of a run while it goes on, such as its progress, its recording and its interruption.
-/// What an observer throws ends the run.
+/// Wants to know of a run while it goes on, as its progress, its recording and its interruption do. What an
+/// observer throws ends the run.
 class RunObserver {
   public:
     virtual ~RunObserver() = default;
@@ -15,7 +15,7 @@ class RunObserver {
     virtual void stepped(const StepReport&, const CrackEvents&) {}
     /// A frame is due: where a run begins, where the scene wants one, and where a run is interrupted.
     virtual void frame_due(const Simulation&) {}
-    /// Whether the run is to end after the step that has been done.
+    /// Says whether the run is to end after the step that has been done.
     virtual bool wants_end() const { return false; }
     /// The run has ended; no other call follows.
     virtual void ended(const RunEnd&) {}

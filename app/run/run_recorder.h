@@ -13,8 +13,8 @@ namespace sherd {
 /// Writes a run into a recording.
 class RunRecorder : public RunObserver {
   public:
-    /// Creates the recording, of a scene and the simulation of it, which has not made a step yet. Throws
-    /// Error (input) when it cannot be created.
+    /// Creates the recording of a scene and of its simulation, which has not made a step yet. Throws Error
+    /// (input) when it cannot be created.
     RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation);
 
     void stepped(const StepReport& report, const CrackEvents& events) override;

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// What a run adds up over its steps.
+/// Adds up what a run does in its steps.
 class RunTotals : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents& events) override;

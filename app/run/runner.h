@@ -14,19 +14,19 @@ namespace sherd {
 /// Runs a scene: steps it and tells observers of it.
 class Runner {
   public:
-    /// built: made of the scene.
+    /// Takes a scene and what was built of it.
     Runner(Scene scene, BuiltScene built);
 
     /// Observers are told one after the other, in the order in which they are added, and must outlive this.
     void add(RunObserver& observer) { observers.push_back(observer); }
 
-    /// Steps on to the end of the scene's duration, or until an observer wants an end; from where the
-    /// simulation stands. Throws what a step or an observer throws, when the observers know that the run has
+    /// Steps on from where the simulation stands to the end of the scene's duration, or until an observer
+    /// wants an end. Throws what a step or an observer throws, when the observers know that the run has
     /// failed.
     RunEnd run();
 
-    /// A single step, of which the observers are told, too; it is shorter than the scene's when it had to be
-    /// halved. Throws Error (run) when it cannot be solved.
+    /// Makes a single step, of which the observers are told, too. It is shorter than the scene's when it had
+    /// to be halved. Throws Error (run) when it cannot be solved.
     StepReport step();
 
     const Scene& scene() const { return definition; }

@@ -27,10 +27,11 @@ struct MeshFile {
     double remesh = 0;  ///< m, target edge length; 0: as it is
 };
 
-/// Most faces of a mesh that a scene may ask for; past it a mistyped edge length is more likely than a wish.
+/// The most faces of a mesh that a scene may ask for. Where there are more, a mistyped edge length is more
+/// likely than a wish.
 inline constexpr double most_faces = 5e6;
 
-/// Faces of an equilateral mesh of `area` (m^2) with edges of `edge_length` (m).
+/// Returns the number of faces of an equilateral mesh of `area` (m^2) with edges of `edge_length` (m).
 double expected_faces(double area, double edge_length);
 
 }  // namespace sherd

@@ -127,13 +127,14 @@ struct Scene {
     double frame_interval = 0;  ///< s, output.every; at least solver.step
 };
 
-/// Steps that cover the duration; a remainder is a whole step, one due to round-off is not.
+/// Returns the number of steps that cover the duration. A remainder is a whole step, but one due to round-off
+/// is not.
 std::int64_t step_count(const Scene& scene);
 
-/// Whether a run records a frame at the end of this step, from 1 on.
+/// Says whether a run records a frame at the end of this step, from 1 on.
 bool has_frame(const Scene& scene, std::int64_t step);
 
-/// Frames of a whole run, the one at the start and the one at the end included.
+/// Returns the number of frames of a whole run, the one at the start and the one at the end included.
 std::int64_t frame_count(const Scene& scene);
 
 }  // namespace sherd

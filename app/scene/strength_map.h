@@ -23,8 +23,8 @@ struct StrengthGrid {
 /// How strong a sheet is from place to place.
 struct StrengthMap {
     std::variant<StrengthTexture, StrengthGrid> kind;
-    /// Factors of the values 0 and 1, linear between them; values above 1 count as 1. None: values are
-    /// factors.
+    /// The factors of the values 0 and 1, linear between them; values above 1 count as 1. Without them the
+    /// values are factors themselves.
     std::optional<Eigen::Vector2d> range;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };

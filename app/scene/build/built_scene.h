@@ -16,13 +16,13 @@ struct BuiltScene {
     SimulationOptions options;
 };
 
-/// Makes all that a scene says. Throws Error naming the scene's line and key of: a sheet that cannot be made,
-/// that is too thick for its mesh to hold its shape, or that does not start apart from others or free of
-/// obstacles; a load or a support that reaches nothing; an obstacle that cannot be made. Warnings are
-/// sentences, also of sheets that were moved apart.
+/// Makes all that a scene says. It throws Error, naming the scene's line and key, on a sheet that cannot be
+/// made, that is too thick for its mesh to hold its shape, or that does not start apart from others or free
+/// of obstacles; on a load or a support that reaches nothing; and on an obstacle that cannot be made.
+/// Warnings are sentences, also of sheets that were moved apart.
 BuiltScene build_scene(const Scene& scene, std::vector<std::string>& warnings);
 
-/// The same of sheets that make_sheet() has made, all of the scene in its order.
+/// Does the same with sheets that make_sheet() has made: all of the scene, in its order.
 BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
                        std::vector<std::string>& warnings);
 

@@ -8,11 +8,11 @@
 
 namespace sherd {
 
-/// Reads edges of a mesh from a text file: one a line, as two 0-based vertex numbers of the mesh's own file
-/// (property::file_vertex); empty lines and what follows a # are skipped. In the order of the file.
-/// Throws Error with file and line on a line that is not two numbers, two vertices without an edge between
-/// them, an edge on the boundary, an edge given before (in either direction), and a file that is missing or
-/// holds no edge.
+/// Reads edges of a mesh from a text file, in the order of the file. Each line has one, as two 0-based vertex
+/// numbers of the mesh's own file (property::file_vertex); empty lines and what follows a # are skipped. It
+/// throws Error with file and line on a line that is not two numbers, on two vertices without an edge between
+/// them, on an edge on the boundary, and on an edge given before (in either direction); and it throws on a
+/// file that is missing or holds no edge.
 std::vector<Edge> read_edge_list(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace sherd

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// A solid given by signed distances on a grid.
+/// A shape that is given by signed distances on a grid.
 struct GridShape : Shape {
     SignedDistanceGrid grid;
 

@@ -9,14 +9,16 @@
 
 namespace sherd {
 
-/// The mesh of a file, scaled; not remeshed. Throws Error; warnings begin with the file.
+/// Reads the mesh of a file and scales it, but does not remesh it. Throws Error; warnings begin with the
+/// file.
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
 
-/// The mesh of a sheet before it is placed: generated (with the scene's seed), or read, scaled and remeshed.
-/// Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's mesh.
+/// Makes the mesh of a sheet before it is placed: it is generated (with the scene's seed), or read, scaled
+/// and remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's
+/// mesh.
 Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
-/// The same where the scene places it.
+/// Makes the same mesh where the scene places it.
 Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 }  // namespace sherd

@@ -8,9 +8,9 @@
 
 namespace sherd {
 
-// Surfaces of solids as triangles that face outward, in the frame of the solid. Round ones have their points
-// on the surface and facets inside it, by about `sagitta` (m), but no fewer than are good to look at and no
-// more than 37,000.
+// These are the surfaces of shapes, as triangles that face outward, in the frame of the shape. Round ones
+// have their points on the surface and their facets inside it, by about `sagitta` (m), but no fewer of them
+// than are good to look at and no more than 37,000.
 
 ColliderSurface facets(const PlaneShape& plane, double sagitta);  ///< empty: it has no corner and no edge
 ColliderSurface facets(const SphereShape& sphere, double sagitta);

@@ -7,12 +7,12 @@
 
 namespace sherd {
 
-/// Obstacles of a scene, in its order, as they are without being free. Meshes and level sets are read here.
-/// Throws Error naming the scene's line and key; warnings are sentences.
+/// Makes the obstacles of a scene, in its order, as they are without being free. Meshes and level sets are
+/// read here. Throws Error naming the scene's line and key; warnings are sentences.
 std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<ObstacleSpec>& specs,
                                      std::vector<std::string>& warnings);
 
-/// The scene's free bodies, in its order.
+/// Makes the scene's free bodies, in its order.
 std::vector<RigidBody> make_bodies(const Scene& scene);
 
 }  // namespace sherd

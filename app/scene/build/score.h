@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// The edges that are scored, each once. Throws Error naming the scene's line and key on a list of edges for
-/// a mesh that is not as in its file, and on what read_edge_list and edge_path throw on.
+/// Returns the edges that are scored, each once. Throws Error, naming the scene's line and key, on a list of
+/// edges for a mesh that is not as in its file, and on what read_edge_list and edge_path throw on.
 std::vector<Edge> scored_edges(const Score& score, const Mesh& placed, const Eigen::Isometry3d& place);
 
 }  // namespace sherd

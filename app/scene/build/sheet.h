@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// A sheet of a scene, where the scene places it. Throws Error naming the scene's line and key; warnings are
-/// sentences.
+/// Makes a sheet of a scene, where the scene places it. Throws Error naming the scene's line and key;
+/// warnings are sentences.
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
 
 }  // namespace sherd

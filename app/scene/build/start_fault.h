@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// Why a scene cannot start with a face as it is; of several the last one is what a picture shows.
+/// Says why a scene cannot start with a face as it is. Of several kinds a picture shows the last one.
 enum class FaultKind {
     zero_area,
     repeated,
@@ -28,13 +28,13 @@ struct StartFault {
     Vector3d at;        ///< m, its centroid
 };
 
-/// The fault of a face of all sheets together, which are numbered in the scene's order.
+/// Makes the fault of a face of all sheets together, which are numbered in the scene's order.
 StartFault start_fault(FaultKind kind, Face face, const BreakableShell& all);
 
-/// "face 12 at (0.1, 0.02, 0.03) m".
+/// Returns, for example, "face 12 at (0.1, 0.02, 0.03) m".
 std::string fault_place(const StartFault& fault);
 
-/// "face 12 of sheet.bowl at (0.1, 0.02, 0.03) m".
+/// Returns, for example, "face 12 of sheet.bowl at (0.1, 0.02, 0.03) m".
 std::string fault_words(const StartFault& fault, const Scene& scene);
 
 }  // namespace sherd

@@ -9,8 +9,8 @@
 
 namespace sherd {
 
-/// All faces of the sheets that keep a scene from starting: where sheets are not apart, and where obstacles
-/// are in the way. inputs: of all sheets, as made by make_sheet(); all: made of them.
+/// Returns all faces of the sheets that keep a scene from starting: where sheets are not apart, and where
+/// obstacles are in the way. The inputs are those of all sheets, made by make_sheet(); `all` is made of them.
 std::vector<StartFault> start_faults(const Scene& scene, const std::vector<SheetInput>& inputs,
                                      const BreakableShell& all);
 

@@ -6,9 +6,9 @@
 
 namespace sherd {
 
-/// What the hinges of a sheet that breaks withstand: its strength, and for each edge of `placed` the product
-/// of the factors of the scatter, which comes from the scene's seed, of the strength map and of the scores.
-/// Throws Error naming the scene's line and key; warnings are sentences.
+/// Returns what the hinges of a sheet that breaks withstand: its strength, and for each edge of `placed` the
+/// product of the factors of the scatter, which comes from the scene's seed, of the strength map and of the
+/// scores. Throws Error naming the scene's line and key; warnings are sentences.
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
                         std::vector<std::string>& warnings);
 

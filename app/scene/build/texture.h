@@ -9,7 +9,8 @@
 
 namespace sherd {
 
-/// Texture coordinates of the faces' corners. Throws Error when the mesh has none, or some are not finite.
+/// Returns the texture coordinates of the faces' corners. Throws Error when the mesh has none, or some are
+/// not finite.
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh);
 
 /// A texel, and its weight in a bilinear mean.
@@ -18,9 +19,9 @@ struct WeightedColour {
     double weight;
 };
 
-/// The four texels around texture coordinates (u, v); their weights add up to one. (0, 0) is the lower left
-/// corner of the image, (1, 1) the upper right one, a texel's colour holds at its centre, and the image
-/// repeats in both directions.
+/// Returns the four texels around texture coordinates (u, v); their weights add up to one. (0, 0) is the
+/// lower left corner of the image and (1, 1) the upper right one. A texel's colour holds at its centre, and
+/// the image repeats in both directions.
 std::array<WeightedColour, 4> texels_around(const Image& image, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ namespace sherd {
 /// names of textures are understood from.
 MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directory);
 
-/// Reads the rest of a [material] table and ends it: what a preset does not give is needed, save Poisson's
+/// Reads the rest of a [material] table and ends it. What a preset does not give is needed, save Poisson's
 /// ratio (0.3). Inadmissible constants are a problem at the key that makes them so.
 Material read_material(TomlTable& table);
 

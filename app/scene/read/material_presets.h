@@ -14,7 +14,7 @@ struct MaterialPreset {
     Material material;
 };
 
-/// Real materials; scenes/README.md gives the source of each.
+/// Returns presets of real materials; scenes/README.md gives the source of each.
 std::span<const MaterialPreset> material_presets();
 
 }  // namespace sherd

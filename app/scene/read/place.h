@@ -9,7 +9,7 @@ namespace sherd {
 /// Reads `place = { translate = [x, y, z], rotate = { axis = [x, y, z], degrees = a } }`.
 Eigen::Isometry3d read_place(TomlTable& table);
 
-/// A direction of unit length; a problem when it is zero.
+/// Reads a direction, and makes its length one. A direction that is zero is a problem.
 Vector3d read_direction(TomlTable& table, std::string_view key, std::optional<Vector3d> fallback = {});
 
 /// Reads `keys` and `motion` of a table, if it has any.

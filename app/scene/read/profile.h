@@ -10,17 +10,19 @@ namespace sherd {
 /// Polylines of (r, z) points in m, from the axis outward, that are turned about the z axis.
 using Profile = std::vector<Eigen::Vector2d>;
 
-/// A dinner plate: flat from the axis to `foot`, a curved rise to three fifths of `height`, and a rim that
-/// slopes gently on to `radius`, without a kink. All in m; 0 < foot < radius.
+/// Returns the profile of a dinner plate: it is flat from the axis to `foot`, then rises in a curve to three
+/// fifths of `height`, and its rim slopes gently on to `radius`, without a kink. All are in m, and 0 < foot <
+/// radius.
 Profile plate_profile(double radius, double height, double foot);
 
-/// A bowl: the cap of a sphere, `cap` radians from its bottom to its rim of `radius` (m); 0 < cap < pi.
+/// Returns the profile of a bowl: the cap of a sphere, `cap` radians from its bottom to its rim of `radius`
+/// (m). 0 < cap < pi.
 Profile bowl_profile(double radius, double cap);
 
-/// Area of the surface of revolution (m^2), by Pappus.
+/// Returns the area of the surface of revolution (m^2), by Pappus.
 double revolved_area(std::span<const Eigen::Vector2d> profile);
 
-/// Length of the polyline (m).
+/// Returns the length of the polyline (m).
 double length(std::span<const Eigen::Vector2d> profile);
 
 }  // namespace sherd

@@ -9,18 +9,18 @@
 
 namespace sherd {
 
-/// The names of the scene's variants, in the order of the file; none when it has no variants. Throws Error
-/// like read_scene when they have no proper names.
+/// Returns the names of the scene's variants, in the order of the file; none when it has no variants. Throws
+/// Error like read_scene when they have no proper names.
 std::vector<std::string> variant_names(const std::filesystem::path& file);
 
-/// Reads and checks a scene: the keys of the file, then those of the variant, then the overrides. Throws
-/// Error with file:line, the key and what to do on: a missing file, a TOML syntax error (line and column), an
-/// unknown variant, an unknown key (with the nearest known one), a missing key, a wrong type, sign or range.
-/// The message has a line for each mistake. Mesh files are opened by make_mesh only.
+/// Reads and checks a scene: the keys of the file, then those of the variant, then the overrides. It throws
+/// Error with file:line, the key and what to do, on a missing file, a TOML syntax error (with line and
+/// column), an unknown variant, an unknown key (with the nearest known one), a missing key, and a wrong type,
+/// sign or range. The message has a line for each mistake. Mesh files are opened by make_mesh only.
 Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice = {});
 
-/// The same from the text of a scene; `file`: where it comes from, for errors and for the names of files in
-/// it.
+/// Does the same with the text of a scene. `file` is where it comes from, for errors and for the names of
+/// files in it.
 Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {});
 
 }  // namespace sherd

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Reads `box`, `boundary` or `group`; the caller finishes the table.
+/// Reads `box`, `boundary` or `group`. The caller finishes the table.
 Selection read_selection(TomlTable& table);
 
 }  // namespace sherd

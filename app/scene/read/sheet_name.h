@@ -8,7 +8,8 @@
 
 namespace sherd {
 
-/// Reads the key sheet of a load or a wind; empty when it is missing. The scene's sheets must have been read.
+/// Reads the key sheet of a load or a wind; the name is empty when the key is missing. The scene's sheets
+/// must have been read.
 std::string read_sheet_name(TomlTable& table, const Scene& scene);
 
 }  // namespace sherd

@@ -14,21 +14,23 @@ struct ShippedScene {
     std::string description;     ///< the first sentence of the comment that the file begins with
 };
 
-/// The folder of the scenes that come with the running program: found from the program's own file, so that an
-/// installation may be moved. In a build tree it is the source's. Throws Error (run) when it is not there.
+/// Returns the folder of the scenes that come with the running program. It is found from the program's own
+/// file, so that an installation may be moved; in a build tree it is the source's. Throws Error (run) when it
+/// is not there.
 std::filesystem::path shipped_scene_folder();
 
-/// The scenes in `folder`, those below subfolders last, in the order of their names.
+/// Returns the scenes in `folder`, those below subfolders last, in the order of their names.
 std::vector<ShippedScene> shipped_scenes(const std::filesystem::path& folder);
 
-/// The scene of this name, with or without .toml. Throws Error (input) with the nearest name.
+/// Returns the scene of this name, with or without .toml. Throws Error (input) with the nearest name when
+/// there is none.
 ShippedScene shipped_scene(const std::string& name, const std::vector<ShippedScene>& scenes);
 
-/// What is meant by `given`: the file of this name, or else the one with .toml behind it, or else the shipped
-/// scene. Throws Error (input) with the nearest shipped one when there is none of them.
+/// Returns what is meant by `given`: the file of this name, or else the one with .toml behind it, or else the
+/// shipped scene. Throws Error (input) with the nearest shipped one when there is none of them.
 std::filesystem::path find_scene(const std::string& given);
 
-/// The files that a scene names and that are there, relative to the scene's folder.
+/// Returns the files that a scene names and that are there, relative to the scene's folder.
 std::vector<std::filesystem::path> files_of_scene(const std::filesystem::path& scene);
 
 }  // namespace sherd

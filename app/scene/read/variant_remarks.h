@@ -7,12 +7,13 @@
 
 namespace sherd {
 
-/// The mistakes of several variants, or warnings: what all of them share is told once.
+/// Collects the mistakes of several variants, or warnings. What all of them share is told once.
 class VariantRemarks {
   public:
-    /// lines: such as the message of an Error; empty: there is nothing to say of the variant.
+    /// Adds what there is to say of a variant, such as the message of an Error; empty lines say that there is
+    /// nothing.
     void add(const std::string& variant, const std::string& lines);
-    /// Each line, with the names of its variants unless all have it.
+    /// Returns each line, with the names of its variants unless all have it.
     std::vector<std::string> lines() const;
     /// Throws Error with all lines.
     void throw_if_any() const;

@@ -13,11 +13,11 @@ namespace sherd {
 /// the assignment cannot be understood.
 void apply_override(toml::table& scene, const std::string& assignment);
 
-/// Puts the keys of `from` into `into`: tables named by a dotted key or a header are merged; everything else,
-/// inline tables too, is replaced.
+/// Puts the keys of `from` into `into`. Tables named by a dotted key or a header are merged, and everything
+/// else, inline tables too, is replaced.
 void merge_keys(toml::table& into, toml::table&& from);
 
-/// Whether a source path is that of an override.
+/// Says whether a source path is that of an override.
 bool is_override(std::string_view source_path);
 
 }  // namespace sherd

@@ -9,10 +9,10 @@
 
 namespace sherd {
 
-/// Where something of a scene stands, in words: "plate.toml:12", or the override "--set KEY=VALUE".
+/// Says in words where something of a scene stands: "plate.toml:12", or the override "--set KEY=VALUE".
 std::string place_of(const toml::source_region& source);
 
-/// The mistakes of a scene, collected so that a user sees them all at once.
+/// Collects the mistakes of a scene, so that a user sees them all at once.
 class Problems {
   public:
     /// `key` is dotted; `what` says what is wrong and what to do.

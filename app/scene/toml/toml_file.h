@@ -9,12 +9,12 @@
 
 namespace sherd {
 
-/// The text of a TOML file; `kind` says to the user what it is: "scene", "material". Throws Error with the
-/// reason when it cannot be read.
+/// Reads the text of a TOML file. `kind` says to the user what it is: "scene", "material". Throws Error with
+/// the reason when it cannot be read.
 std::string read_toml_text(const std::filesystem::path& file, std::string_view kind);
 
-/// The content of `file` as a table, with `file` as its source path. Throws Error with line and column when
-/// it is not TOML.
+/// Returns the content of `file` as a table, with `file` as its source path. Throws Error with line and
+/// column when it is not TOML.
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -40,25 +40,25 @@ class TomlTable {
     bool flag(std::string_view key, bool fallback);
     /// `what` is told to the user: "a file name".
     std::string string(std::string_view key, std::string_view what);
-    /// One of `names`; empty after a problem.
+    /// Reads one of `names`; the string is empty after a problem.
     std::string choice(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
-    /// `or_one`: the user is told that a single number would do as well.
+    /// Reads two numbers. `or_one` says that the user is told that a single number would do as well.
     Eigen::Vector2d pair(std::string_view key, std::string_view unit, const Range& range, bool or_one = true);
-    /// An array of arrays of `columns` numbers, with at least `least` rows.
+    /// Reads an array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
                                       std::size_t columns);
-    /// The table at `key`; none when it is missing or not a table.
+    /// Returns the table at `key`; none when it is missing or not a table.
     std::optional<TomlTable> table(std::string_view key);
-    /// The tables at `key`: one, or an array of them; empty when missing.
+    /// Returns the tables at `key`: one, or an array of them; empty when it is missing.
     std::vector<TomlTable> tables(std::string_view key);
-    /// All entries of this table by name, as tables, in the order of the file.
+    /// Returns all entries of this table by name, as tables, in the order of the file.
     std::vector<std::pair<std::string, TomlTable>> entries();
 
     /// Adds a problem at `key`, or at the table itself when the key is missing.
     void report(std::string_view key, const std::string& what);
-    /// "FILE:LINE: dotted.key", for errors found later.
+    /// Returns "FILE:LINE: dotted.key", for errors found later.
     std::string where(std::string_view key) const;
     bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
     bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
