@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A distance that is wrong lets sheets into an obstacle; derivatives that are wrong push them the wrong way,
 // or keep Newton's method from ending.
+#include "core/contact/geometry/basic_shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "core/contact/geometry/basic_shapes.h"
 #include "tests/support/finite_differences.h"
 #include "tests/support/random_shapes.h"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Too wide an edge or too large a footprint makes contact too stiff; an edge too few lets a sheet's edge
 // through.
+#include "core/contact/geometry/collider_surface.h"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "core/contact/geometry/collider_surface.h"
 #include "tests/support/obstacles.h"
 
 namespace sherd::test {
