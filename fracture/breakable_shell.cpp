@@ -90,14 +90,14 @@ BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs) : crack_me
     }
 }
 
-void BreakableShell::add_vertices(const SheetInput& input, Index body, Index first_vertex) {
+void BreakableShell::add_vertices(const SheetInput& input, Index sheet, Index first_vertex) {
     resize_vertices(shell, first_vertex + number(input.mesh.number_of_vertices()));
     for (const Vertex vertex : input.mesh.vertices()) {
         const Index v = first_vertex + number(vertex);
         shell.rest.col(v) = shell.position.col(v) = vector_of(input.mesh.point(vertex));
         shell.thickness[v] = input.material.thickness;
         shell.young[v] = mean_young(input.material);
-        shell.vertex_sheet[v] = body;
+        shell.vertex_sheet[v] = sheet;
     }
     for (const Index pinned : input.pinned) shell.fixed[first_vertex + pinned] = 1;
     for (const MovingPin& pin : input.moving_pins) {
@@ -126,7 +126,6 @@ void BreakableShell::add_triangles(const std::vector<SheetInput>& inputs, const 
         const MembraneTriangle membrane =
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
         shell.triangles.push_back({vertices, membrane});
-        shell.face_area.push_back(membrane.area);
         shell.face_mass.push_back(membrane.area * material.thickness * material.density);
         for (const Index vertex : vertices) shell.mass[vertex] += shell.face_mass.back() / 3;
     }
@@ -164,6 +163,12 @@ void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
         measures.push_back(input.strength.measure);
         crack_tip_factors.push_back(input.strength.crack_tip_factor);
     }
+}
+
+std::vector<double> BreakableShell::face_areas() const {
+    std::vector<double> areas;
+    for (const TriangleStencil& triangle : shell.triangles) areas.push_back(triangle.membrane.area);
+    return areas;
 }
 
 Index BreakableShell::sheet_of(Edge edge) const {

@@ -53,7 +53,7 @@ class BreakableShell {
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
-    std::span<const double> face_areas() const { return shell.face_area; }  ///< [F] m^2, at rest
+    std::vector<double> face_areas() const;  ///< [F] m^2, at rest
 
     /// What a crack changed in the mesh and in the mechanics.
     struct Change {
@@ -67,7 +67,7 @@ class BreakableShell {
     bool release_lips();
 
   private:
-    void add_vertices(const SheetInput& input, Index body, Index first_vertex);
+    void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);
     /// Registers with the lips which vertices of one sheet coincide at the start.
     void add_coincident_vertices();
     void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);

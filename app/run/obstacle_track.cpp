@@ -4,10 +4,10 @@
 namespace sherd {
 namespace {
 
-GridSurface recorded_surface(const ColliderSurface& solid) {
+GridSurface recorded_surface(const ColliderSurface& whole) {
     GridSurface surface;
-    for (const auto& point : solid.points.colwise()) surface.points.push_back(point);
-    surface.triangles = solid.triangles;
+    for (const auto& point : whole.points.colwise()) surface.points.push_back(point);
+    surface.triangles = whole.triangles;
     return surface;
 }
 

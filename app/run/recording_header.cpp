@@ -9,14 +9,11 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.scene_text = scene.text;
     header.seed = scene.seed;
     for (const SheetSpec& sheet : scene.sheets) header.sheet_names.push_back(sheet.name);
-    const Shell& mechanics = simulation.shell().mechanics();
-    header.rest_position = mechanics.rest;
-    for (const TriangleStencil& triangle : mechanics.triangles) {
-        header.rest_faces.push_back(triangle.vertices);
-        header.rest_area.push_back(triangle.membrane.area);
-    }
-    for (const Index sheet : simulation.shell().face_sheet())
-        header.rest_thickness.push_back(scene.sheets[sheet].material.thickness);
+    const RestMesh rest = simulation.snapshot().rest;
+    header.rest_position = rest.position;
+    header.rest_faces = rest.faces;
+    header.rest_area = rest.area;
+    header.rest_thickness = rest.thickness;
     return header;
 }
 

@@ -18,15 +18,15 @@ void resize(VectorXd& values, Index count) {
     if (count > before) values.tail(count - before).setZero();
 }
 
+template <class T>
+void resize(std::vector<T>& values, Index count, Inheritance, const T& missing) {
+    values.resize(count, missing);
+}
+
 }  // namespace
 
 void resize_vertices(Shell& shell, Index count) {
-    visit_vertices(shell, [count](auto& values, auto... rule) {
-        if constexpr (sizeof...(rule) == 0)
-            resize(values, count);
-        else
-            values.resize(count, 0);
-    });
+    visit_vertices(shell, [count](auto& values, const auto&... rule) { resize(values, count, rule...); });
 }
 
 void follow(Shell& shell, const ShellChange& change) {

@@ -45,7 +45,6 @@ struct Shell {
         vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
 
     std::vector<TriangleStencil> triangles;  ///< [F]
-    std::vector<double> face_area;           ///< [F] m^2, at rest
     std::vector<double> face_mass;           ///< [F] kg
     std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
 
@@ -91,7 +90,6 @@ void visit_edges(S& shell, Visit visit) {
 template <class S, class Visit>
 void visit_faces(S& shell, Visit visit) {
     visit(shell.triangles, Inheritance::first, TriangleStencil());
-    visit(shell.face_area, Inheritance::none, 0.0);
     visit(shell.face_mass, Inheritance::none, 0.0);
     visit(shell.face_sheet, Inheritance::first, Index(0));
 }

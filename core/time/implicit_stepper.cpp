@@ -40,9 +40,9 @@ bool ImplicitStepper::predict() {
     if (free_way(motion) == 1) return true;
     // Scripted vertices and obstacles have to arrive, so they move first, if necessary together with what
     // they push. The other vertices follow as far as there is room.
-    const Positions carried = scripted_part(shell, motion);
+    const Positions scripted = scripted_part(shell, motion);
     for (const bool along : {false, true}) {
-        const Positions first = along ? carried + pushed_along() : carried;
+        const Positions first = along ? scripted + pushed_along() : scripted;
         if (free_way(first) < 1) continue;
         const Positions others = motion - first;
         position = shell.position + first;

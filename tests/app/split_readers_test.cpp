@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <set>
 
 #include "app/recording/recording_table.h"
@@ -181,14 +180,6 @@ TEST_F(SplitReaders, PicturesAndFilmsAreDrawn) {
         EXPECT_EQ(result.exit_code, 0) << result.err;
     }
     EXPECT_NE(bytes("pictures/run_000001.png"), bytes("pictures/run_000002.png"));
-}
-
-template <class Number>
-std::vector<Number> decoded(const std::string& text) {
-    const std::string bytes = from_base64(text);
-    std::vector<Number> numbers(bytes.size() / sizeof(Number));
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
-    return numbers;
 }
 
 TEST_F(SplitReaders, ThePageKnowsWhereVerticesAndFacesWereBorn) {

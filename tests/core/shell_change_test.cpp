@@ -21,7 +21,7 @@ Shell marked_sheet() {
     shell.edge_hinge = {0, -1, -1, -1, -1};
     shell.edge_strength = {5, 6, 7, 8, 9};
     shell.hinge_edge = {0};
-    shell.face_area = shell.face_mass = {1, 2};
+    shell.face_mass = {1, 2};
     shell.face_sheet = {7, 7};
     return shell;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace sherd::test {
 
@@ -25,6 +27,15 @@ inline std::string from_base64(const std::string& text) {
         bytes += static_cast<char>(bits >> count & 255);
     }
     return bytes;
+}
+
+/// The numbers whose bytes, as they lie in memory, stand in base64.
+template <class Number>
+std::vector<Number> decoded(const std::string& text) {
+    const std::string bytes = from_base64(text);
+    std::vector<Number> numbers(bytes.size() / sizeof(Number));
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+    return numbers;
 }
 
 }  // namespace sherd::test

@@ -58,9 +58,9 @@ void BodyContact::find_point_contacts() {
         for (std::size_t other = 0; other < steps.size() + obstacles.size(); ++other) {
             // A ball finds its contacts by itself, so the corners of a box, or a second ball, must not count
             // them again.
-            const bool said =
+            const bool found_by_other =
                 is_free(other) && is_ball(started[other]) && (!is_ball(started[body]) || other < body);
-            if (body == other || said) continue;
+            if (body == other || found_by_other) continue;
             for (const Vector3d& point : started[body].contact_points)
                 point_contacts.push_back({body, other, point});
         }
@@ -68,19 +68,19 @@ void BodyContact::find_point_contacts() {
 
 void BodyContact::find_sliding(const StepContext& step) {
     sliding.clear();
-    const VectorXd start = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
+    const std::vector<BodyPose> start = poses(VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size())));
     for (const auto& [one, other, point] : point_contacts) {
         const RigidBody& body = started[one];
         const double coefficient = friction_between(body, collider(other));
         if (coefficient == 0) continue;
         const bool given = !is_free(other);
-        const Eigen::Isometry3d here = place(one, start),
+        const Eigen::Isometry3d here = start[one].place,
                                 there = given ? obstacles[other - steps.size()].motion.at(step.begin)
-                                              : place(other, start);
+                                              : start[other].place;
         const Overlap at = overlap(*collider(other).shape, there, here * point, body.contact_radius);
         if (at.depth <= 0) continue;
-        const Matrix3d turn = given ? Matrix3d(place(other, start).linear() * there.linear().transpose())
-                                    : Matrix3d::Identity();
+        const Matrix3d turn =
+            given ? Matrix3d(start[other].place.linear() * there.linear().transpose()) : Matrix3d::Identity();
         const Vector3d contact_point = here * point - body.contact_radius * at.normal;
         const double force = body.point_stiffness(collider(other)) * at.depth;
         const Friction friction{coefficient * force, smoothing_speed * step.lag};
@@ -96,16 +96,18 @@ const Collider& BodyContact::collider(std::size_t number) const {
     return obstacles[number - steps.size()];
 }
 
-Eigen::Isometry3d BodyContact::place(std::size_t collider, const VectorXd& q) const {
-    if (is_free(collider)) return steps[collider].pose(part(q, collider)).place;
-    return obstacle_places[collider - steps.size()];
+std::vector<BodyPose> BodyContact::poses(const VectorXd& q) const {
+    std::vector<BodyPose> all;
+    for (std::size_t body = 0; body < steps.size(); ++body) all.push_back(steps[body].pose(part(q, body)));
+    for (const Eigen::Isometry3d& place : obstacle_places) all.push_back({place, Matrix3d::Zero()});
+    return all;
 }
 
-void BodyContact::add_between(const VectorXd& q, std::size_t body, std::size_t other, const PointForce& force,
-                              const Vector3d& x, const Vector3d& anchor, Potential& sum) const {
+void BodyContact::add_between(const std::vector<BodyPose>& poses, std::size_t body, std::size_t other,
+                              const PointForce& force, const Vector3d& x, const Vector3d& anchor,
+                              Potential& sum) const {
     const auto motion = [&](std::size_t b, const Vector3d& point) {
-        const BodyPose pose = steps[b].pose(part(q, b));
-        return pose.point_motion(point - pose.place.translation());
+        return poses[b].point_motion(point - poses[b].place.translation());
     };
     const Matrix36d here = motion(body, x);
     sum.gradient.segment<6>(6 * body) += here.transpose() * force.gradient;
@@ -119,26 +121,28 @@ void BodyContact::add_between(const VectorXd& q, std::size_t body, std::size_t o
     sum.hessian.block<6, 6>(6 * other, 6 * body) += mixed.transpose();
 }
 
-Overlap BodyContact::overlap_of(const PointContact& contact, const VectorXd& q, double margin) const {
-    return overlap(*collider(contact.other).shape, place(contact.other, q),
-                   place(contact.body, q) * contact.point, started[contact.body].contact_radius + margin);
+Overlap BodyContact::overlap_of(const PointContact& contact, const std::vector<BodyPose>& poses,
+                                double margin) const {
+    return overlap(*collider(contact.other).shape, poses[contact.other].place,
+                   poses[contact.body].place * contact.point, started[contact.body].contact_radius + margin);
 }
 
 void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
+    const std::vector<BodyPose> at_q = poses(q);
     for (const PointContact& contact : point_contacts) {
-        const Overlap at = overlap_of(contact, q);
+        const Overlap at = overlap_of(contact, at_q);
         if (at.depth <= 0) continue;
-        const Vector3d x = place(contact.body, q) * contact.point;
+        const Vector3d x = at_q[contact.body].place * contact.point;
         const double stiffness = started[contact.body].point_stiffness(collider(contact.other));
         const PointForce force = spring(at, stiffness, Curvature::convex);
         sum.stored += force.value;
-        add_between(q, contact.body, contact.other, force, x, x, sum);
+        add_between(at_q, contact.body, contact.other, force, x, x, sum);
     }
     for (const auto& [body, other, point, friction] : sliding) {
-        const Vector3d x = place(body, q) * point, anchor = place(other, q) * friction.anchor;
+        const Vector3d x = at_q[body].place * point, anchor = at_q[other].place * friction.anchor;
         const PointForce force = friction.force(x, anchor);
         sum.value += force.value;
-        add_between(q, body, other, force, x, anchor, sum);
+        add_between(at_q, body, other, force, x, anchor, sum);
     }
 }
 
@@ -167,10 +171,11 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         const auto [kept, gone] = std::minmax(group[one], group[other]);
         std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
     };
+    const std::vector<BodyPose> at_q = poses(q);
     for (const PointContact& contact : point_contacts) {
         if (!is_free(contact.other)) continue;
         const double size = started[contact.other].shape->bounds().diagonal().norm();
-        if (overlap_of(contact, q, ahead ? ahead_of_contact * size : 0).depth > 0)
+        if (overlap_of(contact, at_q, ahead ? ahead_of_contact * size : 0).depth > 0)
             join(contact.body, contact.other);
     }
     for (const SlidingContact& contact : sliding)
@@ -240,7 +245,7 @@ double BodyContact::value(const Positions& x) const {
 
 void BodyContact::add_gradient(const Positions& x, Positions& gradient) const {
     for (const BodyPotential& body : solve(x).bodies)
-        for (const auto& [vertex, push] : body.pushes) gradient.col(vertex) += push.gradient;
+        for (const auto& [vertex, terms] : body.vertex_terms) gradient.col(vertex) += terms.gradient;
 }
 
 void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
@@ -251,11 +256,11 @@ void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessia
         for (std::size_t other = 0; other < steps.size(); ++other) {
             if (group[one] != group[other]) continue;
             const Matrix6d block = inverse.block<6, 6>(6 * one, 6 * other);
-            for (const auto& [a, push] : here.bodies[one].pushes) {
-                const Matrix36d eliminated = push.mixed * block;
-                for (const auto& [b, against] : here.bodies[other].pushes) {
+            for (const auto& [a, terms] : here.bodies[one].vertex_terms) {
+                const Matrix36d eliminated = terms.mixed * block;
+                for (const auto& [b, others] : here.bodies[other].vertex_terms) {
                     if (b > a) break;
-                    const Matrix3d part = -eliminated * against.mixed.transpose();
+                    const Matrix3d part = -eliminated * others.mixed.transpose();
                     if (a != b)
                         hessian.add(a, b, part);
                     else
@@ -263,7 +268,8 @@ void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessia
                 }
             }
         }
-        for (const auto& [vertex, push] : here.bodies[one].pushes) hessian.add(vertex, vertex, push.hessian);
+        for (const auto& [vertex, terms] : here.bodies[one].vertex_terms)
+            hessian.add(vertex, vertex, terms.hessian);
         for (const auto& [vertices, part] : here.bodies[one].couplings)
             hessian.add(vertices[0], vertices[1], part);
     }
@@ -277,7 +283,7 @@ void BodyContact::add_contacts(const Positions& x, bool ahead,
     std::map<std::size_t, std::set<Index>> vertices;
     for (std::size_t b = 0; b < steps.size(); ++b) {
         std::set<Index>& all = vertices[group[b]];
-        for (const auto& [vertex, push] : here.bodies[b].pushes) all.insert(vertex);
+        for (const auto& [vertex, terms] : here.bodies[b].vertex_terms) all.insert(vertex);
         if (ahead) steps[b].add_near_vertices(x, part(best, b), all);
     }
     for (const auto& [first, all] : vertices)
@@ -304,8 +310,9 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }
+    const std::vector<BodyPose> at_best_poses = poses(best);
     for (const PointContact& contact : point_contacts) {
-        if (overlap_of(contact, best).depth <= 0) continue;
+        if (overlap_of(contact, at_best_poses).depth <= 0) continue;
         touch.bodies.insert(contact.body);
         if (is_free(contact.other))
             touch.bodies.insert(contact.other);

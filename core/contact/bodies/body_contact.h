@@ -70,17 +70,19 @@ class BodyContact : public Energy {
     void find_sliding(const StepContext& step);
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
-    /// Pose of a collider when the bodies are at q.
-    Eigen::Isometry3d place(std::size_t collider, const VectorXd& q) const;
+    /// Poses of all colliders when the bodies are at q.
+    std::vector<BodyPose> poses(const VectorXd& q) const;
     Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
     Potential potential(const Positions& x, const VectorXd& q) const;
     /// Overlap of a contact point with the other collider; margin: m, added to the contact radius.
-    Overlap overlap_of(const PointContact& contact, const VectorXd& q, double margin = 0) const;
+    Overlap overlap_of(const PointContact& contact, const std::vector<BodyPose>& poses,
+                       double margin = 0) const;
     void add_point_contacts(const VectorXd& q, Potential& sum) const;
     /// Adds a force on the point x of a body, and the opposite force on the point `anchor` of another
     /// collider.
-    void add_between(const VectorXd& q, std::size_t body, std::size_t other, const PointForce& force,
-                     const Vector3d& x, const Vector3d& anchor, Potential& sum) const;
+    void add_between(const std::vector<BodyPose>& poses, std::size_t body, std::size_t other,
+                     const PointForce& force, const Vector3d& x, const Vector3d& anchor,
+                     Potential& sum) const;
     /// For each body, the smallest number of a body that it is connected to by contacts, directly or through
     /// others. `ahead` also counts contacts that may occur soon.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;

@@ -28,10 +28,10 @@ Matrix36d BodyPose::point_motion(const Vector3d& arm) const {
 void BodyPotential::add_vertex(const BodyPose& pose, Index vertex, const Vector3d& by_x,
                                const Matrix3d& twice, const Vector3d& arm) {
     const Matrix36d relative = -pose.point_motion(arm);
-    Push& push = pushes[vertex];
-    push.gradient += by_x;
-    push.hessian += twice;
-    push.mixed += twice * relative;
+    VertexTerms& terms = vertex_terms[vertex];
+    terms.gradient += by_x;
+    terms.hessian += twice;
+    terms.mixed += twice * relative;
     gradient += relative.transpose() * by_x;
     hessian += relative.transpose() * twice * relative;
 }
@@ -47,10 +47,10 @@ void BodyPotential::add_element(const BodyPose& pose, const std::array<Index, 4>
     hessian += motion.transpose() * twice * motion;
     for (int i = 0; i < 4; ++i) {
         if (vertices[i] < first) continue;
-        Push& push = pushes[vertices[i] - first];
-        push.gradient += by_x.col(i);
-        push.hessian += twice.block<3, 3>(3 * i, 3 * i);
-        push.mixed += twice.middleRows<3>(3 * i) * motion;
+        VertexTerms& terms = vertex_terms[vertices[i] - first];
+        terms.gradient += by_x.col(i);
+        terms.hessian += twice.block<3, 3>(3 * i, 3 * i);
+        terms.mixed += twice.middleRows<3>(3 * i) * motion;
         for (int j = 0; j < 4; ++j)
             if (vertices[j] >= first && vertices[j] < vertices[i])
                 couplings.try_emplace({vertices[i] - first, vertices[j] - first}, Matrix3d(Matrix3d::Zero()))

@@ -31,7 +31,7 @@ struct BodyPose {
 /// The incremental potential P(x, q) of a body in contact, with its derivatives.
 struct BodyPotential {
     /// The derivatives of P by the position x of one vertex of the shell.
-    struct Push {
+    struct VertexTerms {
         Vector3d gradient = Vector3d::Zero();  ///< by x, N
         Matrix3d hessian = Matrix3d::Zero();   ///< by x twice, N/m
         Matrix36d mixed = Matrix36d::Zero();   ///< by x and q
@@ -39,8 +39,8 @@ struct BodyPotential {
     double value = 0;   ///< J
     double stored = 0;  ///< J, elastic energy of the contacts, contained in value
     Vector6d gradient = Vector6d::Zero();
-    Matrix6d hessian = Matrix6d::Zero();  ///< Gauss-Newton: without the second derivatives of rotations
-    std::map<Index, Push> pushes;         ///< by vertex number
+    Matrix6d hessian = Matrix6d::Zero();        ///< Gauss-Newton: without the second derivatives of rotations
+    std::map<Index, VertexTerms> vertex_terms;  ///< by vertex number
     std::map<std::array<Index, 2>, Matrix3d> couplings;  ///< by two vertices, the greater number first, N/m
 
     /// Adds a force between a vertex and the body's point at `arm`. gradient, hessian: by the vertex's

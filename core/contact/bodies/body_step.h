@@ -20,7 +20,7 @@ ContactSurface surface_with(const Shell& shell, const RigidBody& body);
 /// triangles and edges. Both sides of every contact feel the same force.
 class BodyStep {
   public:
-    /// sheet, body: as they are at the beginning of the step; origin: the body's origins in the step;
+    /// shell, body: as they are at the beginning of the step; origin: the body's origins in the step;
     /// gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the body's frame; null
     /// if it has none. Shell, body and near must outlive this object.
     BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,

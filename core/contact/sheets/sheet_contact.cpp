@@ -8,14 +8,14 @@ namespace sherd {
 namespace {
 
 std::string message(const ContactSurface& surface, const ContactPair& pair, double apart) {
-    std::string shell, collider;
+    std::string of_sheets, of_colliders;
     for (const Index vertex : pair.vertices)
-        (surface.of_collider(vertex) ? collider : shell) +=
+        (surface.of_collider(vertex) ? of_colliders : of_sheets) +=
             " " + std::to_string(vertex - (surface.of_collider(vertex) ? 0 : surface.collider_vertices()));
     const std::string elements =
         pair.kind == PairKind::edge_edge ? "the edges of vertices" : "a vertex and the triangle of vertices";
-    const std::string others = collider.empty() ? "" : " and of an obstacle's" + collider;
-    return "contact: " + elements + shell + others + " are " + std::to_string(apart) +
+    const std::string others = of_colliders.empty() ? "" : " and of an obstacle's" + of_colliders;
+    return "contact: " + elements + of_sheets + others + " are " + std::to_string(apart) +
            " m apart, which must be more than " + std::to_string(pair.minimum()) +
            " m; move the sheets apart, or make them thinner";
 }

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
 #include "meshops/error.h"
@@ -18,14 +16,6 @@ namespace {
 
 using Frames = std::vector<std::size_t>;
 using Json = nlohmann::json;
-
-template <class Number>
-std::vector<Number> decoded(const std::string& text) {
-    const std::string bytes = from_base64(text);
-    std::vector<Number> numbers(bytes.size() / sizeof(Number));
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
-    return numbers;
-}
 
 TEST(ViewFrames, AreThinnedToTheRoomThereIs) {
     EXPECT_EQ(shown_frames(4, 10, 1000), (Frames{0, 1, 2, 3}));
