@@ -24,7 +24,7 @@ void append(VectorXd& values, std::span<const Heir> heirs);
 /// Appends the heirs' values to a list by `rule`; `missing` for an heir that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {
-    const auto agree = [&values](const std::vector<Heir::Parent>& parents) {
+    const auto agree = [&](const std::vector<Heir::Parent>& parents) {
         if constexpr (std::equality_comparable<T>)
             return std::ranges::all_of(parents, [&](const Heir::Parent& parent) {
                 return values[parent.element] == values[parents.front().element];
