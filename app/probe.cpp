@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/scene/build/material_axes.h"
+#include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 #include "core/elements/principal_strain.h"
@@ -58,6 +59,15 @@ ProbedEnergy sum(const std::string& name, const Elements& elements, const Positi
     return total;
 }
 
+/// The energy of coupled hinges; a hinge without an angle has been found before.
+ProbedEnergy coupled_energy(const Shell& sheet, const Positions& x) {
+    const CoupledBending bending(sheet, {});
+    ProbedEnergy total{"bending_coupled", bending.value(x), Positions::Zero(3, x.cols())};
+    bending.add_gradient(x, total.force);
+    total.force = -total.force;
+    return total;
+}
+
 /// The mechanics of the sheet at rest, its vertices numbered as in the file.
 Shell file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
                  std::vector<std::string>& warnings) {
@@ -69,6 +79,7 @@ Shell file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
     Shell sheet = BreakableShell({input}).mechanics();
     const Positions rest = sheet.rest;
     sheet.rest.setZero(3, shapes.deformed.cols());
+    sheet.thickness.setConstant(shapes.deformed.cols(), input.material.thickness);
     for (std::size_t v = 0; v < shapes.file_vertex.size(); ++v)
         sheet.rest.col(shapes.file_vertex[v]) = rest.col(static_cast<Eigen::Index>(v));
     for (TriangleStencil& triangle : sheet.triangles)
@@ -108,6 +119,8 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
                        sum("bending_cubic", CubicHinges(sheet.hinges, sheet.rest), x),
                        sum("bending_cubic_2007", CubicHinges2007(sheet.hinges, sheet.rest), x),
                        sum("membrane", MembraneElements{&sheet.triangles}, x)};
+    // The rigidity of coupled hinges is the material's, which a given stiffness of hinges is not.
+    if (!material.bending_stiffness) result.energies.push_back(coupled_energy(sheet, x));
     for (const HingeStencil& hinge : sheet.hinges) {
         const HingePositions local = columns(x, hinge.vertices);
         result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,

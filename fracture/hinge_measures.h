@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "fracture/breakable_shell.h"
 
 namespace sherd {
@@ -21,9 +23,12 @@ struct HingeMeasures {
 
 /// Computes strain and stress of all hinges. They are means over the edge's two faces of the component across
 /// the edge of their Green strain plus half the thickness times their change of curvature; the stress follows
-/// with the membrane's plane-stress elasticity. A face's change of curvature follows from the changes of its
-/// hinges' angles. In pure bending `strain` is a curvature, like the paper's measure; unlike the paper's, it
-/// includes in-plane stretch, and the bending of a face as a whole. x: [3, V] m.
-HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x);
+/// with the membrane's plane-stress elasticity. curvatures: the faces' changes of curvature, [3, F], 1/m, as
+/// (00, 11, 2 * 01) in their rest frames (ShellEnergies::face_curvatures()); without them they follow from
+/// the changes of each face's own hinges' angles, which is all that uncoupled hinges know. In pure bending
+/// `strain` is a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and
+/// the bending of a face as a whole. x: [3, V] m.
+HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
+                             const std::optional<Eigen::Matrix3Xd>& curvatures = {});
 
 }  // namespace sherd

@@ -93,7 +93,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper.time_spent(), Task::breaking);
-    const HingeMeasures measures = hinge_measures(breakable, stepper.position);
+    const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
     if (options.rule == BreakingRule::staged)
@@ -116,7 +116,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         } else {
             return newton;
         }
-        measures = hinge_measures(breakable, stepper.position);
+        measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bending/bending.h"
 
+#include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 
@@ -47,11 +48,14 @@ std::unique_ptr<Energy> nonlinear_energy(const Shell& shell) {
 }  // namespace
 
 BendingJacobian exact_jacobian(BendingModel model) {
-    return model == BendingModel::nonlinear ? BendingJacobian::nonlinear : BendingJacobian::cubic;
+    const bool cubic = model == BendingModel::cubic || model == BendingModel::cubic_2007;
+    return cubic ? BendingJacobian::cubic : BendingJacobian::nonlinear;
 }
 
-std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options) {
+std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options,
+                                       const std::vector<MirrorHinge>& mirrors) {
     const auto& [model, jacobian] = options;
+    if (model == BendingModel::coupled) return std::make_unique<CoupledBending>(shell, mirrors);
     const bool nonlinear_force = model == BendingModel::nonlinear,
                nonlinear_jacobian = jacobian == BendingJacobian::nonlinear;
     if (nonlinear_force && nonlinear_jacobian) return nonlinear_energy(shell);

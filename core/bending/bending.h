@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/bending/mirror_hinge.h"
 #include "core/energy.h"
 #include "core/shell/shell.h"
 
@@ -12,11 +13,12 @@ namespace sherd {
 enum class BendingModel {
     cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
     cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
-    nonlinear    ///< nonlinear hinge (NH)
+    nonlinear,   ///< nonlinear hinge (NH)
+    coupled      ///< hinges that know their neighbours, which converge: see CoupledBending
 };
 
 /// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
-/// the solution, which only the energy determines.
+/// the solution, which only the energy determines. Coupled hinges always use their own.
 enum class BendingJacobian {
     constant,  ///< the constant Q of the cubic shell, the paper's CC
     cubic,     ///< that of the cubic shell (appendix A), the paper's CS
@@ -32,9 +34,12 @@ struct BendingOptions {
 /// The Jacobian of the model's own force.
 BendingJacobian exact_jacobian(BendingModel model);
 
-/// Bending energy of all hinges of a shell, from its rest shape. The shell must outlive it, and its changes
-/// must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian; Curvature::convex gives
-/// the positive semidefinite part of the nonlinear one, or the Q of the cubic hinge in equilibrium.
-std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {});
+/// Bending energy of all hinges of a shell, from its rest shape; of coupled hinges also that of mirrors,
+/// which have an energy of their own with the other models (MirrorEnergy). The shell must outlive it, and its
+/// changes must be passed to topology_changed(). Curvature::exact gives the chosen Jacobian;
+/// Curvature::convex gives the positive semidefinite part of the nonlinear one and of that of coupled hinges,
+/// or the Q of the cubic hinge in equilibrium.
+std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {},
+                                       const std::vector<MirrorHinge>& mirrors = {});
 
 }  // namespace sherd

@@ -4,10 +4,6 @@
 namespace sherd {
 namespace {
 
-Matrix3d reflection(const MirrorHinge& hinge) {
-    return Matrix3d::Identity() - 2 * hinge.normal * hinge.normal.transpose();
-}
-
 HingePositions with_image(const TrianglePositions& x, const Vector3d& normal, double offset) {
     const Vector3d apex = x.col(2);
     HingePositions local;
@@ -41,54 +37,65 @@ MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const V
     return {side, normal, offset, stiffness};
 }
 
-MirrorEnergy::MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> mirrors)
-    : shell(shell), at_rest(std::move(mirrors)), hinges(at_rest) {
-    for (const MirrorHinge& hinge : hinges) {
-        const TrianglePositions rest = columns(shell.rest, edge_and_apex(shell, hinge.side));
-        const double offset = hinge.normal.dot(Vector3d(rest.col(0)));
-        bending.push_back(cubic_hinge(with_image(rest, hinge.normal, offset), hinge.stiffness));
-    }
-}
-
-void MirrorEnergy::begin(const StepContext& step) {
+void Mirrors::begin(const StepContext& step) {
     for (std::size_t i = 0; i < hinges.size(); ++i)
         if (const Index script = hinges[i].script; script != 0)
             hinges[i] = moved(at_rest[i], shell.motions[script - 1].at(step.end()));
 }
 
-HingePositions MirrorEnergy::mirrored(const MirrorHinge& hinge, const Positions& x) const {
-    return with_image(columns(x, edge_and_apex(shell, hinge.side)), hinge.normal, hinge.offset);
+HingePositions Mirrors::with_image(std::size_t i, const Positions& x) const {
+    return sherd::with_image(columns(x, vertices(i)), hinges[i].normal, hinges[i].offset);
+}
+
+HingePositions Mirrors::rest(std::size_t i) const {
+    const TrianglePositions triangle = columns(shell.rest, vertices(i));
+    const Vector3d& normal = at_rest[i].normal;
+    return sherd::with_image(triangle, normal, normal.dot(Vector3d(triangle.col(0))));
+}
+
+Matrix3d Mirrors::reflection(std::size_t i) const {
+    return Matrix3d::Identity() - 2 * hinges[i].normal * hinges[i].normal.transpose();
+}
+
+Eigen::Matrix<double, 9, 9> Mirrors::folded(std::size_t i, const HingeHessian& hessian) const {
+    Eigen::Matrix<double, 12, 9> image = Eigen::Matrix<double, 12, 9>::Identity();
+    image.block<3, 3>(9, 6) = reflection(i);
+    return image.transpose() * hessian * image;
+}
+
+MirrorEnergy::MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges)
+    : mirrors(shell, std::move(hinges)) {
+    for (std::size_t i = 0; i < mirrors.size(); ++i)
+        bending.push_back(cubic_hinge(mirrors.rest(i), mirrors[i].stiffness));
 }
 
 double MirrorEnergy::value(const Positions& x) const {
     double sum = 0;
-    for (std::size_t i = 0; i < hinges.size(); ++i)
-        sum += 0.5 * sherd::value(bending[i], mirrored(hinges[i], x));
+    for (std::size_t i = 0; i < mirrors.size(); ++i)
+        sum += 0.5 * sherd::value(bending[i], mirrors.with_image(i, x));
     return sum;
 }
 
 void MirrorEnergy::add_gradient(const Positions& x, Positions& gradient) const {
-    for (std::size_t i = 0; i < hinges.size(); ++i) {
-        const HingePositions local = 0.5 * sherd::gradient(bending[i], mirrored(hinges[i], x));
-        const std::array<Index, 3> vertices = edge_and_apex(shell, hinges[i].side);
+    for (std::size_t i = 0; i < mirrors.size(); ++i) {
+        const HingePositions local = 0.5 * sherd::gradient(bending[i], mirrors.with_image(i, x));
+        const std::array<Index, 3> vertices = mirrors.vertices(i);
         for (int v = 0; v < 3; ++v) gradient.col(vertices[v]) += local.col(v);
-        gradient.col(vertices[2]) += reflection(hinges[i]) * local.col(3);
+        gradient.col(vertices[2]) += mirrors.reflection(i) * local.col(3);
     }
 }
 
 void MirrorEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
-    for (std::size_t i = 0; i < hinges.size(); ++i) {
-        Eigen::Matrix<double, 12, 9> image = Eigen::Matrix<double, 12, 9>::Identity();
-        image.block<3, 3>(9, 6) = reflection(hinges[i]);
-        const Eigen::Matrix<double, 12, 12> full =
-            sherd::hessian(bending[i], mirrored(hinges[i], x), curvature == Curvature::exact);
-        const Eigen::Matrix<double, 9, 9> local = 0.5 * image.transpose() * full * image;
-        add_element(hessian, edge_and_apex(shell, hinges[i].side), local);
+    for (std::size_t i = 0; i < mirrors.size(); ++i) {
+        const HingeHessian full =
+            sherd::hessian(bending[i], mirrors.with_image(i, x), curvature == Curvature::exact);
+        const Eigen::Matrix<double, 9, 9> local = 0.5 * mirrors.folded(i, full);
+        add_element(hessian, mirrors.vertices(i), local);
     }
 }
 
 void MirrorEnergy::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const MirrorHinge& hinge : hinges) add_pairs(pairs, edge_and_apex(shell, hinge.side));
+    for (std::size_t i = 0; i < mirrors.size(); ++i) add_pairs(pairs, mirrors.vertices(i));
 }
 
 }  // namespace sherd

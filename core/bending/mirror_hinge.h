@@ -29,24 +29,46 @@ MirrorHinge clamp_hinge(const Shell& shell, const TriangleEdge& side, double sti
 MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const Vector3d& normal,
                            double stiffness);
 
-/// Bending energy of all mirror hinges, as cubic hinges; their planes stand where they are at the end of the
-/// step.
+/// The mirror hinges of a shell. Their planes stand where they are at the end of the step.
+class Mirrors {
+  public:
+    /// The shell must outlive this object.
+    Mirrors(const Shell& shell, std::vector<MirrorHinge> hinges)
+        : shell(shell), at_rest(std::move(hinges)), hinges(at_rest) {}
+    void begin(const StepContext& step);
+
+    std::size_t size() const { return hinges.size(); }
+    const MirrorHinge& operator[](std::size_t i) const { return hinges[i]; }
+    std::array<Index, 3> vertices(std::size_t i) const { return edge_and_apex(shell, hinges[i].side); }
+    /// The triangle and its image as a hinge, m.
+    HingePositions with_image(std::size_t i, const Positions& x) const;
+    /// The same at rest, when the plane contains the side.
+    HingePositions rest(std::size_t i) const;
+    /// The derivative of the hinge's vertices by those of the triangle is the identity, and this for the
+    /// image's apex by the apex.
+    Matrix3d reflection(std::size_t i) const;
+    /// A Hessian by the hinge's vertices, as one by those of the triangle, [9, 9].
+    Eigen::Matrix<double, 9, 9> folded(std::size_t i, const HingeHessian& hessian) const;
+
+  private:
+    const Shell& shell;
+    std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
+};
+
+/// Bending energy of all mirror hinges, as cubic hinges.
 class MirrorEnergy : public Energy {
   public:
     /// The shell must outlive this object.
     MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges);
-    void begin(const StepContext& step) override;
+    void begin(const StepContext& step) override { mirrors.begin(step); }
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    HingePositions mirrored(const MirrorHinge& hinge, const Positions& x) const;
-
-    const Shell& shell;
-    std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
-    std::vector<CubicHinge> bending;           ///< of each mirror hinge
+    Mirrors mirrors;
+    std::vector<CubicHinge> bending;  ///< of each mirror hinge
 };
 
 }  // namespace sherd

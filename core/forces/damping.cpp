@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/damping.h"
 
+#include "core/bending/coupled_bending.h"
+#include "core/bending/cubic_bending.h"
+
 namespace sherd {
+
+StiffnessDamping::StiffnessDamping(const Shell& shell, double coefficient, BendingModel model)
+    : shell(shell), coefficient(coefficient) {
+    if (model == BendingModel::coupled)
+        coupled = std::make_unique<CoupledBending>(shell, std::vector<MirrorHinge>());
+}
+
+StiffnessDamping::~StiffnessDamping() = default;
+
+void StiffnessDamping::topology_changed(const ShellChange& change, const StepContext& step) {
+    if (coupled) coupled->topology_changed(change, step);
+    begin(step);
+}
 
 void StiffnessDamping::begin(const StepContext& step) {
     const double scale = coefficient / step.lag;
@@ -9,7 +25,11 @@ void StiffnessDamping::begin(const StepContext& step) {
     for (const TriangleStencil& triangle : shell.triangles)
         triangles.push_back({triangle.vertices, membrane_triangle(columns(step.origin, triangle.vertices),
                                                                   scale * triangle.membrane.elasticity)});
-    bending = std::make_unique<CubicBending>(CubicHinges(shell.hinges, step.origin, scale));
+    if (coupled)
+        coupled->start_from(step.origin, scale);
+    else
+        uncoupled = std::make_unique<CubicBending>(CubicHinges(shell.hinges, step.origin, scale));
+    bending = coupled ? coupled.get() : uncoupled.get();
     membrane = std::make_unique<MembraneEnergy>(triangles);
 }
 

@@ -3,11 +3,13 @@
 
 #include <memory>
 
-#include "core/bending/cubic_bending.h"
+#include "core/bending/bending.h"
 #include "core/forces/vertex_springs.h"
 #include "core/membrane/membrane_energy.h"
 
 namespace sherd {
+
+class CoupledBending;
 
 /// Rayleigh damping, proportional to stiffness and to mass. A mode of angular frequency w has the damping
 /// ratio (stiffness w + mass / w) / 2.
@@ -17,17 +19,19 @@ struct Damping {
 };
 
 /// Stiffness-proportional damping in one implicit step: (coefficient / lag) times the elastic energy, of
-/// cubic hinges and membranes, of a shell whose rest shape is the step's origin (StepContext). To second
-/// order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K (x - origin), where K is the stiffness
-/// matrix at that shape without its stresses. An elastic energy exerts neither net force nor net torque in
-/// any shape, so that linear and angular momentum are conserved; x^T K x alone conserves linear momentum
-/// only.
+/// membranes and of coupled hinges, or with the other models of cubic ones, of a shell whose rest shape is
+/// the step's origin (StepContext). To second order this is Rayleigh's coefficient / (2 lag) (x - origin)^T K
+/// (x - origin), where K is the stiffness matrix at that shape without its stresses. An elastic energy exerts
+/// neither net force nor net torque in any shape, so that linear and angular momentum are conserved; x^T K x
+/// alone conserves linear momentum only.
 class StiffnessDamping : public Energy {
   public:
     /// The shell must outlive this object. coefficient: s.
-    StiffnessDamping(const Shell& shell, double coefficient) : shell(shell), coefficient(coefficient) {}
+    StiffnessDamping(const Shell& shell, double coefficient, BendingModel model = BendingModel::cubic);
     StiffnessDamping(const StiffnessDamping&) = delete;  // its energies refer to its triangles
+    ~StiffnessDamping() override;
     void begin(const StepContext& step) override;
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;
     double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -39,7 +43,9 @@ class StiffnessDamping : public Energy {
     const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
-    std::unique_ptr<Energy> bending, membrane;
+    std::unique_ptr<CoupledBending> coupled;  ///< of the coupled model
+    std::unique_ptr<Energy> uncoupled, membrane;
+    const Energy* bending = nullptr;  ///< whichever there is
 };
 
 /// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin).

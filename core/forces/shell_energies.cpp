@@ -1,17 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/shell_energies.h"
 
+#include "core/bending/coupled_bending.h"
+
 namespace sherd {
+namespace {
+
+/// The mirrors that have an energy of their own: coupled hinges count theirs.
+std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
+    return options.bending.model == BendingModel::coupled ? std::vector<MirrorHinge>() : options.mirrors;
+}
+
+}  // namespace
 
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
-    : bending(bending_energy(shell, options.bending)),
+    : bending(bending_energy(shell, options.bending, options.mirrors)),
       membrane(shell.triangles),
-      mirrors(shell, options.mirrors) {
+      mirrors(shell, uncoupled_mirrors(options)) {
     if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
     if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
-        outer.push_back(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness));
+        outer.push_back(
+            std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model));
     if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
+}
+
+std::optional<Eigen::Matrix3Xd> ShellEnergies::face_curvatures(const Positions& x) const {
+    const auto* coupled = dynamic_cast<const CoupledBending*>(bending.get());
+    if (coupled == nullptr) return std::nullopt;
+    return coupled->curvatures(x);
 }
 
 std::vector<Energy*> ShellEnergies::loads() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/bending/bending.h"
 #include "core/bending/mirror_hinge.h"
@@ -33,6 +34,9 @@ class ShellEnergies {
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
     }
+    /// Changes of curvature of all faces, as the bending model sees them (CoupledBending::curvatures());
+    /// none: it knows of single hinges only.
+    std::optional<Eigen::Matrix3Xd> face_curvatures(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
 
   private:

@@ -2,6 +2,8 @@
 #include "core/shell/triangle_edge.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace sherd {
 
@@ -20,6 +22,26 @@ std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<
         }
     }
     return sides;
+}
+
+std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
+    // The sides by the vertices that they run from and to, which no two triangles have in common.
+    std::vector<std::tuple<Index, Index, TriangleEdge>> sides;
+    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto [from, to, opposite] = edge_and_apex(shell, {t, corner});
+            sides.emplace_back(from, to, TriangleEdge{t, corner});
+        }
+    const auto ends = [](const auto& side) { return std::pair(std::get<0>(side), std::get<1>(side)); };
+    std::ranges::sort(sides, {}, ends);
+    const auto find = [&](Index from, Index to) {
+        return std::get<2>(*std::ranges::lower_bound(sides, std::pair(from, to), {}, ends));
+    };
+    std::vector<std::array<TriangleEdge, 2>> of_hinges;
+    for (const HingeStencil& hinge : shell.hinges)
+        of_hinges.push_back(
+            {find(hinge.vertices[0], hinge.vertices[1]), find(hinge.vertices[1], hinge.vertices[0])});
+    return of_hinges;
 }
 
 }  // namespace sherd

@@ -25,4 +25,7 @@ inline std::array<Index, 3> edge_and_apex(const Shell& shell, const TriangleEdge
 /// corner.
 std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<const char> selected);
 
+/// The two sides that each hinge joins, [H]: of T0, then of T1 (HingePositions).
+std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell);
+
 }  // namespace sherd

@@ -45,7 +45,9 @@ class ImplicitStepper {
     /// Ends the step: the shell gets `position` as positions, and the velocities of the time scheme.
     void finish();
 
-    PotentialEnergies energies() const;                                   ///< at `position`
+    PotentialEnergies energies() const;  ///< at `position`
+    /// ShellEnergies::face_curvatures() at `position`.
+    std::optional<Eigen::Matrix3Xd> face_curvatures() const { return forces.face_curvatures(position); }
     Touch touch() const { return contact.touch(position); }               ///< with obstacles and bodies
     double lip_overlap() const { return contact.lip_overlap(position); }  ///< m
     /// The bodies at the end of the last finished step.

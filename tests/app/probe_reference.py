@@ -17,6 +17,8 @@ import tempfile
 import h5py
 import numpy as np
 
+from coupled_reference import CoupledHinges
+
 TOLERANCE = 1e-10
 
 
@@ -269,6 +271,16 @@ def check_energy(name, energy, stencils, x, probed, forces):
     agree(f"force_norm.{name}", probed["force_norm"][name], np.linalg.norm(force), np.linalg.norm(force))
 
 
+def check_coupled(coupled, x, probed, forces):
+    energies, moments, sizes = coupled.energy_and_moments(x)
+    agree("energy.bending_coupled", probed["energy"]["bending_coupled"], math.fsum(energies), math.fsum(energies))
+    slopes = gradient(angle, x[coupled.stencils]).reshape(len(moments), -1, 3)
+    force, size = np.zeros_like(x), np.full((len(x), 1), np.finfo(float).tiny)
+    np.subtract.at(force, coupled.stencils, moments[:, None, None] * slopes)
+    np.add.at(size, coupled.stencils, sizes[:, None, None] * norm(slopes)[..., None])
+    agree("force/bending_coupled", forces[:], force, size)
+
+
 def matched(vertices, stencils):
     """Row of `stencils` for each of `vertices`, which may name a hinge from either end of its edge."""
     row = {tuple(stencil): i for i, stencil in enumerate(stencils.tolist())}
@@ -331,7 +343,12 @@ def check(sherd, rest, x, faces, material):
         probed = run_probe(sherd, folder, rest, x, faces, material)
         with h5py.File(folder / "probe.h5", "r") as file:
             assert (probed["vertices"], probed["faces"], probed["hinges"]) == (len(rest), len(faces), len(stencils))
-            assert set(file["force"]) == set(probed["energy"]) == set(energies)
+            # A given stiffness of hinges says nothing of the plate that coupled hinges stand for.
+            others = set() if "bending_stiffness" in material else {"bending_coupled"}
+            assert set(file["force"]) == set(probed["energy"]) == set(energies) | others
+            if others:
+                coupled = CoupledHinges(rest, faces, stencils, axes, constants, angle)
+                check_coupled(coupled, x, probed, file["force/bending_coupled"])
             for key, (energy, elements) in energies.items():
                 check_energy(key, energy, elements, x, probed, file["force"][key])
             check_hinges(hinges, stencils, x, probed, file)

@@ -21,14 +21,14 @@ void advance(ImplicitStepper& step) {
 }
 
 /// Modes of a sheet at rest: (K, M) eigenvectors, normalized to u^T M u = 1, slowest first.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell) {
-    const CubicBending bending(CubicHinges(shell.hinges, shell.rest));
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell, BendingModel model) {
+    const std::unique_ptr<Energy> bending = bending_energy(shell, {model, exact_jacobian(model)});
     const MembraneEnergy membrane(shell.triangles);
     std::vector<std::pair<Index, Index>> pairs;
-    bending.add_pattern(pairs);
+    bending->add_pattern(pairs);
     membrane.add_pattern(pairs);
     BlockMatrix stiffness(static_cast<Index>(shell.mass.size()), pairs, shell.fixed);
-    bending.add_hessian(shell.rest, Curvature::exact, stiffness);
+    bending->add_hessian(shell.rest, Curvature::exact, stiffness);
     membrane.add_hessian(shell.rest, Curvature::exact, stiffness);
     const VectorXd mass = shell.mass.transpose().replicate(3, 1).reshaped();
     return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(stiffness),
@@ -37,9 +37,12 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& she
 
 // Each mode must decay as implicit Euler's difference equation says:
 //     (1 + h a + h b w^2 + h^2 w^2) q_{n+1} = (2 + h a + h b w^2) q_n - q_{n-1}.
-TEST(Damping, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
+class DampingOf : public testing::TestWithParam<BendingModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, DampingOf, testing::Values(BendingModel::cubic, BendingModel::coupled));
+
+TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
     const Shell rest = test::two_triangles(material);
-    const auto eigen = modes(rest);
+    const auto eigen = modes(rest, GetParam());
     for (int mode = 6; mode < 12; ++mode) {
         Shell shell = rest;
         const double w = std::sqrt(eigen.eigenvalues()[mode]);
@@ -52,6 +55,7 @@ TEST(Damping, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
         options.step = h;
         options.tolerance = 1e-14;
         options.shell.damping = {0.05 / w, 0.3 * w};
+        options.shell.bending = {GetParam(), exact_jacobian(GetParam())};
         const double viscous = h * (options.shell.damping.mass + options.shell.damping.stiffness * w * w);
         ImplicitStepper step(shell, options);
         double before = amplitude, now = amplitude;

@@ -9,12 +9,13 @@
 
 namespace sherd::test {
 
-/// A sheet without a mesh: a hinge wherever two triangles share a side.
+/// A sheet without a mesh: an edge with a hinge wherever two triangles share a side.
 inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Index, 3>>& triangles,
                          const Material& material) {
     Shell shell;
     resize_vertices(shell, static_cast<Index>(rest.cols()));
     shell.rest = shell.position = rest;
+    shell.thickness.setConstant(material.thickness);
     for (const std::array<Index, 3>& vertices : triangles) {
         shell.triangles.push_back(
             {vertices, membrane_triangle(columns(rest, vertices), membrane_elasticity(material))});
@@ -26,8 +27,10 @@ inline Shell small_sheet(const Positions& rest, const std::vector<std::array<Ind
         for (Index u = 0; u < t; ++u) {
             const auto [a, b, apex] = edge_and_apex(shell, {t / 3, t % 3});
             const auto [c, d, other] = edge_and_apex(shell, {u / 3, u % 3});
-            if (a == d && b == c)
-                shell.hinges.push_back(hinge_stencil(shell, {a, b, apex, other}, hinge_stiffness(material)));
+            if (a != d || b != c) continue;
+            shell.edge_hinge.push_back(static_cast<Index>(shell.hinges.size()));
+            shell.hinge_edge.push_back(shell.edge_hinge.back());
+            shell.hinges.push_back(hinge_stencil(shell, {a, b, apex, other}, hinge_stiffness(material)));
         }
     return shell;
 }

@@ -137,6 +137,7 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
               std::pair(BendingModel::nonlinear, BendingJacobian::constant));
     EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
               std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
+    EXPECT_EQ(chosen({"solver.bending=coupled"}).first, BendingModel::coupled);
 }
 
 TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/bending/face_curvature.h"
+#include "core/bending/mirror_hinge.h"
+#include "core/energy.h"
+
+namespace sherd {
+
+/// The bending energy of coupled hinges: of each face, half its area times
+///     k^T D k,
+/// with the face's change of curvature k (FaceCurvature) and the plate's rigidity D: the membrane's
+/// elasticity times t^2 / 12. With the changes of all angles, this is 1/2 dtheta^T S dtheta with a constant
+/// S. Angles are true dihedral angles, so that the energy is invariant and in equilibrium at rest on any
+/// deformation; a change of angle is taken between -pi and pi. Clamps and symmetry planes are folds like
+/// others.
+class CoupledBending : public Energy {
+  public:
+    /// The shell must outlive this object.
+    CoupledBending(const Shell& shell, std::vector<MirrorHinge> mirrors);
+    CoupledBending(const CoupledBending&) = delete;  // its parts refer to each other's shell and mirrors
+    /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
+    void start_from(const Positions& x, double scale);
+
+    /// Changes of the angles of all folds (FaceCurvature::Term), rad.
+    VectorXd changes(const Positions& x) const;
+    /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame.
+    Eigen::Matrix3Xd curvatures(const Positions& x) const;
+
+    void begin(const StepContext& step) override { mirrors.begin(step); }
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
+    double value(const Positions& x) const override;
+    double round_off() const override;
+    void add_gradient(const Positions& x, Positions& gradient) const override;
+    void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
+    void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+
+  private:
+    /// A fold as the sheet sees it; a mirror's image is no vertex of its own.
+    struct Slope {
+        std::array<Index, 4> vertices;  ///< -1: no vertex
+        HingePositions gradient;        ///< of the angle, 1/m
+    };
+
+    Matrix3d rigidity(std::size_t face) const;
+    VectorXd angles(const Positions& x) const;
+    VectorXd moments(const VectorXd& changes) const;
+    std::array<Index, 4> vertices_of(Index fold) const;
+    std::vector<Slope> slopes(const Positions& x) const;
+
+    const Shell& shell;
+    Mirrors mirrors;
+    FaceCurvature curvature;
+    VectorXd start;  ///< angles of all folds, rad, from which changes are measured
+    double scale = 1;
+};
+
+}  // namespace sherd

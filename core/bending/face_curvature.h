@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/elements/mid_edge.h"
+#include "core/shell/triangle_edge.h"
+
+namespace sherd {
+
+/// The change of curvature of each face as a linear function of the changes of the dihedral angles around it.
+/// The coefficients depend on the rest shape and on which hinges are left, and on nothing else.
+///
+/// A hinge's angle is the sum of two: from the facet of T0 to the sheet's tangent at the middle of the edge,
+/// and from there to the facet of T1. How it is shared between them follows from the hinges around: their
+/// angles are weighted so that every quadratic surface is shared exactly (tangent_angle()). A face's
+/// curvature follows from the angles at its three sides (curvature_of_tangent()). At a mirror image (clamp or
+/// symmetry plane) the two halves are equal. At a free side, also of a crack, the angle is the one that costs
+/// the face the least energy, so that it carries no moment.
+class FaceCurvature {
+  public:
+    /// The share of a fold in a face's curvature. Folds are numbered: mirrors from 0 in their order, then the
+    /// shell's edges from folds_of_edges().
+    struct Term {
+        Index fold;
+        Vector3d per_angle;  ///< (00, 11, 2 * 01) in the face's rest frame, 1/(m rad)
+    };
+
+    /// The shell at rest must outlive this object. mirrors: sides with a mirror image behind them.
+    FaceCurvature(const Shell& shell, std::span<const TriangleEdge> mirrors);
+
+    /// Must be called when the shell has changed. Only the faces around removed hinges are computed anew,
+    /// unless faces were born.
+    void follow(const ShellChange& change);
+
+    Index folds_of_edges() const { return mirror_count; }  ///< number of the fold of edge 0
+    /// What the change of curvature of a face consists of.
+    std::span<const Term> terms(std::size_t face) const { return faces[face]; }
+    /// The change of curvature of a face, (00, 11, 2 * 01), 1/m. changes: of all folds' angles, rad.
+    Vector3d of(std::size_t face, const VectorXd& changes) const {
+        Vector3d sum = Vector3d::Zero();
+        for (const Term& term : faces[face]) sum += changes[term.fold] * term.per_angle;
+        return sum;
+    }
+
+  private:
+    struct Share {
+        Index fold;
+        double weight;
+    };
+    /// A triangle of a patch, and the angle (rad) of its rest frame once it is unfolded into that of the
+    /// patch's first triangle.
+    struct Unfolded {
+        Index triangle;
+        double angle;
+    };
+    /// What a curvature means for the angle of a fold, as a tensor in the frame of a patch.
+    struct FoldAngle {
+        Index fold;
+        Vector3d angle;
+        int views;  ///< number of the patch's triangles that it is the mean of
+    };
+
+    void build();
+    Unfolded across(const Unfolded& from, int side) const;
+    std::vector<Unfolded> grown(const std::vector<Unfolded>& patch) const;
+    /// What a curvature means for the angle of the fold at a side that has one.
+    Vector3d angle_of(const Unfolded& at, int side) const;
+    std::vector<FoldAngle> folds_of(const std::vector<Unfolded>& patch) const;
+    std::vector<Share> shares_of(Index edge) const;
+    void update_face(Index face);
+
+    const Shell& shell;
+    Index mirror_count;
+    std::vector<TriangleEdge> mirrors;
+    std::vector<PlaneTriangle> triangles;                    ///< [F] at rest
+    std::vector<std::array<Index, 3>> fold_of_side;          ///< [F] -1: free
+    std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] that its hinge joins
+    /// [E] How the angle between T0's facet and the tangent at the edge follows from the angles of folds
+    /// around; empty without a hinge.
+    std::vector<std::vector<Share>> shares;
+    std::vector<std::vector<Term>> faces;  ///< [F]
+};
+
+}  // namespace sherd

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The energy of coupled hinges a second time, sharing no code and no formulas with the program: patches of triangles
+are unfolded into the plane point by point, quadratic surfaces are laid over them, and what their facets do is measured.
+"""
+import numpy as np
+
+SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in core/bending/README.md
+SURFACES = [lambda p: p[0] ** 2 / 2, lambda p: p[1] ** 2 / 2, lambda p: p[0] * p[1] / np.sqrt(2)]
+SLOPES = [lambda p: np.array([p[0], 0]), lambda p: np.array([0, p[1]]), lambda p: np.array([p[1], p[0]]) / np.sqrt(2)]
+
+
+def flat_apex(points, a, b, rest, c):
+    """Where c lies in the plane, to the left of a -> b, which lie at points[a], points[b]."""
+    along, side = rest[b] - rest[a], rest[c] - rest[a]
+    length = np.linalg.norm(along)
+    x, y = side @ along / length, np.linalg.norm(np.cross(along, side)) / length
+    t = (points[b] - points[a]) / np.linalg.norm(points[b] - points[a])
+    return points[a] + x * t + y * np.array([-t[1], t[0]])
+
+
+def facet_slope(points, face, surface):
+    p, q, r = (points[v] for v in face)
+    return np.linalg.solve([q - p, r - p], [surface(q) - surface(p), surface(r) - surface(p)])
+
+
+def outward(points, a, b):
+    t = (points[b] - points[a]) / np.linalg.norm(points[b] - points[a])
+    return np.array([t[1], -t[0]])
+
+
+class CoupledHinges:
+    """rest: [V, 3]; faces: [F][3]; stencils: of the hinges, x0, x1, x2, x3; angle: of stencils' positions."""
+
+    def __init__(self, rest, faces, stencils, axes, constants, angle):
+        self.rest, self.faces, self.stencils, self.angle_of = rest, [tuple(f) for f in faces.tolist()], stencils, angle
+        self.rest_angle = angle(rest[stencils])
+        self.face_at, self.hinge_at = {}, {}
+        for face, corners in enumerate(self.faces):
+            for a, b in self.sides(corners):
+                self.face_at[a, b] = face
+        for hinge, (a, b, _, _) in enumerate(stencils.tolist()):
+            self.hinge_at[a, b] = self.hinge_at[b, a] = hinge
+        self.shares = [self.shares_of(hinge) for hinge in range(len(stencils))]
+        self.terms = [self.terms_of(face, axes[face], constants) for face in range(len(faces))]
+        h = constants.thickness**2 / 12
+        self.energy_of = lambda curvature: h * constants.membrane(curvature)
+
+    @staticmethod
+    def sides(corners):
+        a, b, c = corners
+        return (a, b), (b, c), (c, a)
+
+    def laid(self, face):
+        """The face in the plane, its first side along x."""
+        a, b, c = self.faces[face]
+        points = {a: np.zeros(2), b: np.array([np.linalg.norm(self.rest[b] - self.rest[a]), 0.0])}
+        points[c] = flat_apex(points, a, b, self.rest, c)
+        return points
+
+    def unfolded(self, points, a, b):
+        """The face beyond the side a -> b of one that lies at `points`, and where it lies."""
+        face = self.face_at[b, a]
+        c = next(v for v in self.faces[face] if v not in (a, b))
+        there = {a: points[a], b: points[b]}
+        there[c] = flat_apex(there, b, a, self.rest, c)
+        return face, there
+
+    def grown(self, patch):
+        around = [self.unfolded(points, a, b) for face, points in patch
+                  for a, b in self.sides(self.faces[face]) if (b, a) in self.face_at]
+        inner = {face for face, _ in patch}
+        return patch + [(face, points) for face, points in around if face not in inner]
+
+    def bends(self, patch):
+        """Of every hinge of a patch: the angles that the three surfaces give it, as its triangles see it in the mean."""
+        found = {}
+        for face, points in patch:
+            for a, b in self.sides(self.faces[face]):
+                if (b, a) not in self.face_at:
+                    continue
+                other, there = self.unfolded(points, a, b)
+                normal = outward(points, a, b)
+                found.setdefault(self.hinge_at[a, b], []).append([
+                    normal @ (facet_slope(there, self.faces[other], w) - facet_slope(points, self.faces[face], w))
+                    for w in SURFACES])
+        return {hinge: np.mean(views, axis=0) for hinge, views in found.items()}
+
+    def shares_of(self, hinge):
+        """{hinge: weight} of the angle between the facet on the left of x0 -> x1 and the tangent at the edge."""
+        a, b, c, d = self.stencils[hinge].tolist()
+        points = self.laid(self.face_at[a, b])
+        length = np.linalg.norm(points[b] - points[a])
+        other, there = self.unfolded(points, a, b)
+        patch = [(self.face_at[a, b], points), (other, there)]
+        bends = self.bends(patch)
+        if np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < SEES_WELL:
+            bends = self.bends(self.grown(patch))
+        middle, normal = (points[a] + points[b]) / 2, outward(points, a, b)
+        target = np.array([normal @ (slope(middle) - facet_slope(points, self.faces[self.face_at[a, b]], w))
+                           for w, slope in zip(SURFACES, SLOPES)])
+        near, far = (abs(normal @ (p[v] - points[a])) for p, v in ((points, c), (there, d)))
+        weights = np.array([near / (near + far) if other == hinge else 0.0 for other in bends])
+        u, s, v = np.linalg.svd(self.square(bends) / length, full_matrices=False)
+        missing = u.T @ (target / length - self.square(bends)[:, :len(bends)] / length @ weights)
+        inverse = np.array([1 / x if x > SEES_HARDLY else 0.0 for x in s])
+        return dict(zip(bends, weights + (v.T @ (inverse * missing))[:len(bends)]))
+
+    @staticmethod
+    def square(bends):
+        """[3, n] with n at least 3: columns of zeros stand for hinges that are missing."""
+        columns = np.array(list(bends.values())).T
+        return np.hstack([columns, np.zeros((3, max(0, 3 - columns.shape[1])))])
+
+    def terms_of(self, face, axis, constants):
+        """{hinge: curvature [2, 2] in the material axes for a radian of its angle}."""
+        points = self.laid(face)
+        a, b, c = self.faces[face]
+        first = (self.rest[b] - self.rest[a]) / np.linalg.norm(self.rest[b] - self.rest[a])
+        up = np.cross(first, self.rest[c] - self.rest[a])
+        axis = np.array([axis @ first, axis @ np.cross(up / np.linalg.norm(up), first)])
+        turn = np.array([axis, [-axis[1], axis[0]]])
+        area = abs(np.linalg.det([points[b] - points[a], points[c] - points[a]])) / 2
+        known, free = {}, []
+        for p, q in self.sides(self.faces[face]):
+            normal = turn @ outward(points, p, q)
+            part = np.linalg.norm(points[q] - points[p]) / area * np.outer(normal, normal)
+            hinge = self.hinge_at.get((p, q))
+            if hinge is None:
+                free.append(part)
+                continue
+            left = self.stencils[hinge][0] == p
+            weights = dict(self.shares[hinge])
+            if not left:
+                weights = {other: (other == hinge) - weight for other, weight in weights.items()}
+            for other, weight in weights.items():
+                known[other] = known.get(other, 0) + weight * part
+
+        def product(one, other):  # of the energy's quadratic form
+            both, difference = constants.membrane((one + other)[None]), constants.membrane((one - other)[None])
+            return float(both[0] - difference[0]) / 4
+
+        if free:
+            basis = [np.array(b, dtype=float) for b in ([[1, 0], [0, 0]], [[0, 0], [0, 1]], [[0, 1], [1, 0]])]
+            root = np.linalg.cholesky([[product(i, j) for j in basis] for i in basis]).T
+            coordinates = lambda part: root @ [part[0, 0], part[1, 1], part[0, 1]]
+            columns = np.array([coordinates(part) for part in free]).T
+            for other, part in known.items():
+                bend = np.linalg.lstsq(columns, coordinates(part), rcond=None)[0]
+                known[other] = part - sum(x * i for x, i in zip(bend, free))
+        return area, known
+
+    def changes(self, x):
+        change = self.angle_of(x[self.stencils]) - self.rest_angle
+        return change - 2 * np.pi * np.round(change / (2 * np.pi))
+
+    def energy_and_moments(self, x):
+        """Of each face its energy; of each hinge the derivative by its angle, and the sum of its parts' sizes."""
+        changes, energies = self.changes(x), []
+        moments, sizes = np.zeros(len(changes)), np.zeros(len(changes))
+        for area, terms in self.terms:
+            bent = sum((changes[hinge] * part for hinge, part in terms.items()), np.zeros((2, 2)))
+            energies.append(area * float(self.energy_of(bent[None])[0]))
+            for hinge, part in terms.items():
+                both = self.energy_of(np.array([bent + part, bent - part]))
+                moments[hinge] += area * float(both[0] - both[1]) / 2
+                sizes[hinge] += area * abs(float(both[0] - both[1])) / 2
+        return energies, moments, sizes

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coupled hinges follow cracks. Only the faces around a crack may be computed anew, and what comes out must
+// be what a shell would have that was made with these edges free.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "core/bending/coupled_bending.h"
+#include "fracture/breakable_shell.h"
+#include "meshops/generate.h"
+#include "tests/support/random_edges.h"
+#include "tests/support/steps.h"
+
+namespace sherd {
+namespace {
+
+/// A bent sheet with a curved rest shape, and two symmetry planes.
+BreakableShell dome() {
+    SheetInput input;
+    input.mesh = generate_rectangle(1, 0.8, {0.12, Layout::delaunay, 2});
+    for (const Vertex vertex : input.mesh.vertices()) {
+        const Point& p = input.mesh.point(vertex);
+        input.mesh.point(vertex) = Point(p.x(), p.y(), 0.5 - 0.4 * p.x() * p.x() - 0.3 * p.y() * p.y());
+    }
+    input.material = {1000, 0.02, 1e9, 0.3};
+    input.strength = uniform_strength(1);
+    return BreakableShell({input});
+}
+
+std::vector<MirrorHinge> symmetry(const Shell& shell) {
+    std::vector<char> on_plane(shell.rest.cols());
+    for (Index v = 0; v < shell.rest.cols(); ++v) on_plane[v] = shell.rest(0, v) < 1e-9;
+    std::vector<MirrorHinge> hinges;
+    for (const TriangleEdge& side : boundary_triangle_edges(shell, on_plane))
+        hinges.push_back(symmetry_hinge(shell, side, Vector3d::UnitX(), 1));
+    return hinges;
+}
+
+RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
+    BreakableShell sheet = dome();
+    const Shell& shell = sheet.mechanics();
+    const std::vector<MirrorHinge> mirrors = symmetry(shell);
+    CoupledBending followed(shell, mirrors);
+    const StepContext step = test::step_of(shell, 0, 1e-3);
+    for (int batch = 0; batch < 3; ++batch) {
+        const test::EdgeRecipe recipe{*rc::gen::inRange(0, test::pattern_count), *rc::gen::inRange(0, 101),
+                                      *rc::gen::arbitrary<unsigned>()};
+        std::vector<Edge> edges;
+        for (const Edge edge : test::random_edges(sheet.mesh(), recipe))
+            if (sheet.cracks().state(edge) == EdgeState::interior) edges.push_back(edge);
+        if (edges.empty()) continue;
+        followed.topology_changed(sheet.fail(edges).shell, step);
+
+        const CoupledBending anew(shell, mirrors);
+        test::Random random(recipe.seed);
+        Positions x = shell.rest;
+        for (double& coordinate : x.reshaped()) coordinate += random.uniform(-0.02, 0.02);
+        const double energy = anew.value(x);
+        RC_ASSERT(std::abs(followed.value(x) - energy) <= 1e-12 * energy);
+        RC_ASSERT((followed.curvatures(x) - anew.curvatures(x)).norm() <= 1e-12 * anew.curvatures(x).norm());
+        Positions one = Positions::Zero(3, x.cols()), other = one;
+        followed.add_gradient(x, one);
+        anew.add_gradient(x, other);
+        RC_ASSERT((one - other).norm() <= 1e-12 * other.norm());
+        RC_ASSERT(std::isfinite(energy));
+    }
+}
+
+// Pieces one or two triangles wide see few directions: their energy must stay bounded, and resist every bend
+// that their hinges see.
+TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
+    BreakableShell sheet = dome();
+    const Shell& shell = sheet.mechanics();
+    CoupledBending bending(shell, {});
+    Positions x = shell.rest;
+    for (Index v = 0; v < x.cols(); ++v) x(2, v) += 1e-4 * x(0, v) * x(0, v);
+    const double whole = bending.value(x);
+    test::Random random(7);
+    double most = whole;
+    while (!shell.hinges.empty()) {
+        const Edge edge(shell.hinge_edge[random.below(shell.hinges.size())]);
+        const std::vector<Edge> edges{edge};
+        bending.topology_changed(sheet.fail(edges).shell, test::step_of(shell, 0, 1e-3));
+        x = shell.rest;
+        for (Index v = 0; v < x.cols(); ++v) x(2, v) += 1e-4 * x(0, v) * x(0, v);
+        const double energy = bending.value(x);
+        EXPECT_TRUE(std::isfinite(energy));
+        most = std::max(most, energy);
+        if (shell.hinges.size() % 20 == 0)
+            std::printf("%zu hinges: %.3f of the whole\n", shell.hinges.size(), energy / whole);
+    }
+    EXPECT_EQ(bending.value(x), 0) << "without hinges nothing bends";
+    EXPECT_LT(most, 1.5 * whole);
+}
+
+}  // namespace
+}  // namespace sherd
