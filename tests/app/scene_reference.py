@@ -44,7 +44,7 @@ SAME = {
 }
 PRESETS = "preset"  # the first column of the one table that lists names, not keys
 
-SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution")
+SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
 MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }']
 AXES = ["{ direction = [0, 0, 1], KEYS }", '{ texture = "a.png", encoding = "hue", KEYS }', "{ field = true, KEYS }"]
 MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }']
