@@ -14,6 +14,7 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
+constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 double mean_edge_length(const Shell& shell) {
     double sum = 0;
@@ -30,13 +31,19 @@ StepperOptions stepper_options(const SimulationOptions& options, const Shell& sh
     return result;
 }
 
-void set_guides(Shell& shell, const std::vector<SlidingVertex>& sliding) {
+BreakableShell guided(BreakableShell sheets, const std::vector<SlidingVertex>& sliding) {
+    Shell& shell = sheets.mechanics();
     for (const auto& [vertex, freedom] : sliding) {
+        shell.velocity.col(vertex) = freedom * shell.velocity.col(vertex).eval();
+        if (freedom.isZero(no_freedom)) {
+            shell.fixed[vertex] = 1;
+            continue;
+        }
         auto guide = std::find(shell.guides.begin(), shell.guides.end(), freedom);
         if (guide == shell.guides.end()) guide = shell.guides.insert(guide, freedom);
         shell.guide[vertex] = static_cast<char>(guide - shell.guides.begin() + 1);
-        shell.velocity.col(vertex) = freedom * shell.velocity.col(vertex).eval();
     }
+    return sheets;
 }
 
 double largest(const VectorXd& measures) {
@@ -47,14 +54,12 @@ double largest(const VectorXd& measures) {
 
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
-      breakable(std::move(sheets)),
+      breakable(guided(std::move(sheets), options.sliding)),
       stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
-      step_size(options.stepper.step) {
-    set_guides(breakable.mechanics(), options.sliding);
-}
+      step_size(options.stepper.step) {}
 
 StepReport Simulation::step() try {
     StepReport report;

@@ -12,7 +12,8 @@
 
 namespace sherd {
 
-/// A vertex, numbered over all inputs, that moves only in the directions on which `freedom` projects.
+/// A vertex, numbered over all inputs, that moves only in the directions on which `freedom` projects; a zero
+/// matrix fixes it.
 struct SlidingVertex {
     Index vertex = 0;
     Matrix3d freedom;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,8 +36,11 @@ struct Selection {
 /// `[[sheet.NAME.pin]]` and `clamp`: vertices that are held.
 struct PinSpec {
     Selection on;
-    Motion motion;                   ///< without keys: they stay where they are; its pivot is not yet known
-    std::optional<Vector3d> centre;  ///< m, what they turn about; none: the middle of them
+    Motion motion = {};  ///< without keys: they stay where they are; its pivot is not yet known
+    std::optional<Vector3d> centre = {};  ///< m, what they turn about; none: the middle of them
+    std::array<bool, 3> free = {};        ///< the directions (x, y, z) that it leaves them, not all
+
+    bool holds_all_directions() const { return free == std::array<bool, 3>{}; }
 };
 
 /// A plane that the sheet goes on behind like its mirror image.
@@ -91,6 +95,8 @@ struct SheetSpec {
     std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
+
+    bool is_supported() const { return !pins.empty() || !clamps.empty() || !symmetries.empty(); }
 };
 
 /// `[contact]`: of sheets and fragments with each other and with themselves.

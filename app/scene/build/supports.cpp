@@ -35,13 +35,14 @@ bool holds_a_triangle(const Shell& mechanics, const std::vector<char>& selected)
     });
 }
 
-/// Leaves a vertex the directions of its planes' intersection.
+/// Takes the direction `normal` from the freedom of the selected vertices, which keep what all of their
+/// supports leave them.
 void slide(std::map<Index, Matrix3d>& freedom, const std::vector<char>& selected, const Vector3d& normal) {
     for (Index v = 0; v < static_cast<Index>(selected.size()); ++v) {
         if (!selected[v]) continue;
         Matrix3d& free = freedom.try_emplace(v, Matrix3d::Identity()).first->second;
         const Vector3d lost = free * normal;
-        // Zero when an earlier plane has the same normal.
+        // Zero when an earlier support has taken the same direction.
         if (lost.norm() > on_plane) free -= lost.normalized() * lost.normalized().transpose();
     }
 }
@@ -64,7 +65,10 @@ std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& pl
         check_group(pin, group_names(placed));
         bool any = false;
         for (const Vertex v : placed.vertices())
-            if (selects(pin, placed, v)) any = held[v] = true;
+            if (selects(pin, placed, v)) {
+                any = true;
+                if (hold.holds_all_directions()) held[v] = true;
+            }
         if (!any)
             throw Error(fmt::format(
                 "{}: holds no vertex: its box, boundary or group must reach the placed sheet", pin.where));
@@ -129,6 +133,12 @@ void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, con
                                 clamp.on.where));
             for (const TriangleEdge& side : sides)
                 options.stepper.shell.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
+        }
+        for (const PinSpec& pin : scene.sheets[i].pins) {
+            if (pin.holds_all_directions()) continue;
+            const std::vector<char> held = selected_vertices(pin.on, scene.sheets[i].name, scene, inputs);
+            for (int axis = 0; axis < 3; ++axis)
+                if (!pin.free[axis]) slide(freedom, held, Vector3d::Unit(axis));
         }
         for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
             const std::vector<char> held =
