@@ -52,13 +52,22 @@ struct SymmetrySpec {
 
 /// `[[force.load]]`.
 struct LoadSpec {
-    std::string kind;                   ///< point, line, area, pressure
+    std::string kind;                   ///< point, line, area, pressure, moment
     Vector3d force = Vector3d::Zero();  ///< N, N/m, N/m^2, of the first three
     double pressure = 0;                ///< Pa
+    double moment = 0;                  ///< N m/m
     double ramp = 0;                    ///< s
     std::string sheet;                  ///< its name; empty: all sheets
     Selection on;                       ///< without box, boundary and group: everything
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[gauge]]`: a point at which something is measured.
+struct GaugeSpec {
+    std::string name;                ///< letters, digits, _ and -
+    std::string sheet;               ///< its name; empty: the one that is nearest
+    Vector3d at = Vector3d::Zero();  ///< m, placed
+    std::string where;               ///< "FILE:LINE: dotted.key", for errors
 };
 
 /// Of `gust` of a wind.
@@ -128,6 +137,7 @@ struct Scene {
     Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
     std::vector<WindSpec> winds;
+    std::vector<GaugeSpec> gauges;
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step

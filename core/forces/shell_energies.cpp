@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/shell_energies.h"
 
+#include <utility>
+
 namespace sherd {
 
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
-    : bending(bending_energy(shell, options.bending)),
+    : shell(shell),
+      bending(bending_energy(shell, options.bending)),
       membrane(shell.triangles),
       mirrors(shell, options.mirrors) {
+    for (std::size_t i = 0; i < options.mirror_supports.size(); ++i) {
+        const auto support = static_cast<std::size_t>(options.mirror_supports[i]);
+        if (mirrors_of.size() <= support) mirrors_of.resize(support + 1);
+        mirrors_of[support].push_back(options.mirrors.at(i));
+    }
     if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
     if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
@@ -18,6 +26,21 @@ std::vector<Energy*> ShellEnergies::loads() {
     std::vector<Energy*> all;
     for (const std::unique_ptr<Energy>& energy : outer) all.push_back(energy.get());
     return all;
+}
+
+void ShellEnergies::add_mirror_reactions(const StepContext& step, const Positions& x,
+                                         std::span<Reaction> of_supports) const {
+    for (std::size_t support = 0; support < mirrors_of.size(); ++support) {
+        if (mirrors_of[support].empty()) continue;
+        MirrorEnergy own(shell, mirrors_of[support]);
+        own.begin(step);
+        Positions gradient = Positions::Zero(3, x.cols());
+        own.add_gradient(x, gradient);
+        std::vector<char> added(x.cols(), 0);
+        for (const MirrorHinge& hinge : mirrors_of[support])
+            for (const Index v : edge_and_apex(shell, hinge.side))
+                if (!std::exchange(added[v], char(1))) of_supports[support].add(x.col(v), -gradient.col(v));
+    }
 }
 
 }  // namespace sherd

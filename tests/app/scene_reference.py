@@ -33,6 +33,7 @@ PLACES = {
     "`keys`": "obstacle.NAME.keys",
     "`[contact]`: of sheets and fragments with each other and with themselves": "contact",
     "`[[force.load]]`: what pushes and pulls": "force.load",
+    "`[[gauge]]`: what is measured, where": "gauge",
     "`[force.wind]`: the air": "force.wind",
     "`[solver]`": "solver",
     "`[[variant]]`: several scenes in one file": "variant",
@@ -57,7 +58,7 @@ def scene():
     """A scene with every table that there is; KEYS: where keys go that make the program speak."""
     keys = "{ time = 0, rotate = { KEYS }, KEYS }"
     pin = f"{{ boundary = true, keys = [{keys}], KEYS }}"
-    lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "[force]", "KEYS",
+    lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "gauge = [{ KEYS }]", "[force]", "KEYS",
              "load = [{ point = [0, 0, 1], boundary = true, KEYS }]", "wind = [{ gust = { KEYS }, KEYS }]"]
     for i, mesh in enumerate(MESHES):
         score, chart, axis = SCORES[i % len(SCORES)], MAPS[i % len(MAPS)], AXES[i % len(AXES)]
