@@ -81,6 +81,30 @@ damping = { stiffness = 1e-4, mass = 2 }
     EXPECT_EQ(prepared.options.stepper.shell.damping.mass, 2);
 }
 
+TEST(SceneForce, AMomentArrivesOnTheBoundary) {
+    const Prepared prepared = prepare(plate + R"([[force.load]]
+moment = 3
+sheet = "plate"
+ramp = 2
+box = [[1.999, -1, -1], [2.001, 2, 1]]
+)");
+    ASSERT_EQ(prepared.options.stepper.shell.loads.size(), 1u);
+    const Load& load = prepared.options.stepper.shell.loads[0];
+    EXPECT_EQ(load.ramp, 2);
+    double sum = 0;
+    for (const EdgeMoment& moment : load.moments) {
+        EXPECT_LT((moment.axis - Vector3d::UnitY()).norm(), 1e-12) << "counterclockwise around the sheet";
+        sum += moment.moment;
+    }
+    EXPECT_NEAR(sum, 3, 1e-12) << "the right side is 1 m long";
+    EXPECT_NE(
+        message_of(plate + "[[force.load]]\nmoment = [0, 0, 1]\n").find("moment: must be a finite number"),
+        std::string::npos);
+    EXPECT_NE(message_of(plate + "[[force.load]]\nmoment = 1\nbox = [[8, 8, 8], [9, 9, 9]]\n")
+                  .find("edge of the boundary"),
+              std::string::npos);
+}
+
 // A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
 TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
     const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
