@@ -86,6 +86,16 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     }
 }
 
+void add_gauges(RunInfo& info, const RecordingHeader& header, const std::vector<StepReport>& steps) {
+    for (std::size_t i = 0; i < header.gauges.size(); ++i) {
+        info.gauges.push_back({.gauge = header.gauges[i]});
+        for (const StepReport& step : steps) {
+            info.gauges[i].displacement = step.gauges[i].displacement;
+            info.gauges[i].largest = std::max(info.gauges[i].largest, step.gauges[i].displacement.norm());
+        }
+    }
+}
+
 void add_events(RunInfo& info, const CrackEvents& events) {
     info.failures = events.failures.size();
     info.openings = events.openings.size();
@@ -139,6 +149,20 @@ void add_last_step(std::string& text, const RunInfo& info) {
     text += "\n";
 }
 
+void add_reactions(std::string& text, const RunInfo& info) {
+    auto out = std::back_inserter(text);
+    for (std::size_t i = 0; i < info.last->reactions.size(); ++i) {
+        const auto& [force, moment] = info.last->reactions[i];
+        fmt::format_to(
+            out, "reaction     {}: force {:.5g} {:.5g} {:.5g} N, moment {:.4g} {:.4g} {:.4g} N m\n",
+            info.supports[i].name, force.x(), force.y(), force.z(), moment.x(), moment.y(), moment.z());
+    }
+    for (const GaugeInfo& g : info.gauges)
+        fmt::format_to(out, "gauge        {} on {}: moved by {:.5g} {:.5g} {:.5g} m, by {:.5g} m at most\n",
+                       g.gauge.name, g.gauge.sheet, g.displacement.x(), g.displacement.y(),
+                       g.displacement.z(), g.largest);
+}
+
 struct InfoOptions {
     std::filesystem::path recording;
     bool json = false;
@@ -164,7 +188,10 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     info.vertices = header.rest_position.cols();
     info.faces = header.rest_faces.size();
     if (info.frames > 0) add_last_frame(info, header, recording.frame(info.frames - 1));
-    add_steps(info, recording.steps());
+    const std::vector<StepReport> steps = recording.steps();
+    add_steps(info, steps);
+    info.supports = header.supports;
+    add_gauges(info, header, steps);
     add_events(info, recording.events());
     return info;
 } catch (const std::out_of_range&) {
@@ -198,6 +225,18 @@ std::string run_info_json(const RunInfo& info) {
                       {"contact", last.contact}};
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};
+    json["reactions"] = Json::array();
+    for (std::size_t i = 0; i < last.reactions.size(); ++i)
+        json["reactions"].push_back({{"name", info.supports[i].name},
+                                     {"kind", info.supports[i].kind},
+                                     {"force", vector_json(last.reactions[i].force)},
+                                     {"moment", vector_json(last.reactions[i].moment)}});
+    json["gauges"] = Json::array();
+    for (const GaugeInfo& g : info.gauges)
+        json["gauges"].push_back({{"name", g.gauge.name},
+                                  {"sheet", g.gauge.sheet},
+                                  {"displacement", vector_json(g.displacement)},
+                                  {"largest", g.largest}});
     json["peak_strain"] = info.peaks.peak_strain;
     json["peak_bending_strain"] = info.peaks.peak_bending_strain;
     json["peak_stress"] = info.peaks.peak_stress;
@@ -232,7 +271,10 @@ std::string run_info_text(const RunInfo& info) {
     if (info.vertex_births + info.face_births > 0)
         fmt::format_to(out, "; {} vertices and {} faces born", info.vertex_births, info.face_births);
     text += "\n";
-    if (info.last) add_last_step(text, info);
+    if (info.last) {
+        add_last_step(text, info);
+        add_reactions(text, info);
+    }
     if (info.membrane_strain)
         fmt::format_to(out, "membrane     strain {:.4g} at most in the last frame, of face {}\n",
                        info.membrane_strain->strain, info.membrane_strain->face);

@@ -25,6 +25,13 @@ struct MembraneStrainInfo {
     std::size_t face = 0;
 };
 
+/// What a gauge showed.
+struct GaugeInfo {
+    RecordedGauge gauge;
+    Vector3d displacement = Vector3d::Zero();  ///< m, at the last step
+    double largest = 0;                        ///< m, magnitude
+};
+
 struct SheetInfo {
     std::string name;
     std::size_t faces = 0;
@@ -41,8 +48,10 @@ struct RunInfo {
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
-    std::optional<StepReport> last;                     ///< the last step, if there was one
-    std::int64_t newton_iterations = 0;                 ///< of all steps
+    std::vector<RecordedSupport> supports;              ///< whose reactions `last` has
+    std::vector<GaugeInfo> gauges;
+    std::optional<StepReport> last;      ///< the last step, if there was one
+    std::int64_t newton_iterations = 0;  ///< of all steps
     std::size_t capped_steps = 0;
     Index halvings = 0;
     Index most_stages = 0;  ///< of breaking in one step

@@ -66,6 +66,46 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
+/// A line for each of the first names, as many as can be told apart and have room above the chart: the
+/// magnitude of a vector of each step, vector(step, number).
+template <class VectorOf>
+Chart magnitude_chart(Chart chart, const std::vector<StepReport>& steps,
+                      const std::vector<std::string>& names, VectorOf vector) {
+    constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
+    double room = 430;
+    for (std::size_t i = 0; i < std::min(names.size(), std::size(colours)); ++i) {
+        room -= legend_width(names[i]);
+        if (i > 0 && room < 0) break;
+        chart.series.push_back(over_time(steps, names[i], colours[i], [&](const StepReport& step) {
+            return Vector3d(vector(step, i)).norm();
+        }));
+    }
+    if (chart.series.size() == 1) chart.title += ": " + names.front();
+    if (names.size() > chart.series.size())
+        chart.title += fmt::format(" (the first {} of {})", chart.series.size(), names.size());
+    return chart;
+}
+
+Chart reaction_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
+    std::vector<std::string> names;
+    for (const RecordedSupport& support : header.supports)
+        names.push_back(support.name.substr(support.name.find('.') + 1));
+    return magnitude_chart({"Forces of supports and obstacles",
+                            time_axis,
+                            {.name = "force", .unit = "N", .from_zero = true},
+                            {}},
+                           steps, names,
+                           [](const StepReport& step, std::size_t i) { return step.reactions.at(i).force; });
+}
+
+Chart gauge_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
+    std::vector<std::string> names;
+    for (const RecordedGauge& gauge : header.gauges) names.push_back(gauge.name);
+    return magnitude_chart(
+        {"Gauges", time_axis, {.name = "displacement", .unit = "m", .from_zero = true}, {}}, steps, names,
+        [](const StepReport& step, std::size_t i) { return step.gauges.at(i).displacement; });
+}
+
 Chart size_chart(std::vector<Vector2d> sizes) {
     return {"Fragment sizes, last frame",
             {.name = "area at rest", .unit = "m\xc2\xb2", .logarithmic = true},
@@ -137,19 +177,21 @@ std::string plot_svg(const Recording& recording) {
                          .colour = vermillion,
                          .points = crack_length(last, recording.events(), steps.back().time),
                          .stepped = true}}};
-    const Chart charts[] = {motion_chart(steps),   elastic_chart(steps),
-                            fragment_chart(steps), cracks,
-                            strain_chart(steps),   size_chart(fragment_sizes(last))};
+    std::vector<Chart> charts{motion_chart(steps),   elastic_chart(steps),
+                              fragment_chart(steps), cracks,
+                              strain_chart(steps),   size_chart(fragment_sizes(last))};
+    if (!header.supports.empty()) charts.push_back(reaction_chart(header, steps));
+    if (!header.gauges.empty()) charts.push_back(gauge_chart(header, steps));
+    const std::size_t rows = (charts.size() + 1) / 2;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
         "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
         "<text x=\"62\" y=\"30\" font-size=\"15\" fill=\"#444\">{2}</text>\n",
-        width, heading_height + 3 * panel_height, xml_escaped(heading(recording, header, steps.back())));
-    for (int i = 0; i < 6; ++i) {
-        const int row = i / 2, column = i % 2;
-        svg += chart_svg(charts[i], column * width / 2, heading_height + row * panel_height, width / 2,
-                         panel_height);
-    }
+        width, heading_height + static_cast<double>(rows) * panel_height,
+        xml_escaped(heading(recording, header, steps.back())));
+    for (std::size_t i = 0; i < charts.size(); ++i)
+        svg += chart_svg(charts[i], static_cast<double>(i % 2) * width / 2,
+                         heading_height + static_cast<double>(i / 2) * panel_height, width / 2, panel_height);
     return svg + "</svg>\n";
 }
 

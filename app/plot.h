@@ -16,8 +16,9 @@ std::vector<Vector2d> crack_length(const Snapshot& last, const CrackEvents& even
 /// Area (m^2, at rest) of each fragment, ascending, and how many are as large or larger.
 std::vector<Vector2d> fragment_sizes(const Snapshot& last);
 
-/// An SVG picture of a run: energies, fragments, crack length and peak strain over time, and the sizes of the
-/// fragments in the last frame. Throws Error (input) when nothing has been recorded yet.
+/// An SVG picture of a run: energies, fragments, crack length and peak strain over time, the sizes of the
+/// fragments in the last frame, and where there are any the forces of supports and obstacles and the gauges.
+/// Throws Error (input) when nothing has been recorded yet.
 std::string plot_svg(const Recording& recording);
 
 }  // namespace sherd

@@ -153,12 +153,16 @@ std::string legend_svg(const Chart& chart, double left, double y) {
                     fmt::format("stroke=\"{}\" stroke-width=\"2.5\"{}", series.colour,
                                 series.dashed ? " stroke-dasharray=\"5 3\"" : ""));
         svg += text(left + 23, y, series.name, "font-size=\"11\" fill=\"#222\"");
-        left += 36 + 6.4 * static_cast<double>(series.name.size());
+        left += legend_width(series.name);
     }
     return svg;
 }
 
 }  // namespace
+
+double legend_width(const std::string& name) {
+    return 36 + 6.4 * static_cast<double>(name.size());
+}
 
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns) {
     const auto most = static_cast<std::size_t>(4 * std::max(1, columns));

@@ -33,6 +33,9 @@ struct Chart {
     std::vector<ChartSeries> series;
 };
 
+/// Pixels that the name of a line takes above a chart that has several.
+double legend_width(const std::string& name);
+
 /// The points that a line `columns` pixels wide needs: of each column the first, the last and the extremes.
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);
 

@@ -14,6 +14,7 @@
 
 #include "app/recording/recording_size.h"
 #include "app/run/runner.h"
+#include "app/scene/build/supports.h"
 
 namespace sherd {
 namespace {
@@ -62,8 +63,9 @@ RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs) {
         faces += static_cast<double>(input.mesh.number_of_faces());
         edges += static_cast<double>(input.mesh.number_of_edges());
     }
-    cost.recording = recording_size({vertices, faces, edges}, static_cast<double>(cost.frames),
-                                    static_cast<double>(cost.steps));
+    cost.recording = recording_size(
+        {vertices, faces, edges}, static_cast<double>(cost.frames), static_cast<double>(cost.steps),
+        static_cast<double>(6 * support_names(scene).size() + 3 * scene.gauges.size()));
     cost.memory = guessed_memory(faces);
     cost.machine_memory = machine_memory();
     return cost;

@@ -33,6 +33,8 @@ struct StepContext {
     double end() const { return begin + length; }  ///< s
     /// Velocity at the end of the step, m/s. x: [3, V] m.
     Positions velocity(const Positions& x) const { return (x - origin) / lag; }
+    /// Acceleration at the end of the step, m/s^2.
+    Positions acceleration(const Positions& x) const { return (velocity(x) - velocity_origin) / lag; }
     /// The position, m, at the end of the step of a vertex that sticks to something in scripted motion: the
     /// vertex is at `from` at the beginning of the step, and the motion takes this point to `to`. For
     /// implicit Euler the position is `to`.

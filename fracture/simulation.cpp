@@ -14,6 +14,7 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
+constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 double mean_edge_length(const Shell& shell) {
     double sum = 0;
@@ -30,13 +31,30 @@ StepperOptions stepper_options(const SimulationOptions& options, const Shell& sh
     return result;
 }
 
-void set_guides(Shell& shell, const std::vector<SlidingVertex>& sliding) {
-    for (const auto& [vertex, freedom] : sliding) {
-        auto guide = std::find(shell.guides.begin(), shell.guides.end(), freedom);
-        if (guide == shell.guides.end()) guide = shell.guides.insert(guide, freedom);
-        shell.guide[vertex] = static_cast<char>(guide - shell.guides.begin() + 1);
-        shell.velocity.col(vertex) = freedom * shell.velocity.col(vertex).eval();
+/// The number of `one` in a list, from 1. It is appended when it is not there.
+template <class T>
+std::size_t number_in(std::vector<T>& all, const T& one) {
+    const auto number = static_cast<std::size_t>(std::find(all.begin(), all.end(), one) - all.begin());
+    if (number == all.size()) all.push_back(one);
+    return number + 1;
+}
+
+/// The sheets with what is held set.
+BreakableShell supported(BreakableShell sheets, const std::vector<HeldVertex>& held) {
+    Shell& shell = sheets.mechanics();
+    for (const auto& [vertex, by] : held) {
+        shell.held[vertex] = static_cast<Index>(number_in(shell.holds, by));
+        Matrix3d freedom = Matrix3d::Identity();
+        for (const Hold& hold : by) freedom -= hold.directions;
+        if (freedom.isZero(no_freedom)) {
+            shell.fixed[vertex] = 1;
+            shell.velocity.col(vertex).setZero();
+        } else {
+            shell.guide[vertex] = static_cast<char>(number_in(shell.guides, freedom));
+            shell.velocity.col(vertex) = freedom * shell.velocity.col(vertex).eval();
+        }
     }
+    return sheets;
 }
 
 double largest(const VectorXd& measures) {
@@ -47,14 +65,12 @@ double largest(const VectorXd& measures) {
 
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
-      breakable(std::move(sheets)),
+      breakable(supported(std::move(sheets), options.held)),
       stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
-      step_size(options.stepper.step) {
-    set_guides(breakable.mechanics(), options.sliding);
-}
+      step_size(options.stepper.step) {}
 
 StepReport Simulation::step() try {
     StepReport report;
@@ -96,9 +112,11 @@ bool Simulation::attempt(StepReport& report) {
     const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
-    if (options.rule == BreakingRule::staged)
-        newton = break_in_stages(report, newton, measures);
-    else if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
+    if (options.rule == BreakingRule::staged) newton = break_in_stages(report, newton, measures);
+    // By the paper's rule hinges break after the solution that balances the reactions.
+    report.reactions = stepper.reactions();
+    if (options.rule == BreakingRule::staged) return newton.converged;
+    if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
     return newton.converged;
 }
@@ -130,6 +148,7 @@ void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& m
     record_failures(edges, measures, stage);
     const BreakableShell::Change change = breakable.fail(edges);
     record_change(change.cracks);
+    follow(breakable.mechanics(), change.shell, options.gauges);
     stepper.topology_changed(change.shell);
 }
 
@@ -207,6 +226,7 @@ void Simulation::finish(StepReport& report) {
         report.angular_momentum += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
     }
     add_touch(report);
+    read_gauges(report);
     report.lip_overlap = stepper.lip_overlap();
     report.fragments = fragments.count();
 }
@@ -217,6 +237,10 @@ void Simulation::add_touch(StepReport& report) {
     report.obstacle_overlap = touch.deepest;
     for (const std::size_t obstacle : touch.obstacles) obstacles_touched[obstacle] = 1;
     for (const std::size_t body : touch.bodies) bodies_touched[body] = 1;
+}
+
+void Simulation::read_gauges(StepReport& report) const {
+    for (const Gauge& gauge : options.gauges) report.gauges.push_back(reading(breakable.mechanics(), gauge));
 }
 
 Snapshot Simulation::snapshot() const {

@@ -5,6 +5,7 @@
 #include "fracture/breaking.h"
 #include "fracture/events.h"
 #include "fracture/fragments.h"
+#include "fracture/gauge.h"
 #include "fracture/hinge_peaks.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
@@ -12,17 +13,19 @@
 
 namespace sherd {
 
-/// A vertex, numbered over all inputs, that moves only in the directions on which `freedom` projects.
-struct SlidingVertex {
+/// A vertex, numbered over all inputs, and what holds it, each in its own directions. It moves in those that
+/// are left.
+struct HeldVertex {
     Index vertex = 0;
-    Matrix3d freedom;
+    std::vector<Hold> by;
 };
 
 struct SimulationOptions {
     /// Loads, winds and mirrors refer to the triangles of all sheets, numbered in the order of the inputs. A
     /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
-    std::vector<SlidingVertex> sliding;
+    std::vector<HeldVertex> held;  ///< by the first StepperOptions::supports numbers
+    std::vector<Gauge> gauges;
     int max_iterations = 50;  ///< of the minimiser, except between two stages of breaking
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
@@ -50,6 +53,7 @@ class Simulation {
     const BreakableShell& shell() const { return breakable; }
     const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
     const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
+    const std::vector<Gauge>& gauges() const { return options.gauges; }
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
     /// far.
@@ -77,6 +81,7 @@ class Simulation {
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
     void add_touch(StepReport& report);
+    void read_gauges(StepReport& report) const;
 
     SimulationOptions options;
     BreakableShell breakable;

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "core/vector.h"
+#include "core/reaction.h"
+#include "fracture/gauge.h"
 
 namespace sherd {
 
@@ -29,6 +30,9 @@ struct StepReport {
     double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body
     double lip_overlap = 0;       ///< m, largest overlap of lips of cracks that have not moved apart yet
     Index fragments = 0;
+
+    std::vector<Reaction> reactions;   ///< of the supports, then of the obstacles
+    std::vector<GaugeReading> gauges;  ///< of each gauge
 
     // These are the largest values over the unbroken hinges, before anything broke in this step: see
     // HingeMeasures.

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "meshops/error.h"
 #include "meshops/random.h"
 #include "meshops/revolution.h"
+#include "meshops/spacing.h"
 
 namespace sherd {
 namespace {
@@ -16,17 +16,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
-constexpr int iterations = 20;          // enough for good angles, too few for the vertices to form long rows
-constexpr double row_height = 0.93;     // edge lengths: side of a square with the area of a vertex
-constexpr double half_row = 0.45;       // edge lengths: free width on each side of a line of fixed vertices
-constexpr double corner_degrees = 20;   // a profile that turns by more gets vertices on the circle there
+using spacing::pieces, spacing::text;
 constexpr double narrowest_band = 0.7;  // edge lengths, minimum between two such circles
-
-std::string text(double number) {
-    std::ostringstream stream;
-    stream << number;
-    return stream.str();
-}
 
 void require(double value, bool holds, const char* what, const char* condition) {
     if (!holds || !std::isfinite(value)) {
@@ -41,10 +32,7 @@ void require_positive(double value, const char* what) {
 
 void require_edge_length(const GenerateOptions& options, double largest) {
     require_positive(options.edge_length, "edge_length");
-    if (options.edge_length > largest) {
-        throw Error("cannot generate the mesh: edge_length " + text(options.edge_length) +
-                    " is too large for the shape, which takes at most " + text(largest));
-    }
+    spacing::require_edge_length(options.edge_length, largest, "the shape");
 }
 
 void require_delaunay(const GenerateOptions& options, const char* shape) {
@@ -53,16 +41,10 @@ void require_delaunay(const GenerateOptions& options, const char* shape) {
                 ", only of a rectangle and a cylinder");
 }
 
-std::size_t pieces(double length, double edge_length) {
-    return static_cast<std::size_t>(std::max(1L, std::lround(length / edge_length)));
-}
-
 /// Number of vertices to add to `boundary` vertices so that triangles of the target size cover `area` (m^2),
 /// by Euler's formula. `characteristic`: of the surface, 0 for a ring, 1 for a disc, 2 for a sphere.
 std::size_t free_vertices(double area, double edge_length, std::size_t boundary, int characteristic) {
-    // Irregular triangles of a given mean edge length are slightly smaller than equilateral ones.
-    constexpr double crowding = 1.025;
-    const double faces = crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
+    const double faces = spacing::crowding * area / (std::sqrt(3.0) / 4 * edge_length * edge_length);
     const double inner = (faces - static_cast<double>(boundary)) / 2 + characteristic;
     return static_cast<std::size_t>(std::max(0L, std::lround(inner)));
 }
@@ -91,9 +73,9 @@ SurfacePoints spread(const Vector2d& size, const GenerateOptions& options) {
     points.parameter = outline(size, options.edge_length);
     points.fixed = points.parameter.size();
     const auto count = free_vertices(size.prod(), options.edge_length, points.fixed, 1);
-    const Vector2d margin = (half_row * options.edge_length * Vector2d::Ones()).cwiseMin(size / 4);
+    const Vector2d margin = (spacing::half_row * options.edge_length * Vector2d::Ones()).cwiseMin(size / 4);
     const Vector2d inner = size - 2 * margin;
-    const std::size_t rows = std::min(count, pieces(inner.y(), row_height * options.edge_length));
+    const std::size_t rows = std::min(count, pieces(inner.y(), spacing::row_height * options.edge_length));
     Random random(options.seed);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::size_t columns = count * (row + 1) / rows - count * row / rows;
@@ -165,7 +147,7 @@ double largest_edge_length(std::span<const Vector2d> profile, double length) {
 /// circle.
 std::vector<double> fixed_circles(const Revolution& surface, double edge_length) {
     std::vector<double> circles{0};
-    for (const double corner : surface.corners(corner_degrees)) {
+    for (const double corner : surface.corners(spacing::corner_degrees)) {
         const bool is_wide = 2 * pi * surface.radius(corner) >= 5 * edge_length;
         const double nearest = std::min(corner - circles.back(), surface.length() - corner);
         if (is_wide && nearest >= narrowest_band * edge_length) circles.push_back(corner);
@@ -218,12 +200,12 @@ class RevolutionSpread {
         const double area = surface.area(from, to);
         const std::size_t wanted = free_vertices(area, edge_length, boundary, poles);
         const std::size_t count = wanted - std::min(wanted, std::size_t(poles));
-        const double margin = std::min(half_row * edge_length, (to - from) / 4);
+        const double margin = std::min(spacing::half_row * edge_length, (to - from) / 4);
         fill(from + margin, to - margin, count);
     }
 
     void fill(double from, double to, std::size_t count) {
-        const std::size_t rows = std::min(count, pieces(to - from, row_height * edge_length));
+        const std::size_t rows = std::min(count, pieces(to - from, spacing::row_height * edge_length));
         const double height = (to - from) / double(rows), total = surface.area(from, to);
         std::size_t done = 0;
         for (std::size_t row = 0; row < rows; ++row) {
@@ -254,7 +236,7 @@ Mesh revolve(std::span<const Vector2d> profile, const GenerateOptions& options) 
         throw Error("cannot generate the surface of revolution: it is too slender, more than " +
                     text(largest_range) + " radii long");
     }
-    return relax(surface, RevolutionSpread(surface, options).spread(), iterations);
+    return relax(surface, RevolutionSpread(surface, options).spread(), spacing::iterations);
 }
 
 }  // namespace
@@ -264,7 +246,7 @@ Mesh generate_rectangle(double width, double height, const GenerateOptions& opti
     require_positive(height, "height");
     require_edge_length(options, std::min(width, height));
     if (options.layout == Layout::delaunay) {
-        return relax(Rectangle(), spread({width, height}, options), iterations);
+        return relax(Rectangle(), spread({width, height}, options), spacing::iterations);
     }
     return grid(pieces(width, options.edge_length), pieces(height, options.edge_length), false,
                 [&](double x, double y) { return Vector3d(width * x, height * y, 0); });

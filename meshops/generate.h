@@ -4,6 +4,7 @@
 #include <span>
 
 #include "meshops/mesh.h"
+#include "meshops/polygon.h"
 
 namespace sherd {
 
@@ -32,5 +33,10 @@ Mesh generate_sphere(double radius, const GenerateOptions& options);
 /// the surface there. Normals point to the left of the profile's direction in the (r, z) half-plane: for a
 /// bowl drawn from its bottom to its rim, to its inside.
 Mesh generate_revolution(std::span<const Eigen::Vector2d> profile, const GenerateOptions& options);
+
+/// Meshes a polygon in the plane z = 0, with normals along +z. Its lines have vertices at corners that turn
+/// by more than 20 degrees, and evenly spaced ones between them, so that a curve may be given by many points.
+/// Along slits the mesh is open: their vertices are doubled, except at ends inside.
+Mesh generate_polygon(const Polygon& polygon, const GenerateOptions& options);
 
 }  // namespace sherd

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 
 #include "meshops/error.h"
 #include "meshops/surface.h"
@@ -26,6 +27,57 @@ using Triangulation =
     throw Error("the mesh cannot be generated: edge_length is too large for the shape");
 }
 
+/// Makes edges that stay of the pairs. Fails where two of them cross, or one passes through a vertex.
+void constrain(Triangulation& triangulation, const std::vector<Triangulation::Vertex_handle>& handle,
+               const std::vector<std::array<std::size_t, 2>>& pairs) {
+    try {
+        for (const auto& [a, b] : pairs) triangulation.insert_constraint(handle[a], handle[b]);
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+        fail();
+    }
+    for (const auto& [a, b] : pairs)
+        if (!triangulation.is_edge(handle[a], handle[b])) fail();
+}
+
+/// The faces between infinity and the borders.
+class Outside {
+  public:
+    Outside(const Triangulation& triangulation, std::vector<std::array<std::size_t, 2>> borders)
+        : borders(std::move(borders)) {
+        if (this->borders.empty()) return;
+        for (auto& [a, b] : this->borders)
+            if (a > b) std::swap(a, b);
+        std::ranges::sort(this->borders);
+        fill(triangulation.infinite_face());
+    }
+    bool contains(Triangulation::Face_handle face) const {
+        const auto found = outside.find(face);
+        return found != outside.end() && found->second;
+    }
+
+  private:
+    void fill(Triangulation::Face_handle start) {
+        std::vector<Triangulation::Face_handle> open{start};
+        outside[start] = true;
+        while (!open.empty()) {
+            const Triangulation::Face_handle face = open.back();
+            open.pop_back();
+            for (int i = 0; i < 3; ++i) {
+                const bool there = outside[face] != is_border(face, i);
+                if (outside.try_emplace(face->neighbor(i), there).second) open.push_back(face->neighbor(i));
+            }
+        }
+    }
+    bool is_border(Triangulation::Face_handle face, int side) const {
+        const auto [a, b] =
+            std::minmax(face->vertex((side + 1) % 3)->info(), face->vertex((side + 2) % 3)->info());
+        return std::ranges::binary_search(borders, std::array<std::size_t, 2>{a, b});
+    }
+
+    std::vector<std::array<std::size_t, 2>> borders;
+    std::unordered_map<Triangulation::Face_handle, bool> outside;
+};
+
 /// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number after the
 /// last vertex.
 std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& points) {
@@ -40,11 +92,13 @@ std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& po
     if (triangulation.number_of_vertices() != count || triangulation.dimension() != 2) fail();
     std::vector<Triangulation::Vertex_handle> handle(count);
     for (const auto v : triangulation.finite_vertex_handles()) handle[v->info()] = v;
-    for (const auto& [a, b] : points.creases) triangulation.insert_constraint(handle[a], handle[b]);
+    for (const auto& pairs : {points.creases, points.borders}) constrain(triangulation, handle, pairs);
     triangulation.infinite_vertex()->info() = count;
+    const Outside outside(triangulation, points.borders);
     std::vector<Corners> result;
     for (const auto face : triangulation.all_face_handles()) {
         if (!points.is_closed && triangulation.is_infinite(face)) continue;
+        if (outside.contains(face)) continue;
         Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
         std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         if (std::ranges::max(corners) >= points.hole) result.push_back(corners);
@@ -103,6 +157,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
         }
     }
     for (std::size_t i = points.fixed; i < points.parameter.size(); ++i) {
+        if (!(weight[i] > 0)) fail();  // it is in no triangle
         points.parameter[i] = surface.project(moment[i] / weight[i], points.parameter[i]);
     }
 }

@@ -224,6 +224,21 @@ std::size_t member_count(hid_t where, const std::string& group) {
     return info.nlinks;
 }
 
+std::vector<std::string> member_names(hid_t where, const std::string& group) {
+    std::vector<std::string> names(member_count(where, group));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto name = [&](char* buffer, std::size_t size) {
+            return H5Lget_name_by_idx(where, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, i, buffer, size,
+                                      H5P_DEFAULT);
+        };
+        const ssize_t length = name(nullptr, 0);
+        if (length < 0) throw Error("cannot read the names in group '" + group + "'", Fault::run);
+        names[i].resize(static_cast<std::size_t>(length));
+        name(names[i].data(), names[i].size() + 1);
+    }
+    return names;
+}
+
 void remove(hid_t where, const std::string& name) {
     checked(H5Ldelete(where, name.c_str(), H5P_DEFAULT), "cannot remove '" + name + "'");
 }

@@ -89,6 +89,8 @@ Handle create_group(hid_t where, const std::string& name);
 Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
+/// Returns the names in a group, in the order of their letters.
+std::vector<std::string> member_names(hid_t where, const std::string& group);
 void remove(hid_t where, const std::string& name);
 /// Makes a name for the object at the path `target` of the same file.
 void create_link(hid_t where, const std::string& name, const std::string& target);

@@ -19,6 +19,19 @@
 
 namespace sherd {
 
+/// A support or an obstacle, whose reaction is recorded.
+struct RecordedSupport {
+    std::string name;  ///< "sheet.plate.pin", "obstacle.floor"
+    std::string kind;  ///< "pin", "clamp", "symmetry" or "obstacle"
+};
+
+/// A gauge, what it shows of which is recorded.
+struct RecordedGauge {
+    std::string name;
+    std::string sheet;
+    Vector3d place = Vector3d::Zero();  ///< m, on the sheet at rest
+};
+
 /// What a recording says about its run once, at its head.
 struct RecordingHeader {
     std::string scene_file;  ///< as given by the user
@@ -30,6 +43,8 @@ struct RecordingHeader {
     std::vector<std::array<Index, 3>> rest_faces;  ///< [F]
     std::vector<double> rest_area;                 ///< [F] m^2
     std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
+    std::vector<RecordedSupport> supports = {};    ///< in the order of StepReport::reactions
+    std::vector<RecordedGauge> gauges = {};        ///< in the order of StepReport::gauges
 };
 
 /// An obstacle that can be drawn.
@@ -75,6 +90,7 @@ class RecordingWriter {
 
     RecordingOutput output;
     std::vector<XdmfFrame> frames;
+    std::size_t supports = 0, gauges = 0;
     RestMesh rest;                    ///< of the last frame, or unbroken
     std::string rest_path = "/rest";  ///< where it stands
     std::size_t unbroken_vertices = 0;
@@ -94,7 +110,7 @@ class Recording {
     double time(std::size_t number) const;            ///< s, of a frame
     std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
-    std::vector<StepReport> steps() const;
+    std::vector<StepReport> steps() const;  ///< with reactions and gauges as header() has them
     CrackEvents events() const;
     double wall_seconds() const;  ///< 0 while the run goes on
     std::string end() const;      ///< "running", "complete", "interrupted" or "failed: ..."

@@ -113,6 +113,24 @@ std::string ancestry_fault(const Snapshot& s) {
 
 }  // namespace
 
+std::vector<std::string> numbered_groups(hid_t file, const std::string& group) {
+    if (!hdf5::contains(file, group)) return {};
+    std::vector<std::pair<std::int64_t, std::string>> found;
+    for (const std::string& name : hdf5::member_names(file, group)) {
+        const std::string path = group + "/" + name;
+        found.emplace_back(hdf5::read_integer_attribute(hdf5::open_group(file, path), "number"), path);
+    }
+    std::ranges::sort(found);
+    std::vector<std::string> paths;
+    for (const auto& [number, path] : found) paths.push_back(path);
+    return paths;
+}
+
+std::string member_name(std::string name) {
+    std::ranges::replace(name, '/', '_');
+    return name;
+}
+
 std::string frame_group(std::size_t number) {
     return fmt::format("frames/{:06}", number);
 }

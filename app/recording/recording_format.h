@@ -94,6 +94,28 @@ struct Table<StepReport> {
     }
 };
 
+/// Beside Table<StepReport>, one for each support.
+template <>
+struct Table<Reaction> {
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = Reaction;
+        visit("force", {"N", "on what is held or stopped, at the end of each step of /steps"}, &R::force);
+        visit("moment", {"N m", "of the same forces, about the origin"}, &R::moment);
+    }
+};
+
+/// Beside Table<StepReport>, one for each gauge.
+template <>
+struct Table<GaugeReading> {
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = GaugeReading;
+        visit("displacement", {"m", "from where the sheet was placed, at the end of each step of /steps"},
+              &R::displacement);
+    }
+};
+
 template <>
 struct Table<EdgeFailure> {
     static constexpr const char* group = "events/failure";
@@ -187,12 +209,29 @@ struct Table<FaceBirth> {
     }
 };
 
+/// The groups of the tables beside Table<StepReport>, which have a row for each step, too.
+inline constexpr const char *reaction_group = "steps/reaction", *gauge_group = "gauges";
+
+/// Calls visit(member of StepReport, group) for each kind of them: a list with an entry for each table of the
+/// group, in the order of their attribute `number`.
+template <class Visit>
+void visit_lists(Visit visit) {
+    visit(&StepReport::reactions, reaction_group);
+    visit(&StepReport::gauges, gauge_group);
+}
+
 /// Calls visit(std::type_identity<Row>) for every table of a recording.
 template <class Visit>
 void visit_tables(Visit visit) {
     visit(std::type_identity<StepReport>{});
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*) { visit(std::type_identity<Event>{}); });
 }
+
+/// Returns the paths of the members of a group, if there is one, in the order of their attribute `number`.
+std::vector<std::string> numbered_groups(hid_t file, const std::string& group);
+
+/// Returns a name that a member of a group may have: without slashes.
+std::string member_name(std::string name);
 
 /// Returns the name of the group of a frame.
 std::string frame_group(std::size_t number);

@@ -103,6 +103,18 @@ RecordingHeader Recording::header() const {
         header.seed = hdf5::read_integer_attribute(opened, "seed");
         header.sheet_names = hdf5::read_texts(opened, "rest/sheet_names");
         read_unbroken_mesh(opened, header);
+        for (const std::string& path : numbered_groups(opened, reaction_group)) {
+            const hdf5::Handle group = hdf5::open_group(opened, path);
+            header.supports.push_back(
+                {hdf5::read_text_attribute(group, "name"), hdf5::read_text_attribute(group, "kind")});
+        }
+        for (const std::string& path : numbered_groups(opened, gauge_group)) {
+            const hdf5::Handle group = hdf5::open_group(opened, path);
+            const std::vector<Vector3d> place = hdf5::read<Vector3d>(group, "place");
+            if (place.size() != 1) throw Error(path + "/place is not one point");
+            header.gauges.push_back(
+                {path.substr(path.rfind('/') + 1), hdf5::read_text_attribute(group, "sheet"), place.front()});
+        }
         return header;
     });
 }
@@ -167,7 +179,18 @@ std::vector<Eigen::Isometry3d> Recording::poses(std::size_t number) const {
 }
 
 std::vector<StepReport> Recording::steps() const {
-    return read_with(read_table<StepReport>);
+    return read_with([](hid_t opened) {
+        std::vector<StepReport> steps = read_table<StepReport>(opened);
+        visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
+            for (const std::string& path : numbered_groups(opened, group)) {
+                const std::vector<Row> rows = read_table<Row>(opened, path);
+                // What has not been written in full yet is left out of all tables.
+                steps.resize(std::min(steps.size(), rows.size()));
+                for (std::size_t i = 0; i < steps.size(); ++i) (steps[i].*list).push_back(rows[i]);
+            }
+        });
+        return steps;
+    });
 }
 
 CrackEvents Recording::events() const {

@@ -3,11 +3,11 @@
 
 namespace sherd {
 
-double recording_size(const MeshSize& mesh, double frames, double steps) {
+double recording_size(const MeshSize& mesh, double frames, double steps, double columns) {
     // As measured, compressed: coordinates by a quarter, numbers of vertices and faces to a third; and HDF5's
     // own.
     const double frame = 47 * mesh.vertices + 6 * mesh.faces + 11 * mesh.edges + 40e3;
-    const double step = 220, head = 60e3;
+    const double step = 220 + 8 * columns, head = 60e3;
     return head + frames * frame + steps * step;
 }
 

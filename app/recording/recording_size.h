@@ -8,7 +8,8 @@ struct MeshSize {
     double vertices = 0, faces = 0, edges = 0;
 };
 
-/// Returns about how many bytes a recording takes, without cracks.
-double recording_size(const MeshSize& mesh, double frames, double steps);
+/// Returns about how many bytes a recording takes, without cracks. columns: numbers of
+/// reactions and gauges in a step.
+double recording_size(const MeshSize& mesh, double frames, double steps, double columns);
 
 }  // namespace sherd

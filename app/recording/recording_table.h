@@ -13,43 +13,42 @@ namespace sherd::recording_format {
 template <class T>
 using Stored = std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>;
 
-template <class Row>
-std::string column(const char* name) {
-    return fmt::format("{}/{}", Table<Row>::group, name);
+inline std::string column(const std::string& group, const char* name) {
+    return fmt::format("{}/{}", group, name);
 }
 
 template <class Row>
-void create_table(hid_t file) {
+void create_table(hid_t file, const std::string& group = Table<Row>::group) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
-        hdf5::create_column<Stored<T>>(file, column<Row>(name), meaning);
+        hdf5::create_column<Stored<T>>(file, column(group, name), meaning);
     });
 }
 
 template <class Row>
-void append_table(hid_t file, std::span<const Row> rows) {
+void append_table(hid_t file, std::span<const Row> rows, const std::string& group = Table<Row>::group) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
         std::vector<Stored<T>> values;
         for (const Row& row : rows) values.push_back(row.*member);
-        hdf5::append<Stored<T>>(file, column<Row>(name), values);
+        hdf5::append<Stored<T>>(file, column(group, name), values);
     });
 }
 
 /// Returns the number of rows that are complete.
 template <class Row>
-std::size_t table_rows(hid_t file) {
+std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group) {
     std::size_t rows = SIZE_MAX;
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
         rows = std::min<std::size_t>(
-            rows, hdf5::row_count(file, column<Row>(name), hdf5::Element<Stored<T>>::width));
+            rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
     });
     return rows;
 }
 
 template <class Row>
-std::vector<Row> read_table(hid_t file) {
-    std::vector<Row> rows(table_rows<Row>(file));
+std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::group) {
+    std::vector<Row> rows(table_rows<Row>(file, group));
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
-        const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column<Row>(name));
+        const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column(group, name));
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
     });
     return rows;
@@ -57,9 +56,9 @@ std::vector<Row> read_table(hid_t file) {
 
 /// Forgets all but the first `rows` rows.
 template <class Row>
-void shorten_table(hid_t file, std::size_t rows) {
+void shorten_table(hid_t file, std::size_t rows, const std::string& group = Table<Row>::group) {
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
-        if (hdf5::contains(file, column<Row>(name))) hdf5::resize_table(file, column<Row>(name), rows);
+        if (hdf5::contains(file, column(group, name))) hdf5::resize_table(file, column(group, name), rows);
     });
 }
 

@@ -45,6 +45,31 @@ void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
     });
 }
 
+/// Creates the group `path` of a table beside the steps, with the next number in `group`.
+hdf5::Handle create_numbered(hid_t file, const std::string& group, const std::string& path) {
+    const auto number =
+        static_cast<std::int64_t>(hdf5::contains(file, group) ? hdf5::member_count(file, group) : 0);
+    hdf5::Handle created = hdf5::create_group(file, path);
+    hdf5::write_attribute(created, "number", number);
+    return created;
+}
+
+void write_support(hid_t file, const RecordedSupport& support) {
+    const std::string path = fmt::format("{}/{}", reaction_group, member_name(support.name));
+    const hdf5::Handle group = create_numbered(file, reaction_group, path);
+    hdf5::write_attribute(group, "name", support.name);
+    hdf5::write_attribute(group, "kind", support.kind);
+    create_table<Reaction>(file, path);
+}
+
+void write_gauge(hid_t file, const RecordedGauge& gauge) {
+    const std::string path = fmt::format("{}/{}", gauge_group, gauge.name);
+    const hdf5::Handle group = create_numbered(file, gauge_group, path);
+    hdf5::write_attribute(group, "sheet", gauge.sheet);
+    hdf5::write<Vector3d>(group, "place", std::array{gauge.place}, {"m", "on the sheet at rest"});
+    create_table<GaugeReading>(file, path);
+}
+
 void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "format", std::string(format));
     hdf5::write_attribute(file, "format_version", version);
@@ -58,6 +83,8 @@ void write_head(hid_t file, const RecordingHeader& header) {
     write_rest(file, "rest", unbroken_mesh(header));
     hdf5::create_group(file, "frames");
     visit_tables([&]<class Row>(std::type_identity<Row>) { create_table<Row>(file); });
+    for (const RecordedSupport& support : header.supports) write_support(file, support);
+    for (const RecordedGauge& gauge : header.gauges) write_gauge(file, gauge);
 }
 
 void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
@@ -107,6 +134,10 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
 std::vector<std::size_t> extent(hid_t file) {
     std::vector<std::size_t> rows;
     visit_tables([&]<class Row>(std::type_identity<Row>) { rows.push_back(table_rows<Row>(file)); });
+    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
+        for (const std::string& table : numbered_groups(file, group))
+            rows.push_back(table_rows<Row>(file, table));
+    });
     return rows;
 }
 
@@ -115,6 +146,10 @@ void roll_back(hid_t file, std::size_t frame, std::span<const std::size_t> rows_
     if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
     auto rows = rows_before.begin();
     visit_tables([&]<class Row>(std::type_identity<Row>) { shorten_table<Row>(file, *rows++); });
+    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
+        for (const std::string& table : numbered_groups(file, group))
+            shorten_table<Row>(file, *rows++, table);
+    });
 }
 
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
@@ -123,6 +158,14 @@ void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::str
     const std::vector<std::size_t> before = extent(file);
     try {
         append_table<StepReport>(file, steps);
+        visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
+            const std::vector<std::string> tables = numbered_groups(file, group);
+            for (std::size_t i = 0; i < tables.size(); ++i) {
+                std::vector<Row> rows;
+                for (const StepReport& step : steps) rows.push_back((step.*list)[i]);
+                append_table<Row>(file, rows, tables[i]);
+            }
+        });
         visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
             append_table<Event>(file, events.*kind);
         });
@@ -159,13 +202,17 @@ std::size_t rest_bytes(std::size_t vertices, std::size_t faces) {
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
 std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<const StepReport> steps,
                          const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
-    std::size_t of_events = 0;
+    std::size_t of_events = 0, of_lists = 0;
+    for (const StepReport& step : steps)
+        of_lists +=
+            2 * (sizeof(Reaction) * step.reactions.size() + sizeof(GaugeReading) * step.gauges.size());
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
         of_events += 2 * sizeof(Event) * (events.*kind).size();
     });
     return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
            24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
-           of_events + (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
+           of_events + of_lists +
+           (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
            append_overhead;
 }
 
@@ -174,8 +221,9 @@ std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedOb
     for (const RecordedObstacle& o : obstacles)
         surfaces +=
             32 * (o.surface.points.size() + o.surface.triangles.size()) + o.name.size() + attribute_overhead;
-    return surfaces + rest_bytes(header.rest_position.cols(), header.rest_faces.size()) +
-           header.scene_text.size() + head_overhead;
+    return surfaces + 2 * attribute_overhead * (header.supports.size() + header.gauges.size()) +
+           rest_bytes(header.rest_position.cols(), header.rest_faces.size()) + header.scene_text.size() +
+           head_overhead;
 }
 
 /// Opens a recording, changes it and closes it, with room for `bytes` more.
@@ -197,6 +245,8 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
                                  std::span<const RecordedObstacle> obstacles)
     : output(std::move(output_)),
+      supports(header.supports.size()),
+      gauges(header.gauges.size()),
       rest(unbroken_mesh(header)),
       unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {
     PendingFile pending(output.recording, Fault::input);
@@ -222,6 +272,11 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
         throw Error(what, Fault::run);
     if (!same_bits(snapshot.rest.unbroken_faces, rest.unbroken_faces))
         throw Error("its unbroken mesh is not that of /rest", Fault::run);
+    for (const StepReport& step : steps)
+        if (step.reactions.size() != supports || step.gauges.size() != gauges)
+            throw Error(fmt::format("step {} has {} reactions and {} gauges, the head {} and {}", step.step,
+                                    step.reactions.size(), step.gauges.size(), supports, gauges),
+                        Fault::run);
     const bool new_rest = !same_bits(snapshot.rest, rest);
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run/recording_header.h"
 
+#include "app/scene/build/supports.h"
+
 namespace sherd {
 
 RecordingHeader recording_header(const Scene& scene, const Simulation& simulation) {
@@ -14,6 +16,13 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.rest_faces = rest.faces;
     header.rest_area = rest.area;
     header.rest_thickness = rest.thickness;
+    for (const auto& [name, kind] : support_names(scene)) header.supports.push_back({name, kind});
+    const Shell& mechanics = simulation.shell().mechanics();
+    for (std::size_t i = 0; i < scene.gauges.size(); ++i) {
+        const Gauge& gauge = simulation.gauges()[i];
+        header.gauges.push_back(
+            {scene.gauges[i].name, scene.sheets[mechanics.face_sheet[gauge.face]].name, gauge.place});
+    }
     return header;
 }
 

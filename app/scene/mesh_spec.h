@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "meshops/polygon.h"
 
 namespace sherd {
 
 /// A generated mesh: `mesh = { generate = "plate", radius = 0.13, edge_length = 0.004 }`.
 struct GeneratedMesh {
-    std::string shape;       ///< rectangle, disc, cylinder, sphere, plate, bowl, revolution
+    std::string shape;       ///< rectangle, disc, cylinder, sphere, plate, bowl, revolution,
+                             ///< polygon
     double edge_length = 0;  ///< m
     bool structured = false;
     double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
     std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
+    Polygon polygon;                           ///< of the shape of this name
 };
 
 /// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", repair = true }`.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,8 +36,11 @@ struct Selection {
 /// `[[sheet.NAME.pin]]` and `clamp`: vertices that are held.
 struct PinSpec {
     Selection on;
-    Motion motion;                   ///< without keys: they stay where they are; its pivot is not yet known
-    std::optional<Vector3d> centre;  ///< m, what they turn about; none: the middle of them
+    Motion motion = {};  ///< without keys: they stay where they are; its pivot is not yet known
+    std::optional<Vector3d> centre = {};  ///< m, what they turn about; none: the middle of them
+    std::array<bool, 3> free = {};        ///< the directions (x, y, z) that it leaves them, not all
+
+    bool holds_all_directions() const { return free == std::array<bool, 3>{}; }
 };
 
 /// A plane that the sheet goes on behind like its mirror image.
@@ -48,13 +52,22 @@ struct SymmetrySpec {
 
 /// `[[force.load]]`.
 struct LoadSpec {
-    std::string kind;                   ///< point, line, area, pressure
+    std::string kind;                   ///< point, line, area, pressure, moment
     Vector3d force = Vector3d::Zero();  ///< N, N/m, N/m^2, of the first three
     double pressure = 0;                ///< Pa
+    double moment = 0;                  ///< N m/m
     double ramp = 0;                    ///< s
     std::string sheet;                  ///< its name; empty: all sheets
     Selection on;                       ///< without box, boundary and group: everything
     std::string where;                  ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `[[gauge]]`: a point at which something is measured.
+struct GaugeSpec {
+    std::string name;                ///< letters, digits, _ and -
+    std::string sheet;               ///< its name; empty: the one that is nearest
+    Vector3d at = Vector3d::Zero();  ///< m, placed
+    std::string where;               ///< "FILE:LINE: dotted.key", for errors
 };
 
 /// Of `gust` of a wind.
@@ -91,6 +104,8 @@ struct SheetSpec {
     std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors
+
+    bool is_supported() const { return !pins.empty() || !clamps.empty() || !symmetries.empty(); }
 };
 
 /// `[contact]`: of sheets and fragments with each other and with themselves.
@@ -122,6 +137,7 @@ struct Scene {
     Vector3d gravity{0, 0, -9.81};        ///< m/s^2
     std::vector<LoadSpec> loads;
     std::vector<WindSpec> winds;
+    std::vector<GaugeSpec> gauges;
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step

@@ -66,6 +66,15 @@ double Contact::stored_energy(const Positions& x) const {
     return sum;
 }
 
+std::vector<Reaction> Contact::reactions(const Positions& x) const {
+    std::vector<Reaction> all(options.obstacles.size());
+    for (std::size_t o = 0; o < all.size(); ++o) obstacle_contact[o]->add_reaction(x, all[o]);
+    if (body_contact) body_contact->add_reactions(x, all);
+    if (sheet_contact) sheet_contact->add_reactions(x, all);
+    if (sheet_friction) sheet_friction->add_reactions(x, all);
+    return all;
+}
+
 Touch Contact::touch(const Positions& x) const {
     Touch touch;
     std::set<const ColliderSurface*> surfaces;

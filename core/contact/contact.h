@@ -47,6 +47,8 @@ class Contact {
     const std::vector<RigidBody>& bodies() const;
     double stored_energy(const Positions& x) const;  ///< elastic energy of all contacts, J
     Touch touch(const Positions& x) const;           ///< with obstacles and bodies
+    /// The reactions of the obstacles: their forces on sheets and bodies.
+    std::vector<Reaction> reactions(const Positions& x) const;
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:

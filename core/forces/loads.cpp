@@ -90,12 +90,15 @@ void LoadEnergy::topology_changed(const ShellChange& change, const StepContext& 
 void LoadEnergy::sum_loads(double time) {
     force = Positions::Zero(3, shell.position.cols());
     pressed.triangles.clear();
+    turned.triangles.clear();
     for (const Load& load : loads) {
         const double share = fraction(load, time);
         for (const CornerForce& dead : load.dead)
             force.col(shell.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
         for (const Index triangle : load.pressed)
             pressed.triangles.push_back({shell.triangles[triangle].vertices, share * load.pressure});
+        for (const EdgeMoment& moment : load.moments)
+            turned.triangles.push_back(turned_triangle(shell, moment, share));
     }
 }
 
@@ -115,20 +118,24 @@ void LoadEnergy::complete_pressure() {
 }
 
 double LoadEnergy::value(const Positions& x) const {
-    return sum_of_values(pressed, x) - start_potential - force.cwiseProduct(x - start).sum();
+    return sum_of_values(pressed, x) + sum_of_values(turned, x) - start_potential -
+           force.cwiseProduct(x - start).sum();
 }
 
 void LoadEnergy::add_gradient(const Positions& x, Positions& gradient) const {
     gradient -= force;
     add_gradients(pressed, x, gradient);
+    add_gradients(turned, x, gradient);
 }
 
 void LoadEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     add_hessians(pressed, x, curvature, hessian);
+    add_hessians(turned, x, curvature, hessian);
 }
 
 void LoadEnergy::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
     add_patterns(pressed, pairs);
+    add_patterns(turned, pairs);
 }
 
 }  // namespace sherd

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/element_energy.h"
-#include "core/shell/triangle_edge.h"
+#include "core/forces/edge_moment.h"
 
 namespace sherd {
 
@@ -15,10 +14,11 @@ struct CornerForce {
 
 /// External forces, which grow linearly from zero at time 0 and keep their full size from time `ramp` on.
 struct Load {
-    std::vector<CornerForce> dead;  ///< forces of constant direction
-    std::vector<Index> pressed;     ///< triangles under pressure
-    double pressure = 0;            ///< Pa, along the normal of a triangle in its current position
-    double ramp = 0;                ///< s; 0: full size from the start
+    std::vector<CornerForce> dead;         ///< forces of constant direction
+    std::vector<Index> pressed;            ///< triangles under pressure
+    std::vector<EdgeMoment> moments = {};  ///< on sides of triangles
+    double pressure = 0;                   ///< Pa, along the normal of a triangle in its current position
+    double ramp = 0;                       ///< s; 0: full size from the start
 };
 
 /// Applies `force` (N) to each of the vertices. Throws std::out_of_range if a vertex has no triangle.
@@ -48,12 +48,12 @@ struct PressedTriangles {
     Eigen::Matrix<double, 9, 9> hessian(std::size_t i, const TrianglePositions& x, Curvature curvature) const;
 };
 
-/// The potential of loads in one time step: minus the work of the dead forces, minus pressure times the
-/// volume under the pressed triangles (the cones from their centre at the beginning of the step). In the
-/// interior of the pressed surface the volume's derivative is the pressure's force, so that closed sheets and
-/// those held along their rim get the exact force and its symmetric tangent. At a free rim the difference is
-/// added as a dead force, evaluated at the beginning of the step: there the load stiffness has no symmetric
-/// form.
+/// The potential of loads in one time step: minus the work of dead forces and of moments, minus pressure
+/// times the volume under the pressed triangles (the cones from their centre at the beginning of the step).
+/// In the interior of the pressed surface the volume's derivative is the pressure's force, so that closed
+/// sheets and those held along their rim get the exact force and its symmetric tangent. At a free rim the
+/// difference is added as a dead force, evaluated at the beginning of the step: there the load stiffness has
+/// no symmetric form.
 class LoadEnergy : public Energy {
   public:
     /// The shell must outlive this object.
@@ -78,6 +78,7 @@ class LoadEnergy : public Energy {
     Positions start;  ///< [3, V] m
     Positions force;  ///< [3, V] N, dead forces
     PressedTriangles pressed;
+    TurnedTriangles turned;
     double start_potential = 0;
 };
 

@@ -10,12 +10,16 @@
 #include "core/forces/loads.h"
 #include "core/forces/wind.h"
 #include "core/membrane/membrane_energy.h"
+#include "core/reaction.h"
 
 namespace sherd {
 
+class CoupledBending;
+
 struct ShellEnergyOptions {
-    BendingOptions bending = {};            ///< energy and Jacobian of the hinges
-    std::vector<MirrorHinge> mirrors = {};  ///< clamps and symmetry planes
+    BendingOptions bending = {};              ///< energy and Jacobian of the hinges
+    std::vector<MirrorHinge> mirrors = {};    ///< clamps and symmetry planes
+    std::vector<Index> mirror_supports = {};  ///< of each mirror; empty: its forces are no support's reaction
     std::vector<Load> loads = {};
     std::vector<Wind> winds = {};
     Damping damping = {};
@@ -31,6 +35,10 @@ class ShellEnergies {
     std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }
     std::vector<Energy*> loads();
 
+    /// Adds the forces of clamps and symmetry planes, at x [3, V] m in a step, to their reactions.
+    void add_mirror_reactions(const StepContext& step, const Positions& x,
+                              std::span<Reaction> of_supports) const;
+
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
     }
@@ -40,9 +48,13 @@ class ShellEnergies {
     double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
 
   private:
+    const Shell& shell;
+    std::vector<std::vector<MirrorHinge>> mirrors_of;  ///< of each support, if hinges are not coupled
     std::unique_ptr<Energy> bending;
+    const CoupledBending* coupled;  ///< bending, if it is of coupled hinges
     MembraneEnergy membrane;
     MirrorEnergy mirrors;
+    std::vector<Index> mirror_supports;          ///< ShellEnergyOptions::mirror_supports
     std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind and damping, as far as there are any
 };
 

@@ -26,6 +26,14 @@ struct HingeStencil {
     double stiffness;  ///< lambda, N m
 };
 
+/// The directions in which a support holds a vertex, of those in which no earlier one does.
+struct Hold {
+    Index support;        ///< number of a pin, clamp or symmetry plane
+    Matrix3d directions;  ///< a projection
+
+    bool operator==(const Hold&) const = default;
+};
+
 /// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
 /// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
 /// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
@@ -41,6 +49,7 @@ struct Shell {
     std::vector<char> fixed;    ///< [V] 1 where a pin holds the vertex
     std::vector<Index> script;  ///< [V] 0, or the number, from 1, of the motion that scripts the fixed vertex
     std::vector<char> guide;    ///< [V] 0, or the number, from 1, of the guide that the vertex slides along
+    std::vector<Index> held;    ///< [V] 0, or the number, from 1, of what holds the vertex in `holds`
     std::vector<Index>
         vertex_sheet;  ///< [V] number of the sheet that the vertex belongs to, also after breaking
 
@@ -57,9 +66,10 @@ struct Shell {
     /// Pairs of vertices that coincide because a crack between them has just opened: elements that contain
     /// one each do not collide in SheetContact.
     std::vector<std::array<Index, 2>> twins;
-    std::vector<LipStencil> lips;  ///< lips of these cracks
-    std::vector<Matrix3d> guides;  ///< projections to the free directions: a plane, or a line
-    std::vector<Motion> motions;   ///< of scripted vertices, from their rest positions
+    std::vector<LipStencil> lips;          ///< lips of these cracks
+    std::vector<Matrix3d> guides;          ///< projections to the free directions: a plane, or a line
+    std::vector<Motion> motions;           ///< of scripted vertices, from their rest positions
+    std::vector<std::vector<Hold>> holds;  ///< what together holds a vertex, for reactions
 };
 
 /// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an
@@ -76,6 +86,7 @@ void visit_vertices(S& shell, Visit visit) {
     visit(shell.fixed, Inheritance::common, char(0));
     visit(shell.script, Inheritance::common, Index(0));
     visit(shell.guide, Inheritance::common, char(0));
+    visit(shell.held, Inheritance::common, Index(0));
     visit(shell.vertex_sheet, Inheritance::first, Index(0));
 }
 

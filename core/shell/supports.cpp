@@ -26,4 +26,13 @@ Positions scripted_part(const Shell& shell, const Positions& displacement) {
     return carried;
 }
 
+void add_reactions(const Shell& shell, const Positions& x, const Positions& forces,
+                   std::span<Reaction> of_supports) {
+    for (std::size_t v = 0; v < shell.held.size(); ++v) {
+        if (shell.held[v] == 0) continue;
+        for (const auto& [support, directions] : shell.holds[shell.held[v] - 1])
+            of_supports[support].add(x.col(v), directions * forces.col(v));
+    }
+}
+
 }  // namespace sherd

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
+#include "core/reaction.h"
 #include "core/shell/shell.h"
 
 namespace sherd {
@@ -13,5 +16,10 @@ void place_scripted(const Shell& shell, double time, Positions& x);
 
 /// A displacement [3, V] restricted to scripted vertices; zero for the others.
 Positions scripted_part(const Shell& shell, const Positions& displacement);
+
+/// Adds the forces [3, V] N on held vertices at x [3, V] m to the reactions of the supports that hold them,
+/// each in its directions.
+void add_reactions(const Shell& shell, const Positions& x, const Positions& forces,
+                   std::span<Reaction> of_supports);
 
 }  // namespace sherd

@@ -40,9 +40,14 @@ double Potential::round_off() const {
 }
 
 Positions Potential::gradient(const Positions& x) const {
+    Positions sum = gradient_with_blocked(x);
+    constrain(shell, sum);
+    return sum;
+}
+
+Positions Potential::gradient_with_blocked(const Positions& x) const {
     Positions sum = Positions::Zero(3, x.cols());
     each([&](const Energy& energy) { energy.add_gradient(x, sum); });
-    constrain(shell, sum);
     return sum;
 }
 

@@ -22,6 +22,8 @@ class Potential {
     double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< J, bound on the value's error by cancellation
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
+    /// The same with what pins and guides block.
+    Positions gradient_with_blocked(const Positions& x) const;
     /// Zero matrix with the pattern of Hessians at x and nearby.
     BlockMatrix hessian_pattern(const Positions& x) const;
     /// Whether the matrix has all blocks of the Hessian at x.

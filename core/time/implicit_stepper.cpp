@@ -89,6 +89,23 @@ void ImplicitStepper::finish() {
     time = step.end();
 }
 
+std::vector<Reaction> ImplicitStepper::reactions() const {
+    std::vector<Reaction> all(options.supports);
+    if (options.supports > 0) {
+        // The inertial prediction is where supports leave it, so that inertia has no force against them.
+        Positions blocked = potential.gradient_with_blocked(position);
+        Positions acceleration = step.acceleration(position);
+        acceleration.colwise() -= options.gravity;
+        blocked += acceleration * shell.mass.asDiagonal();
+        add_reactions(shell, position, blocked, all);
+        forces.add_mirror_reactions(step, position, all);
+    }
+    const Stopwatch watch(spent, Task::contact);
+    const std::vector<Reaction> of_obstacles = contact.reactions(position);
+    all.insert(all.end(), of_obstacles.begin(), of_obstacles.end());
+    return all;
+}
+
 PotentialEnergies ImplicitStepper::energies() const {
     PotentialEnergies sum;
     sum.bending = forces.bending_value(position);

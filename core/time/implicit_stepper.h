@@ -15,6 +15,7 @@ struct StepperOptions {
     double step = 1e-4;             ///< s
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction
+    Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::holds
     ShellEnergyOptions shell = {};
     ContactOptions contact = {};
 };
@@ -48,6 +49,10 @@ class ImplicitStepper {
     PotentialEnergies energies() const;  ///< at `position`
     /// ShellEnergies::face_curvatures() at `position`.
     std::optional<Eigen::Matrix3Xd> face_curvatures() const { return forces.face_curvatures(position); }
+    /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
+    /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
+    /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.
+    std::vector<Reaction> reactions() const;
     Touch touch() const { return contact.touch(position); }               ///< with obstacles and bodies
     double lip_overlap() const { return contact.lip_overlap(position); }  ///< m
     /// The bodies at the end of the last finished step.
@@ -69,7 +74,7 @@ class ImplicitStepper {
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them.
     Positions pushed_along() const;
 
-    TimeSpent spent;
+    mutable TimeSpent spent;  // of questions, too
     Shell& shell;
     StepperOptions options;
     double time = 0;   ///< s, end of the finished steps

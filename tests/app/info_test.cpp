@@ -53,6 +53,16 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["energy"]["contact"], last.contact);
     EXPECT_EQ(info["momentum"]["linear"][2], last.linear_momentum.z());
     EXPECT_EQ(info["momentum"]["angular"][0], last.angular_momentum.x());
+    EXPECT_EQ(info["reactions"][1]["name"], "sheet.a/b.clamp[1]");
+    EXPECT_EQ(info["reactions"][1]["kind"], "clamp");
+    EXPECT_EQ(info["reactions"][1]["force"][0], last.reactions[1].force.x());
+    EXPECT_EQ(info["reactions"][2]["moment"][1], last.reactions[2].moment.y());
+    EXPECT_EQ(info["gauges"][0]["name"], "tip");
+    EXPECT_EQ(info["gauges"][0]["displacement"][2], last.gauges[0].displacement.z());
+    double moved = 0;
+    for (const auto& steps : run.steps)
+        for (const StepReport& step : steps) moved = std::max(moved, step.gauges[0].displacement.norm());
+    EXPECT_EQ(info["gauges"][0]["largest"], moved);
     double peak = 0;
     int iterations = 0;
     for (const auto& steps : run.steps)

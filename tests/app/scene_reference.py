@@ -19,7 +19,8 @@ PLACES = {
     "The scene": "",
     "`[sheet.NAME]`: what bends and breaks": "sheet.NAME",
     "A pin or a clamp has one of": "sheet.NAME.pin",
-    "and may move, the sheet following:": "sheet.NAME.pin",
+    "A pin may leave directions free:": "sheet.NAME.pin",
+    "A pin or a clamp may move, the sheet following:": "sheet.NAME.pin",
     "`fracture`: what a sheet withstands": "sheet.NAME.fracture",
     "`map`": "sheet.NAME.fracture.map",
     "`score`": "sheet.NAME.fracture.score",
@@ -32,6 +33,7 @@ PLACES = {
     "`keys`": "obstacle.NAME.keys",
     "`[contact]`: of sheets and fragments with each other and with themselves": "contact",
     "`[[force.load]]`: what pushes and pulls": "force.load",
+    "`[[gauge]]`: what is measured, where": "gauge",
     "`[force.wind]`: the air": "force.wind",
     "`[solver]`": "solver",
     "`[[variant]]`: several scenes in one file": "variant",
@@ -44,7 +46,7 @@ SAME = {
 }
 PRESETS = "preset"  # the first column of the one table that lists names, not keys
 
-SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution")
+SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
 MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }']
 AXES = ["{ direction = [0, 0, 1], KEYS }", '{ texture = "a.png", encoding = "hue", KEYS }', "{ field = true, KEYS }"]
 MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }']
@@ -56,7 +58,7 @@ def scene():
     """A scene with every table that there is; KEYS: where keys go that make the program speak."""
     keys = "{ time = 0, rotate = { KEYS }, KEYS }"
     pin = f"{{ boundary = true, keys = [{keys}], KEYS }}"
-    lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "[force]", "KEYS",
+    lines = ["KEYS", "output = { KEYS }", "contact = { KEYS }", "solver = { damping = { KEYS }, KEYS }", "gauge = [{ KEYS }]", "[force]", "KEYS",
              "load = [{ point = [0, 0, 1], boundary = true, KEYS }]", "wind = [{ gust = { KEYS }, KEYS }]"]
     for i, mesh in enumerate(MESHES):
         score, chart, axis = SCORES[i % len(SCORES)], MAPS[i % len(MAPS)], AXES[i % len(AXES)]

@@ -17,6 +17,7 @@ Shell marked_sheet() {
     shell.fixed = {1, 1, 0, 0};
     shell.script = {3, 3, 0, 0};
     shell.guide = {0, 0, 2, 2};
+    shell.held = {4, 4, 0, 5};
     shell.vertex_sheet.assign(vertices, 7);
     shell.edge_hinge = {0, -1, -1, -1, -1};
     shell.edge_strength = {5, 6, 7, 8, 9};
@@ -56,6 +57,7 @@ TEST(ShellChange, AVertexBetweenOthersHasTheirMean) {
     EXPECT_EQ(shell.thickness[4], 1.75);
     EXPECT_EQ(shell.fixed[4], 1);
     EXPECT_EQ(shell.script[4], 3);
+    EXPECT_EQ(shell.held[4], 4);
     EXPECT_EQ(shell.fixed[5], 0) << "one of its parents is free";
     EXPECT_EQ(shell.guide[5], 0);
     EXPECT_EQ(shell.vertex_sheet[5], 7);

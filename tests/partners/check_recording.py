@@ -37,8 +37,14 @@ def check_head(file):
 def check_tables(file):
     kinds = ("failure", "opening", "split", "fragment", "vertex_birth", "face_birth")
     for group in ("steps", *(f"events/{kind}" for kind in kinds)):
-        rows = {column.shape[0] for column in file[group].values()}
+        rows = {column.shape[0] for column in file[group].values() if isinstance(column, h5py.Dataset)}
         assert len(rows) == 1, f"the columns of {group} differ in length: {rows}"
+    for support in file["steps/reaction"].values():
+        assert support.attrs["name"] and support.attrs["kind"] in ("pin", "clamp", "symmetry", "obstacle")
+        for column in ("force", "moment"):
+            assert support[column].shape == (len(file["steps/step"]), 3)
+            assert np.all(np.isfinite(support[column][:]))
+    assert np.max(file["steps/reaction/obstacle.floor/force"][:, 2]) > 0
     assert np.all(np.diff(file["steps/step"][:]) == 1)
     assert np.all(np.diff(file["steps/time"][:]) > 0)
     for group in kinds:

@@ -49,7 +49,9 @@ inline RecordingHeader header() {
                            .rest_position = Positions::Zero(3, 5),
                            .rest_faces = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}},
                            .rest_area = {0.5, 0.5, 0.5},
-                           .rest_thickness = {1e-3, 1e-3, 2e-3}};
+                           .rest_thickness = {1e-3, 1e-3, 2e-3},
+                           .supports = synthetic::supports(),
+                           .gauges = synthetic::gauges()};
     header.rest_position.topRows<2>() << 0, 1, 1, 0, 2,  //
         0, 0, 1, 1, 0;
     return header;

@@ -116,6 +116,16 @@ inline void fill_numbers(Snapshot& snapshot, Index k) {
     }
 }
 
+inline std::vector<RecordedSupport> supports() {
+    return {
+        {"sheet.left \"half\".pin", "pin"}, {"sheet.a/b.clamp[1]", "clamp"}, {"obstacle.floor", "obstacle"}};
+}
+
+inline std::vector<RecordedGauge> gauges() {
+    return {{"tip", "right", {1, 2, 3}}, {"middle", "left \"half\"", {0, 0, 1e-3}}};
+}
+
+/// With as many reactions as there are supports(), and readings of gauges().
 inline StepReport step(Index i) {
     StepReport report;
     report.step = i;
@@ -140,6 +150,9 @@ inline StepReport step(Index i) {
     report.peak_stress = 3e7 + std::sin(i);
     report.peak_bending_strain = 1.0 + std::cos(i);
     report.peak_overload = 0.5 + std::cos(3.0 * i);
+    for (Index k = 0; k < 3; ++k)
+        report.reactions.push_back({Vector3d(number(i, k), 2, -3), Vector3d(k, number(i, 8 + k), 1)});
+    for (Index k = 0; k < 2; ++k) report.gauges.push_back({Vector3d(number(i, 11 + k), 0, 1e-3 * i)});
     return report;
 }
 
@@ -160,7 +173,9 @@ inline SyntheticRun synthetic_run() {
                   .rest_position = whole_positions(),
                   .rest_faces = whole_faces(),
                   .rest_area = {},
-                  .rest_thickness = {}};
+                  .rest_thickness = {},
+                  .supports = supports(),
+                  .gauges = gauges()};
     Snapshot snapshot;
     snapshot.faces = whole_faces();
     for (Index v = 0; v < (columns + 1) * (rows + 1); ++v) snapshot.original.push_back(v);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/scene/build/body_start.h"
+#include "app/scene/build/gauges.h"
 #include "app/scene/build/loads.h"
 #include "app/scene/build/obstacle_start.h"
 #include "app/scene/build/obstacles.h"
@@ -72,6 +73,7 @@ BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
     add_obstacles(scene, built, warnings);
     add_supports(scene, built.inputs, built.sheets.mechanics(), built.options);
     add_loads(scene, built.inputs, built.sheets.mechanics(), built.options);
+    add_gauges(scene, built.sheets.mechanics(), built.options);
     add_winds(scene, built.sheets.mechanics(), built.options);
     return built;
 }

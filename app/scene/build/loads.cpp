@@ -39,15 +39,17 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
             load.dead = line_forces(mechanics, boundary_triangle_edges(mechanics, selected), spec.force);
         else if (spec.kind == "area")
             load.dead = area_forces(mechanics, selected_triangles(mechanics, selected), spec.force);
+        else if (spec.kind == "moment")
+            load.moments = edge_moments(mechanics, boundary_triangle_edges(mechanics, selected), spec.moment);
         else
             load.pressed = selected_triangles(mechanics, selected);
         load.pressure = spec.pressure;
-        if (load.dead.empty() && load.pressed.empty())
-            throw Error(fmt::format("{}: acts on nothing: {} must be in its box, boundary or group",
-                                    spec.where,
-                                    spec.kind == "point"  ? "a vertex"
-                                    : spec.kind == "line" ? "both ends of an edge of the boundary"
-                                                          : "all vertices of a face"));
+        if (load.dead.empty() && load.pressed.empty() && load.moments.empty())
+            throw Error(fmt::format(
+                "{}: acts on nothing: {} must be in its box, boundary or group", spec.where,
+                spec.kind == "point"                           ? "a vertex"
+                : spec.kind == "line" || spec.kind == "moment" ? "both ends of an edge of the boundary"
+                                                               : "all vertices of a face"));
         options.stepper.shell.loads.push_back(load);
     }
 }

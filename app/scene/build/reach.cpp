@@ -113,7 +113,7 @@ Mover mover_of(const SheetInput& input, const SheetSpec& sheet, const Scene& sce
     const bool blown = std::any_of(scene.winds.begin(), scene.winds.end(), [&](const WindSpec& wind) {
         return wind.sheet.empty() || wind.sheet == sheet.name;
     });
-    if (!input.pinned.empty() || !sheet.symmetries.empty() || blown) {
+    if (sheet.is_supported() || blown) {
         mover.met = 0;
         mover.met_near = mover.box;
     }

@@ -43,10 +43,6 @@ Error not_apart(const Scene& scene, const BreakableShell& all, const std::vector
         scene.file.string(), text));
 }
 
-bool held(const Scene& scene, const std::vector<SheetInput>& inputs, Index sheet) {
-    return !inputs[sheet].pinned.empty() || !scene.sheets[sheet].symmetries.empty();
-}
-
 /// A sheet, and how it has to move, m.
 struct Parting {
     Index sheet;
@@ -54,7 +50,7 @@ struct Parting {
 };
 
 /// How to part two sheets, a before b, whose faces overlap so; none where one motion does not do.
-std::optional<Parting> parting(const Scene& scene, const std::vector<SheetInput>& inputs, Index a, Index b,
+std::optional<Parting> parting(const Scene& scene, Index a, Index b,
                                const std::vector<StartOverlap>& overlaps) {
     Vector3d mean = Vector3d::Zero();
     for (const StartOverlap& overlap : overlaps) mean += overlap.normal;
@@ -65,7 +61,7 @@ std::optional<Parting> parting(const Scene& scene, const std::vector<SheetInput>
         if (!(cosine > steepest)) return {};
         way = std::max(way, (overlap.needed - overlap.distance) / cosine);
     }
-    const bool a_is_held = held(scene, inputs, a), b_is_held = held(scene, inputs, b);
+    const bool a_is_held = scene.sheets[a].is_supported(), b_is_held = scene.sheets[b].is_supported();
     if (a_is_held && b_is_held) return {};
     const bool a_is_above = normal.dot(scene.gravity) > 0;
     if (b_is_held || (a_is_above && !a_is_held)) return Parting{a, -way * normal};
@@ -109,7 +105,7 @@ std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInpu
         if (!of_sheets) return {};
         if (of_sheets->empty()) return parted;
         for (const auto& [sheets, found] : *of_sheets) {
-            const auto next = parting(scene, parted.inputs, sheets[0], sheets[1], found);
+            const auto next = parting(scene, sheets[0], sheets[1], found);
             if (!next) return {};
             const auto& [sheet, way] = *next;
             parted.moved[sheet] += way;

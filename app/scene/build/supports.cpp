@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "app/scene/build/selection.h"
@@ -35,16 +34,38 @@ bool holds_a_triangle(const Shell& mechanics, const std::vector<char>& selected)
     });
 }
 
-/// Leaves a vertex the directions of its planes' intersection.
-void slide(std::map<Index, Matrix3d>& freedom, const std::vector<char>& selected, const Vector3d& normal) {
-    for (Index v = 0; v < static_cast<Index>(selected.size()); ++v) {
-        if (!selected[v]) continue;
-        Matrix3d& free = freedom.try_emplace(v, Matrix3d::Identity()).first->second;
-        const Vector3d lost = free * normal;
-        // Zero when an earlier plane has the same normal.
-        if (lost.norm() > on_plane) free -= lost.normalized() * lost.normalized().transpose();
+/// What holds each vertex, and the directions that are left to it.
+class Holds {
+  public:
+    explicit Holds(std::size_t vertices) : by(vertices), freedom(vertices, Matrix3d::Identity()) {}
+
+    void add(Index support, const std::vector<char>& selected, const Vector3d& direction) {
+        for (std::size_t v = 0; v < selected.size(); ++v) {
+            if (!selected[v]) continue;
+            const Vector3d lost = freedom[v] * direction;
+            if (lost.norm() <= on_plane) continue;  // an earlier support holds it there
+            const Matrix3d held = lost.normalized() * lost.normalized().transpose();
+            freedom[v] -= held;
+            if (by[v].empty() || by[v].back().support != support)
+                by[v].push_back({support, Matrix3d::Zero()});
+            by[v].back().directions += held;
+        }
     }
-}
+    void add(const PinSpec& pin, Index support, const std::vector<char>& selected) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (!pin.free[axis]) add(support, selected, Vector3d::Unit(axis));
+    }
+    std::vector<HeldVertex> held_vertices() const {
+        std::vector<HeldVertex> held;
+        for (std::size_t v = 0; v < by.size(); ++v)
+            if (!by[v].empty()) held.push_back({static_cast<Index>(v), by[v]});
+        return held;
+    }
+
+  private:
+    std::vector<std::vector<Hold>> by;
+    std::vector<Matrix3d> freedom;
+};
 
 /// The middle of the box around what a pin holds.
 Vector3d middle(const std::vector<Index>& vertices, const Mesh& placed) {
@@ -64,7 +85,10 @@ std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& pl
         check_group(pin, group_names(placed));
         bool any = false;
         for (const Vertex v : placed.vertices())
-            if (selects(pin, placed, v)) any = held[v] = true;
+            if (selects(pin, placed, v)) {
+                any = true;
+                if (hold.holds_all_directions()) held[v] = true;
+            }
         if (!any)
             throw Error(fmt::format(
                 "{}: holds no vertex: its box, boundary or group must reach the placed sheet", pin.where));
@@ -100,52 +124,102 @@ std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed) {
 
 namespace {
 
-/// lambda (N m) of the hinge on a boundary side. first_face: number of the sheet's first face in the
-/// mechanics.
-double side_stiffness(const SheetInput& input, const Shell& mechanics, const TriangleEdge& side,
-                      Index first_face) {
-    if (input.axes.empty()) return hinge_stiffness(input.material);
-    const TrianglePositions rest = columns(mechanics.rest, edge_and_apex(mechanics, side));
-    return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
-}
+/// Adds the supports of all sheets, one after the other.
+class SupportBuilder {
+  public:
+    SupportBuilder(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
+                   SimulationOptions& options)
+        : scene(scene),
+          inputs(inputs),
+          mechanics(mechanics),
+          options(options),
+          holds(static_cast<std::size_t>(mechanics.mass.size())) {}
+
+    void add_sheet(std::size_t number) {
+        sheet = number;
+        const SheetSpec& spec = scene.sheets[sheet];
+        for (const PinSpec& pin : spec.pins) holds.add(pin, options.stepper.supports++, selected(pin));
+        for (const PinSpec& clamp : spec.clamps) add_clamp(clamp);
+        for (const SymmetrySpec& plane : spec.symmetries) add_symmetry(plane);
+        first += static_cast<Index>(inputs[sheet].mesh.number_of_vertices());
+        first_face += static_cast<Index>(inputs[sheet].mesh.number_of_faces());
+    }
+    void finish() { options.held = holds.held_vertices(); }
+
+  private:
+    std::vector<char> selected(const PinSpec& pin) const {
+        return selected_vertices(pin.on, scene.sheets[sheet].name, scene, inputs);
+    }
+
+    void add_clamp(const PinSpec& clamp) {
+        const std::vector<char> held = selected(clamp);
+        const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
+        if (sides.empty() && !holds_a_triangle(mechanics, held))
+            throw Error(
+                fmt::format("{}: holds no tangent: it must hold both ends of an edge of the "
+                            "boundary, or a whole face",
+                            clamp.on.where));
+        for (const TriangleEdge& side : sides) add(clamp_hinge(mechanics, side, stiffness(side)));
+        holds.add(clamp, options.stepper.supports++, held);
+    }
+
+    void add_symmetry(const SymmetrySpec& plane) {
+        const std::vector<char> held =
+            vertices_on(plane, inputs[sheet], first, static_cast<Index>(mechanics.mass.size()));
+        const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
+        if (sides.empty())
+            throw Error(
+                fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
+        for (const TriangleEdge& side : sides)
+            add(symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
+        holds.add(options.stepper.supports++, held, plane.normal);
+    }
+
+    /// Adds a hinge of the support that comes next.
+    void add(const MirrorHinge& hinge) {
+        options.stepper.shell.mirrors.push_back(hinge);
+        options.stepper.shell.mirror_supports.push_back(options.stepper.supports);
+    }
+
+    /// lambda (N m) of the hinge on a boundary side.
+    double stiffness(const TriangleEdge& side) const {
+        const SheetInput& input = inputs[sheet];
+        if (input.axes.empty()) return hinge_stiffness(input.material);
+        const TrianglePositions rest = columns(mechanics.rest, edge_and_apex(mechanics, side));
+        return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
+    }
+
+    const Scene& scene;
+    const std::vector<SheetInput>& inputs;
+    const Shell& mechanics;
+    SimulationOptions& options;
+    Holds holds;
+    std::size_t sheet = 0;
+    Index first = 0, first_face = 0;  ///< of the sheet in the mechanics
+};
 
 }  // namespace
 
+std::vector<SupportName> support_names(const Scene& scene) {
+    std::vector<SupportName> names;
+    for (const SheetSpec& sheet : scene.sheets)
+        for (const auto& [kind, count] :
+             {std::pair("pin", sheet.pins.size()), std::pair("clamp", sheet.clamps.size()),
+              std::pair("symmetry", sheet.symmetries.size())})
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::string number = count > 1 ? fmt::format("[{}]", i) : "";
+                names.push_back({fmt::format("sheet.{}.{}{}", sheet.name, kind, number), kind});
+            }
+    for (const ObstacleSpec& obstacle : scene.obstacles)
+        names.push_back({"obstacle." + obstacle.name, "obstacle"});
+    return names;
+}
+
 void add_supports(const Scene& scene, const std::vector<SheetInput>& inputs, const Shell& mechanics,
                   SimulationOptions& options) {
-    std::map<Index, Matrix3d> freedom;
-    Index first = 0, first_face = 0;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const auto stiffness = [&](const TriangleEdge& side) {
-            return side_stiffness(inputs[i], mechanics, side, first_face);
-        };
-        for (const PinSpec& clamp : scene.sheets[i].clamps) {
-            const std::vector<char> held = selected_vertices(clamp.on, scene.sheets[i].name, scene, inputs);
-            const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
-            if (sides.empty() && !holds_a_triangle(mechanics, held))
-                throw Error(
-                    fmt::format("{}: holds no tangent: it must hold both ends of an edge of the "
-                                "boundary, or a whole face",
-                                clamp.on.where));
-            for (const TriangleEdge& side : sides)
-                options.stepper.shell.mirrors.push_back(clamp_hinge(mechanics, side, stiffness(side)));
-        }
-        for (const SymmetrySpec& plane : scene.sheets[i].symmetries) {
-            const std::vector<char> held =
-                vertices_on(plane, inputs[i], first, static_cast<Index>(mechanics.mass.size()));
-            const std::vector<TriangleEdge> sides = boundary_triangle_edges(mechanics, held);
-            if (sides.empty())
-                throw Error(
-                    fmt::format("{}: the sheet, as placed, has no boundary edge in this plane", plane.where));
-            for (const TriangleEdge& side : sides)
-                options.stepper.shell.mirrors.push_back(
-                    symmetry_hinge(mechanics, side, plane.normal, stiffness(side)));
-            slide(freedom, held, plane.normal);
-        }
-        first += static_cast<Index>(inputs[i].mesh.number_of_vertices());
-        first_face += static_cast<Index>(inputs[i].mesh.number_of_faces());
-    }
-    for (const auto& [vertex, free] : freedom) options.sliding.push_back({vertex, free});
+    SupportBuilder builder(scene, inputs, mechanics, options);
+    for (std::size_t sheet = 0; sheet < inputs.size(); ++sheet) builder.add_sheet(sheet);
+    builder.finish();
 }
 
 }  // namespace sherd

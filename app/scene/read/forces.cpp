@@ -11,7 +11,7 @@ namespace sherd {
 namespace {
 
 void read_amount(TomlTable& table, LoadSpec& load) {
-    const std::vector<std::string> kinds{"point", "line", "area", "pressure"};
+    const std::vector<std::string> kinds{"point", "line", "area", "pressure", "moment"};
     for (const std::string& kind : kinds) {
         if (!table.has(kind)) continue;
         if (!load.kind.empty())
@@ -20,12 +20,14 @@ void read_amount(TomlTable& table, LoadSpec& load) {
     }
     if (load.kind == "pressure")
         load.pressure = table.number("pressure", "Pa", any_number);
+    else if (load.kind == "moment")
+        load.moment = table.number("moment", "N m/m", any_number);
     else if (!load.kind.empty())
         load.force = table.vector(load.kind, load.kind == "point"  ? "N"
                                              : load.kind == "line" ? "N/m"
                                                                    : "N/m^2");
     else
-        table.report("", "has no size: give point, line, area (a vector) or pressure (a number)");
+        table.report("", "has no size: give point, line, area (a vector), pressure or moment (a number)");
 }
 
 LoadSpec read_load(TomlTable& table, const Scene& scene) {

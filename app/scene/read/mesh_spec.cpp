@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/scene/read/profile.h"
@@ -15,8 +17,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::array<std::string_view, 7> shapes{"rectangle", "disc", "cylinder",  "sphere",
-                                                 "plate",     "bowl", "revolution"};
+constexpr std::array<std::string_view, 8> shapes{"rectangle", "disc", "cylinder",   "sphere",
+                                                 "plate",     "bowl", "revolution", "polygon"};
 /// Of real dinner plates, of 26 cm and 2.4 cm high with a flat of 16 cm, as parts of the radius.
 constexpr double plate_height = 0.18, plate_foot = 0.6;
 constexpr double bowl_cap = 60;  // degrees
@@ -62,6 +64,32 @@ void read_profile(TomlTable& table, GeneratedMesh& mesh) {
         table.report("profile", "lies on the axis: give a point with r > 0");
 }
 
+Polyline polyline(const std::vector<Eigen::VectorXd>& rows) {
+    return {rows.begin(), rows.end()};
+}
+
+std::vector<Polyline> polylines(TomlTable& table, std::string_view key, std::size_t least) {
+    std::vector<Polyline> lines;
+    if (table.has(key))
+        for (const auto& rows : table.lists_of_rows(key, "x, y in m", least, 2))
+            lines.push_back(polyline(rows));
+    return lines;
+}
+
+void read_polygon(TomlTable& table, GeneratedMesh& mesh) {
+    mesh.polygon.outline = polyline(table.rows("outline", "x, y in m", 3, 2));
+    mesh.polygon.holes = polylines(table, "holes", 3);
+    mesh.polygon.slits = polylines(table, "slits", 2);
+    if (mesh.polygon.outline.empty()) return;
+    if (const auto fault = fault_of(mesh.polygon)) table.report(fault->part, fault->what);
+}
+
+double smaller_side(const Polyline& line) {
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& p : line) box.extend(p);
+    return box.sizes().minCoeff();
+}
+
 /// Area (m^2) and the smallest size (m) that the edge length must resolve.
 std::pair<double, double> area_and_size(const GeneratedMesh& mesh) {
     const double r = mesh.radius;
@@ -69,6 +97,9 @@ std::pair<double, double> area_and_size(const GeneratedMesh& mesh) {
     if (mesh.shape == "disc") return {pi * r * r, r};
     if (mesh.shape == "cylinder") return {2 * pi * r * mesh.height, std::min(r, mesh.height)};
     if (mesh.shape == "sphere") return {4 * pi * r * r, r};
+    if (mesh.shape == "polygon" && mesh.polygon.outline.empty())
+        return {0, std::numeric_limits<double>::infinity()};
+    if (mesh.shape == "polygon") return {area(mesh.polygon), smaller_side(mesh.polygon.outline)};
     return {revolved_area(mesh.profile), length(mesh.profile)};
 }
 
@@ -97,6 +128,7 @@ GeneratedMesh read_shape(TomlTable& table) {
     if (mesh.shape == "plate") read_plate(table, mesh);
     if (mesh.shape == "bowl") read_bowl(table, mesh);
     if (mesh.shape == "revolution") read_profile(table, mesh);
+    if (mesh.shape == "polygon") read_polygon(table, mesh);
     mesh.edge_length = length_of(table, "edge_length");
     mesh.structured = table.flag("structured", false);
     check_edge_length(table, mesh);

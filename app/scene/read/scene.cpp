@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "app/scene/read/forces.h"
+#include "app/scene/read/gauges.h"
 #include "app/scene/read/obstacle.h"
 #include "app/scene/read/sheet.h"
 #include "app/scene/read/variants.h"
@@ -127,6 +128,7 @@ void read_root(TomlTable& root, Scene& scene) {
         }
     if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
+    read_gauges(root, scene);
     if (root.has("variant"))
         root.report("variant",
                     "has its place in the scene itself only: a variant has none, and --set cannot make one");

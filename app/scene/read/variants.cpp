@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/read/variants.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "app/scene/read/plain_name.h"
 #include "app/scene/toml/override.h"
 
 namespace sherd {
-namespace {
-
-constexpr std::string_view name_characters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-
-}  // namespace
-
 std::vector<std::string> read_variant_names(TomlTable& root) {
     std::vector<std::string> names;
     for (TomlTable& variant : root.tables("variant")) {
-        const std::string name = variant.string("name", "the name of the variant");
-        if (name.find_first_not_of(name_characters) != std::string::npos || name.starts_with('-'))
-            variant.report("name", "becomes a part of a file's name: write it in letters, digits, _ and -");
-        if (std::find(names.begin(), names.end(), name) != names.end() && !name.empty())
-            variant.report("name", fmt::format("\"{}\" is the name of another variant already", name));
+        const std::string name =
+            read_plain_name(variant, "variant", "becomes a part of a file's name", names);
         names.push_back(name);
     }
     return names;

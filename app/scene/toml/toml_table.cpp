@@ -134,19 +134,60 @@ Eigen::Vector2d TomlTable::pair(std::string_view key, std::string_view unit, con
     return Eigen::Vector2d::Constant(not_a_number);
 }
 
+std::vector<std::string> TomlTable::choices(std::string_view key, std::span<const std::string_view> names) {
+    const toml::node* node = find(key);
+    const toml::array* array = node ? node->as_array() : nullptr;
+    std::vector<std::string> chosen;
+    bool good = array && !array->empty();
+    for (std::size_t i = 0; good && i < array->size(); ++i) {
+        const std::string value = array->get(i)->value_or(std::string());
+        good = std::find(names.begin(), names.end(), value) != names.end() &&
+               std::find(chosen.begin(), chosen.end(), value) == chosen.end();
+        chosen.push_back(value);
+    }
+    if (good) return chosen;
+    reject(key, fmt::format("an array of one or more of \"{}\", each once", fmt::join(names, "\", \"")));
+    return {};
+}
+
+std::optional<std::vector<Eigen::VectorXd>> TomlTable::rows(const toml::node& node, std::size_t least,
+                                                            std::size_t columns) const {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() < least) return std::nullopt;
+    std::vector<Eigen::VectorXd> result;
+    for (const toml::node& item : *array) {
+        const std::optional<Eigen::VectorXd> row = numbers(item);
+        if (!row || static_cast<std::size_t>(row->size()) != columns) return std::nullopt;
+        result.push_back(*row);
+    }
+    return result;
+}
+
 std::vector<Eigen::VectorXd> TomlTable::rows(std::string_view key, std::string_view unit, std::size_t least,
                                              std::size_t columns) {
     const toml::node* node = find(key);
+    if (node)
+        if (std::optional<std::vector<Eigen::VectorXd>> good = rows(*node, least, columns)) return *good;
+    reject(key, with_unit(fmt::format("an array of at least {} arrays of {} finite numbers", least, columns),
+                          unit));
+    return {};
+}
+
+std::vector<std::vector<Eigen::VectorXd>> TomlTable::lists_of_rows(std::string_view key,
+                                                                   std::string_view unit, std::size_t least,
+                                                                   std::size_t columns) {
+    const toml::node* node = find(key);
     const toml::array* array = node ? node->as_array() : nullptr;
-    std::vector<Eigen::VectorXd> result;
-    bool good = array && array->size() >= least;
+    std::vector<std::vector<Eigen::VectorXd>> result;
+    bool good = array != nullptr;
     for (std::size_t i = 0; good && i < array->size(); ++i) {
-        const std::optional<Eigen::VectorXd> row = numbers(*array->get(i));
-        good = row && static_cast<std::size_t>(row->size()) == columns;
-        if (good) result.push_back(*row);
+        std::optional<std::vector<Eigen::VectorXd>> list = rows(*array->get(i), least, columns);
+        good = list.has_value();
+        if (good) result.push_back(std::move(*list));
     }
     if (good) return result;
-    reject(key, with_unit(fmt::format("an array of at least {} arrays of {} finite numbers", least, columns),
+    reject(key, with_unit(fmt::format("an array of arrays of at least {} arrays of {} finite numbers", least,
+                                      columns),
                           unit));
     return {};
 }

@@ -42,6 +42,8 @@ class TomlTable {
     std::string string(std::string_view key, std::string_view what);
     /// Reads one of `names`; the string is empty after a problem.
     std::string choice(std::string_view key, std::span<const std::string_view> names);
+    /// Reads an array of different ones of `names`, at least one; it is empty after a problem.
+    std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,
                            std::optional<Eigen::Vector3d> fallback = {});
     /// Reads two numbers. `or_one` says that the user is told that a single number would do as well.
@@ -49,6 +51,9 @@ class TomlTable {
     /// Reads an array of arrays of `columns` numbers, with at least `least` rows.
     std::vector<Eigen::VectorXd> rows(std::string_view key, std::string_view unit, std::size_t least,
                                       std::size_t columns);
+    /// Reads an array of any number of such arrays.
+    std::vector<std::vector<Eigen::VectorXd>> lists_of_rows(std::string_view key, std::string_view unit,
+                                                            std::size_t least, std::size_t columns);
     /// Returns the table at `key`; none when it is missing or not a table.
     std::optional<TomlTable> table(std::string_view key);
     /// Returns the tables at `key`: one, or an array of them; empty when it is missing.
@@ -71,6 +76,9 @@ class TomlTable {
     std::string dotted(std::string_view key) const;
     void reject(std::string_view key, std::string_view wanted, std::string_view hint = {});
     std::optional<Eigen::VectorXd> numbers(const toml::node& node) const;
+    /// None unless the node is an array of at least `least` arrays of `columns` numbers.
+    std::optional<std::vector<Eigen::VectorXd>> rows(const toml::node& node, std::size_t least,
+                                                     std::size_t columns) const;
 
     const toml::table* content;
     std::string path;

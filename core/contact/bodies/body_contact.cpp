@@ -127,23 +127,29 @@ Overlap BodyContact::overlap_of(const PointContact& contact, const std::vector<B
                    poses[contact.body].place * contact.point, started[contact.body].contact_radius + margin);
 }
 
-void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
+template <class Add>
+void BodyContact::each_point_force(const VectorXd& q, Add add) const {
     const std::vector<BodyPose> at_q = poses(q);
     for (const PointContact& contact : point_contacts) {
         const Overlap at = overlap_of(contact, at_q);
         if (at.depth <= 0) continue;
         const Vector3d x = at_q[contact.body].place * contact.point;
         const double stiffness = started[contact.body].point_stiffness(collider(contact.other));
-        const PointForce force = spring(at, stiffness, Curvature::convex);
-        sum.stored += force.value;
-        add_between(at_q, contact.body, contact.other, force, x, x, sum);
+        add(at_q, contact.body, contact.other, spring(at, stiffness, Curvature::convex), x, x, true);
     }
     for (const auto& [body, other, point, friction] : sliding) {
         const Vector3d x = at_q[body].place * point, anchor = at_q[other].place * friction.anchor;
-        const PointForce force = friction.force(x, anchor);
-        sum.value += force.value;
-        add_between(at_q, body, other, force, x, anchor, sum);
+        add(at_q, body, other, friction.force(x, anchor), x, anchor, false);
     }
+}
+
+void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
+    each_point_force(q,
+                     [&](const std::vector<BodyPose>& at_q, std::size_t body, std::size_t other,
+                         const PointForce& force, const Vector3d& x, const Vector3d& anchor, bool elastic) {
+                         (elastic ? sum.stored : sum.value) += force.value;
+                         add_between(at_q, body, other, force, x, anchor, sum);
+                     });
 }
 
 BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd& q) const {
@@ -301,6 +307,14 @@ void BodyContact::finish(const Positions& x) {
 
 double BodyContact::stored_energy(const Positions& x) const {
     return solve(x).stored;
+}
+
+void BodyContact::add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
+    solve(x);
+    each_point_force(best, [&](const std::vector<BodyPose>&, std::size_t, std::size_t other,
+                               const PointForce& force, const Vector3d& at, const Vector3d&, bool) {
+        if (!is_free(other)) of_obstacles[other - steps.size()].add(at, -force.gradient);
+    });
 }
 
 void BodyContact::add_touch(const Positions& x, Touch& touch) const {

@@ -4,6 +4,7 @@
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/colliders/obstacle.h"
 #include "core/energy.h"
+#include "core/reaction.h"
 
 namespace sherd {
 
@@ -42,6 +43,8 @@ class BodyContact : public Energy {
 
     double stored_energy(const Positions& x) const;  ///< elastic energy of the contacts, J
     void add_touch(const Positions& x, Touch& touch) const;
+    /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
+    void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
 
   private:
     /// P and its derivatives by q. Derivatives by x are stored with each body.
@@ -77,6 +80,10 @@ class BodyContact : public Energy {
     /// Overlap of a contact point with the other collider; margin: m, added to the contact radius.
     Overlap overlap_of(const PointContact& contact, const std::vector<BodyPose>& poses,
                        double margin = 0) const;
+    /// Calls add(at, body, other, force, x, anchor, elastic) for each force on a point x of a body from
+    /// another collider; at: poses(q).
+    template <class Add>
+    void each_point_force(const VectorXd& q, Add add) const;
     void add_point_contacts(const VectorXd& q, Potential& sum) const;
     /// Adds a force on the point x of a body, and the opposite force on the point `anchor` of another
     /// collider.

@@ -46,6 +46,8 @@ class ContactSurface {
     Index collider_vertices() const { return static_cast<Index>(collider.size()); }
     Index vertices() const { return collider_vertices() + static_cast<Index>(has_twin.size()); }
     bool of_collider(Index vertex) const { return vertex < collider_vertices(); }
+    /// The number of the collider that a vertex of colliders belongs to.
+    Index collider_number(Index vertex) const { return collider[vertex]; }
     bool sheets_meet() const { return sheets; }
 
     // These describe the sheets:

@@ -39,6 +39,11 @@ void ObstacleContact::add_gradient(const Positions& x, Positions& gradient) cons
                [&](Index vertex, const PointForce& force) { gradient.col(vertex) += force.gradient; });
 }
 
+void ObstacleContact::add_reaction(const Positions& x, Reaction& reaction) const {
+    each_force(x, Curvature::convex,
+               [&](Index vertex, const PointForce& force) { reaction.add(x.col(vertex), -force.gradient); });
+}
+
 void ObstacleContact::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     each_force(x, curvature,
                [&](Index vertex, const PointForce& force) { hessian.add(vertex, vertex, force.hessian); });

@@ -3,6 +3,7 @@
 
 #include "core/contact/colliders/obstacle.h"
 #include "core/contact/penalty/vertex_contact.h"
+#include "core/reaction.h"
 
 namespace sherd {
 
@@ -20,6 +21,8 @@ class ObstacleContact : public Energy {
 
     /// Elastic energy stored in the contacts, J.
     double stored_energy(const Positions& x) const;
+    /// Adds the obstacle's forces on the shell at x.
+    void add_reaction(const Positions& x, Reaction& reaction) const;
     void add_touch(const Positions& x, Touch& touch) const { contact.add_touch(x, pose, touch); }
 
   private:

@@ -27,6 +27,8 @@ SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool
       obstacles(std::move(given)),
       colliders(contact_colliders(shell, obstacles)),
       near(ContactSurface(shell, colliders, sheets_meet)) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        if (obstacles[i].surface) obstacle_of.push_back(i);
     start = end = collider_positions(obstacles, 0);
 }
 

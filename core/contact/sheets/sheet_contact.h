@@ -4,6 +4,7 @@
 #include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/detection/near_pairs.h"
 #include "core/element_energy.h"
+#include "core/reaction.h"
 
 namespace sherd {
 
@@ -47,6 +48,24 @@ class SheetContact : public Energy {
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
     }
+    /// Adds the forces of the colliders' surfaces on sheets at x to the reactions, one for each obstacle.
+    void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
+        add_reactions(pairs_at(at_end(x)), x, of_obstacles);
+    }
+    /// The same of the forces of other elements on the vertices of surface().
+    template <class Elements>
+    void add_reactions(const Elements& elements, const Positions& x, std::span<Reaction> of_obstacles) const {
+        const Index first = surface().collider_vertices();
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const std::array<Index, 4> vertices = elements.vertices(i);
+            const Index least = *std::min_element(vertices.begin(), vertices.end());
+            if (least >= 0) continue;  // two sheets
+            const PairPositions gradient = elements.gradient(i, elements.gather(i, x));
+            Reaction& reaction = of_obstacles[obstacle_of[surface().collider_number(least + first)]];
+            for (int v = 0; v < 4; ++v)
+                if (vertices[v] >= 0) reaction.add(x.col(vertices[v]), -gradient.col(v));
+        }
+    }
     /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const {
@@ -83,6 +102,7 @@ class SheetContact : public Energy {
 
     const Shell& shell;
     std::vector<Obstacle> obstacles;
+    std::vector<std::size_t> obstacle_of;  ///< of each collider
     std::vector<ContactCollider> colliders;
     NearPairs near;
     Positions start, end;     ///< m, [3, S], vertices of all colliders in their order

@@ -10,13 +10,12 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <set>
 #include <thread>
-#include <tuple>
 
 #include "app/recording/hdf5.h"
 #include "meshops/error.h"
+#include "tests/support/same_report.h"
 #include "tests/support/same_snapshot.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
@@ -25,83 +24,6 @@ namespace sherd::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class T>
-bool same_bits(const T* a, const T* b, std::size_t count) {
-    return count == 0 || std::memcmp(a, b, count * sizeof(T)) == 0;
-}
-template <class Matrix>
-requires requires(Matrix m) {
-    m.cols();
-}
-bool same(const Matrix& a, const Matrix& b) {
-    return a.size() == b.size() && same_bits(a.data(), b.data(), static_cast<std::size_t>(a.size()));
-}
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && same_bits(a.data(), b.data(), a.size());
-}
-bool same(double a, double b) {
-    return same_bits(&a, &b, 1);
-}
-
-void expect_same(const StepReport& a, const StepReport& b) {
-    EXPECT_EQ(a.step, b.step);
-    for (const auto member :
-         {&StepReport::time, &StepReport::step_size, &StepReport::kinetic, &StepReport::bending,
-          &StepReport::membrane, &StepReport::gravity, &StepReport::contact, &StepReport::peak_strain,
-          &StepReport::lip_overlap, &StepReport::obstacle_overlap, &StepReport::peak_stress,
-          &StepReport::peak_bending_strain, &StepReport::peak_overload})
-        EXPECT_TRUE(same(a.*member, b.*member));
-    EXPECT_TRUE(same(a.linear_momentum, b.linear_momentum));
-    EXPECT_TRUE(same(a.angular_momentum, b.angular_momentum));
-    EXPECT_EQ(a.newton_iterations, b.newton_iterations);
-    EXPECT_EQ(a.halvings, b.halvings);
-    EXPECT_EQ(a.stages, b.stages);
-    EXPECT_EQ(a.stage_cap_reached, b.stage_cap_reached);
-    EXPECT_EQ(a.contacts, b.contacts);
-    EXPECT_EQ(a.fragments, b.fragments);
-}
-
-void expect_same(const CrackEvents& a, const CrackEvents& b) {
-    ASSERT_EQ(a.failures.size(), b.failures.size());
-    for (std::size_t i = 0; i < a.failures.size(); ++i) {
-        const EdgeFailure &x = a.failures[i], &y = b.failures[i];
-        EXPECT_TRUE(same(x.time, y.time) && same(x.strain, y.strain));
-        EXPECT_TRUE(same(x.stress, y.stress) && same(x.overload, y.overload));
-        EXPECT_EQ(std::tie(x.step, x.stage, x.edge, x.vertices, x.boundary_vertices),
-                  std::tie(y.step, y.stage, y.edge, y.vertices, y.boundary_vertices));
-    }
-    ASSERT_EQ(a.openings.size(), b.openings.size());
-    for (std::size_t i = 0; i < a.openings.size(); ++i) {
-        const EdgeOpening &x = a.openings[i], &y = b.openings[i];
-        EXPECT_EQ(std::tie(x.time, x.step, x.edge, x.created), std::tie(y.time, y.step, y.edge, y.created));
-    }
-    ASSERT_EQ(a.splits.size(), b.splits.size());
-    for (std::size_t i = 0; i < a.splits.size(); ++i) {
-        const VertexSplit &x = a.splits[i], &y = b.splits[i];
-        EXPECT_EQ(std::tie(x.time, x.step, x.vertex, x.created),
-                  std::tie(y.time, y.step, y.vertex, y.created));
-    }
-    ASSERT_EQ(a.births.size(), b.births.size());
-    for (std::size_t i = 0; i < a.births.size(); ++i) {
-        const FragmentBirth &x = a.births[i], &y = b.births[i];
-        EXPECT_EQ(std::tie(x.time, x.step, x.fragment, x.parent),
-                  std::tie(y.time, y.step, y.fragment, y.parent));
-    }
-    ASSERT_EQ(a.vertex_births.size(), b.vertex_births.size());
-    for (std::size_t i = 0; i < a.vertex_births.size(); ++i) {
-        const VertexBirth &x = a.vertex_births[i], &y = b.vertex_births[i];
-        EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parents, x.weights),
-                  std::tie(y.time, y.step, y.created, y.parents, y.weights));
-    }
-    ASSERT_EQ(a.face_births.size(), b.face_births.size());
-    for (std::size_t i = 0; i < a.face_births.size(); ++i) {
-        const FaceBirth &x = a.face_births[i], &y = b.face_births[i];
-        EXPECT_EQ(std::tie(x.time, x.step, x.created, x.parent),
-                  std::tie(y.time, y.step, y.created, y.parent));
-    }
-}
 
 /// What the first `frames` appends of `run` must have left in `file`.
 void expect_recorded(const fs::path& file, const SyntheticRun& run, std::size_t frames) {
@@ -153,6 +75,17 @@ TEST(Recording, KeepsEveryBit) {
     EXPECT_TRUE(same(header.rest_faces, run.header.rest_faces));
     EXPECT_TRUE(same(header.rest_area, run.header.rest_area));
     EXPECT_TRUE(same(header.rest_thickness, run.header.rest_thickness));
+    ASSERT_EQ(header.supports.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(header.supports[i].name, run.header.supports[i].name);
+        EXPECT_EQ(header.supports[i].kind, run.header.supports[i].kind);
+    }
+    ASSERT_EQ(header.gauges.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(header.gauges[i].name, run.header.gauges[i].name);
+        EXPECT_EQ(header.gauges[i].sheet, run.header.gauges[i].sheet);
+        EXPECT_EQ(header.gauges[i].place, run.header.gauges[i].place);
+    }
     EXPECT_EQ(recording.wall_seconds(), 12.5);
     EXPECT_EQ(recording.end(), "complete");
     EXPECT_EQ(names_in(folder.path), (std::set<std::string>{"run.h5", "run.xdmf"}));

@@ -81,6 +81,30 @@ damping = { stiffness = 1e-4, mass = 2 }
     EXPECT_EQ(prepared.options.stepper.shell.damping.mass, 2);
 }
 
+TEST(SceneForce, AMomentArrivesOnTheBoundary) {
+    const Prepared prepared = prepare(plate + R"([[force.load]]
+moment = 3
+sheet = "plate"
+ramp = 2
+box = [[1.999, -1, -1], [2.001, 2, 1]]
+)");
+    ASSERT_EQ(prepared.options.stepper.shell.loads.size(), 1u);
+    const Load& load = prepared.options.stepper.shell.loads[0];
+    EXPECT_EQ(load.ramp, 2);
+    double sum = 0;
+    for (const EdgeMoment& moment : load.moments) {
+        EXPECT_LT((moment.axis - Vector3d::UnitY()).norm(), 1e-12) << "counterclockwise around the sheet";
+        sum += moment.moment;
+    }
+    EXPECT_NEAR(sum, 3, 1e-12) << "the right side is 1 m long";
+    EXPECT_NE(
+        message_of(plate + "[[force.load]]\nmoment = [0, 0, 1]\n").find("moment: must be a finite number"),
+        std::string::npos);
+    EXPECT_NE(message_of(plate + "[[force.load]]\nmoment = 1\nbox = [[8, 8, 8], [9, 9, 9]]\n")
+                  .find("edge of the boundary"),
+              std::string::npos);
+}
+
 // A quarter of the plate behind two planes: vertices stay in them while the plate falls from its clamp.
 TEST(SceneSupport, ClampsAndSymmetryPlanesHoldThroughARun) {
     const Prepared prepared = prepare(plate + R"(clamp = { box = [[-1e-6, -1, -1], [1e-6, 2, 1]] }
@@ -106,6 +130,62 @@ step = 1e-2
         drop = std::max(drop, -now.z());
     }
     EXPECT_GT(drop, 1e-3);
+}
+
+// Roller bearings: what is left free has to move, and nothing else; what all supports leave free, not more.
+TEST(SceneSupport, PinsLeaveDirectionsFree) {
+    const Prepared prepared = prepare(plate + R"(pin = [
+    { box = [[-1e-6, -1, -1], [1e-6, 2, 1]], free = ["x", "y"] },
+    { box = [[1.999, -1, -1], [2.001, 2, 1]], free = ["z"] },
+    { box = [[-1e-6, -1e-6, -1], [1e-6, 1e-6, 1]], free = ["y"] },
+    { box = [[1.999, -1e-6, -1], [2.001, 1e-6, 1]], free = ["x", "y"] } ]
+symmetry = { point = [0, 1, 0], normal = [0, 1, 0] }
+[force]
+gravity = [-1, 1, -9.81]
+[solver]
+step = 1e-2
+)");
+    EXPECT_TRUE(prepared.inputs[0].pinned.empty());
+    Simulation simulation(prepared.inputs, prepared.options);
+    for (int i = 0; i < 5; ++i) simulation.step();
+    const Shell& sheet = simulation.shell().mechanics();
+    Vector3d left = Vector3d::Zero(), right = left;
+    for (Index v = 0; v < static_cast<Index>(sheet.mass.size()); ++v) {
+        const Vector3d rest = sheet.rest.col(v), way = Vector3d(sheet.position.col(v)) - rest;
+        if (rest.x() < 1e-6) {
+            EXPECT_EQ(way.z(), 0);
+            if (rest.y() < 1e-6) {
+                EXPECT_EQ(way.x(), 0) << "two pins leave y alone";
+            }
+            if (rest.y() > 1 - 1e-6) {
+                EXPECT_EQ(way.y(), 0) << "a pin and a plane leave x alone";
+            }
+            left = left.cwiseMax(way.cwiseAbs());
+        }
+        if (rest.x() > 1.999) {
+            EXPECT_EQ(way.head<2>(), Vector2d(0, 0));
+            if (rest.y() < 1e-6) {
+                EXPECT_EQ(way.z(), 0) << "nothing is free for both pins";
+            }
+            right = right.cwiseMax(way.cwiseAbs());
+        }
+    }
+    EXPECT_GT(left.x(), 1e-6);
+    EXPECT_GT(left.y(), 1e-6);
+    EXPECT_GT(right.z(), 1e-3);
+}
+
+TEST(SceneSupport, FreedomThatCannotBeIsRefused) {
+    const auto says = [](const std::string& support, const std::string& wanted) {
+        const std::string message = message_of(plate + support + "\n");
+        EXPECT_NE(message.find("scene.toml:5: sheet.plate." + wanted), std::string::npos) << message;
+    };
+    says("pin = { boundary = true, free = [\"w\"] }", "pin.free: must be an array of one or more of \"x\"");
+    says("pin = { boundary = true, free = [\"x\", \"x\"] }", "pin.free: must be an array");
+    says("pin = { boundary = true, free = [] }", "pin.free: must be an array");
+    says("pin = { boundary = true, free = [\"x\", \"y\", \"z\"] }", "pin.free: leaves nothing held");
+    says("pin = { boundary = true, free = [\"x\"], keys = [{ time = 0 }] }", "pin.free: conflicts with keys");
+    says("clamp = { boundary = true, free = [\"x\"] }", "clamp.free: is of pins only");
 }
 
 // The left side turns about its own middle, the right one about the place that is given.

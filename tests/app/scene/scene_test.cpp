@@ -210,6 +210,44 @@ TEST(SceneMesh, FilesAreScaledAndPlaced) {
     EXPECT_NEAR(measure(mesh).area, 0.5, 1e-15);
 }
 
+std::string error_of(const std::string& text) {
+    try {
+        scene_of(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(SceneMesh, PolygonsAreMeshedWithTheirHolesAndSlits) {
+    const std::string square = "outline = [[0, 0], [1, 0], [1, 1], [0, 1]]";
+    const auto text = [](const std::string& keys) {
+        return "duration = 1\n[sheet.a]\nmaterial.preset = \"paper\"\nmesh = { generate = \"polygon\", "
+               "edge_length = 0.1, " +
+               keys + " }\n";
+    };
+    const Scene scene = scene_of(
+        text(square + R"(, holes = [[[0.2, 0.2], [0.4, 0.2], [0.2, 0.4]]], slits = [[[0.5, 0.6], [0.8, 0.6]],
+[[0, 0.8], [0.2, 0.8]]])"));
+    std::vector<std::string> warnings;
+    const MeshMeasures found = measure(make_mesh(scene.sheets[0], scene, warnings));
+    EXPECT_NEAR(found.area, 0.98, 1e-12);
+    EXPECT_EQ(found.boundary_loops, 3) << "outline with a slit, hole, slit inside";
+
+    const auto says = [&](const std::string& keys, const std::string& wanted) {
+        const std::string message = error_of(text(keys));
+        EXPECT_NE(message.find(wanted), std::string::npos) << message;
+    };
+    says("outline = [[0, 0], [1, 0]]", "mesh.outline: must be an array of at least 3 arrays of 2");
+    says("outline = [[0, 0], [1, 1], [1, 0], [0, 1]]", "mesh.outline: crosses or touches itself");
+    says(square + ", holes = [[[2, 2], [3, 2], [3, 3]]]", "mesh.holes: hole 1 is outside of the outline");
+    says(square + ", holes = [[0.2, 0.2], [0.4, 0.2]]",
+         "mesh.holes: must be an array of arrays of at least 3");
+    says(square + ", slits = [[[0.5, 0.5], [2, 0.5]]]", "mesh.slits: slit 1 crosses or touches");
+    says(square + ", slit = []", "mesh.slit: unknown key; did you mean 'slits'?");
+    says(square + ", radius = 1", "mesh.radius: unknown key");
+}
+
 TEST(SceneMesh, PinsHoldTheVerticesOfTheirBoxAndTheBoundary) {
     const Scene scene = scene_of(small_scene + R"(place.translate = [10, 0, 0]
 pin = [{ box = [[9.9, -1, -1], [10.001, 2, 1]] }]

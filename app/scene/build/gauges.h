@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene.h"
+#include "fracture/simulation.h"
+
+namespace sherd {
+
+/// Adds the scene's gauges, each at the point of the mechanics of all sheets that is nearest to its place.
+/// Throws Error, naming the scene's line and key, on one that is farther from its sheet than an edge is long.
+void add_gauges(const Scene& scene, const Shell& mechanics, SimulationOptions& options);
+
+}  // namespace sherd

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// What a support or an obstacle does to that which it holds or stops.
+struct Reaction {
+    Vector3d force = Vector3d::Zero();   ///< N
+    Vector3d moment = Vector3d::Zero();  ///< N m, about the origin
+
+    /// Adds a force (N) on the point `at` (m).
+    void add(const Vector3d& at, const Vector3d& of_point) {
+        force += of_point;
+        moment += at.cross(of_point);
+    }
+};
+
+}  // namespace sherd

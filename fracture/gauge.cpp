@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/gauge.h"
+
+#include <limits>
+
+#include "core/contact/geometry/distance.h"
+
+namespace sherd {
+namespace {
+
+/// Barycentric coordinates of a point of the face's plane at rest.
+Vector3d coordinates(const Shell& shell, const Gauge& gauge) {
+    const TrianglePositions x = columns(shell.rest, shell.triangles[gauge.face].vertices);
+    const Vector3d normal = Vector3d(x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0)));
+    Vector3d shares;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3d next = x.col((i + 1) % 3), last = x.col((i + 2) % 3);
+        shares[i] = (last - next).cross(gauge.place - next).dot(normal) / normal.squaredNorm();
+    }
+    return shares;
+}
+
+}  // namespace
+
+Gauge nearest_gauge(const Shell& shell, const Vector3d& place, Index sheet) {
+    Gauge nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face) {
+        if (sheet >= 0 && shell.face_sheet[face] != sheet) continue;
+        PairPositions pair;
+        pair << place, columns(shell.rest, shell.triangles[face].vertices);
+        const Vector3d way = pair * closest_points(PairKind::vertex_triangle, pair).weights;
+        if (way.squaredNorm() >= least) continue;
+        least = way.squaredNorm();
+        nearest = {face, place - way};
+    }
+    return nearest;
+}
+
+GaugeReading reading(const Shell& shell, const Gauge& gauge) {
+    const std::array<Index, 3>& vertices = shell.triangles[gauge.face].vertices;
+    const TrianglePositions moved = columns(shell.position, vertices) - columns(shell.rest, vertices);
+    return {moved * coordinates(shell, gauge)};
+}
+
+void follow(const Shell& shell, const ShellChange& change, std::span<Gauge> gauges) {
+    for (Gauge& gauge : gauges) {
+        std::vector<Index> parts{gauge.face};
+        follow_faces(change, parts);
+        double deepest = -std::numeric_limits<double>::infinity();
+        for (const Index part : parts) {
+            const double depth = coordinates(shell, {part, gauge.place}).minCoeff();
+            if (depth <= deepest) continue;
+            deepest = depth;
+            gauge.face = part;
+        }
+    }
+}
+
+}  // namespace sherd
