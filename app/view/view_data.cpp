@@ -14,16 +14,11 @@
 namespace sherd {
 namespace {
 
-using Json = nlohmann::json;
 static_assert(std::endian::native == std::endian::little, "browsers read the arrays as they are here");
 
 template <class Number>
 std::string base64_of(const std::vector<Number>& numbers) {
     return base64({reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size() * sizeof(Number)});
-}
-
-Json vector_json(const Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
 }
 
 std::string base64_of(const Eigen::MatrixXf& numbers) {
