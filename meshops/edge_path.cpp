@@ -15,14 +15,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-double length(const Mesh& mesh, Edge edge) {
+double edge_length(const Mesh& mesh, Edge edge) {
     return (position(mesh, mesh.vertex(edge, 1)) - position(mesh, mesh.vertex(edge, 0))).norm();
 }
 
 double longest_edge(const Mesh& mesh, Vertex v) {
     double longest = 0;
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-        longest = std::max(longest, length(mesh, mesh.edge(h)));
+        longest = std::max(longest, edge_length(mesh, mesh.edge(h)));
     return longest;
 }
 
@@ -86,7 +86,7 @@ std::vector<Edge> edge_path(const Mesh& mesh, std::span<const Vector3d> line) {
         const auto cost = [&](Edge e) {
             const Vector3d middle =
                 (position(mesh, mesh.vertex(e, 0)) + position(mesh, mesh.vertex(e, 1))) / 2;
-            return length(mesh, e) * (mean + distance_to_segment(middle, line[i - 1], line[i]));
+            return edge_length(mesh, e) * (mean + distance_to_segment(middle, line[i - 1], line[i]));
         };
         const std::vector<Halfedge> way = cheapest_way_back(mesh, stops[i - 1], stops[i], cost);
         if (way.empty() && stops[i - 1] != stops[i])
