@@ -233,8 +233,7 @@ void open(Mesh& mesh, const std::vector<Pair>& slits) {
         vertices.insert(vertices.end(), {a, b});
     }
     std::ranges::sort(vertices);
-    const auto repeated = std::ranges::unique(vertices);
-    vertices.erase(repeated.begin(), repeated.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     split_vertices(mesh, vertices, [&](Edge edge) { return edge.idx() < cut.size() && cut[edge]; });
 }
 
