@@ -12,6 +12,7 @@
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
+#include "app/scene/build/supports.h"
 #include "app/scene/read/variant_remarks.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -54,9 +55,10 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
     fmt::print("sheet {}\n", sheet.name);
-    fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}\n",
+    const std::size_t partly = partly_pinned_vertices(sheet, mesh);
+    fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}{}\n",
                mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
-               m.boundary_loops, input.pinned.size());
+               m.boundary_loops, input.pinned.size(), partly > 0 ? fmt::format(", partly {}", partly) : "");
     fmt::print("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
                m.area * sheet.material.thickness * sheet.material.density);
     fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),

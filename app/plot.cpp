@@ -189,9 +189,11 @@ std::string plot_svg(const Recording& recording) {
         "<text x=\"62\" y=\"30\" font-size=\"15\" fill=\"#444\">{2}</text>\n",
         width, heading_height + static_cast<double>(rows) * panel_height,
         xml_escaped(heading(recording, header, steps.back())));
-    for (std::size_t i = 0; i < charts.size(); ++i)
-        svg += chart_svg(charts[i], static_cast<double>(i % 2) * width / 2,
-                         heading_height + static_cast<double>(i / 2) * panel_height, width / 2, panel_height);
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        const std::size_t row = i / 2, column = i % 2;
+        svg += chart_svg(charts[i], static_cast<double>(column) * width / 2,
+                         heading_height + static_cast<double>(row) * panel_height, width / 2, panel_height);
+    }
     return svg + "</svg>\n";
 }
 

@@ -22,10 +22,10 @@ constexpr double nearest_to_side = 0.2;  // edge lengths: a free vertex comes no
 constexpr double fewest_around = 5;      // edges of a loop without corners
 
 /// Straight lines, found by the rows that they are in. A row is as high as an edge is long.
-class Sides {
+class OutlineSides {
   public:
-    Sides(const std::vector<Vector2d>& points, const std::vector<Pair>& borders,
-          const std::vector<Pair>& slits, double edge_length)
+    OutlineSides(const std::vector<Vector2d>& points, const std::vector<Pair>& borders,
+                 const std::vector<Pair>& slits, double edge_length)
         : height(edge_length) {
         for (const Vector2d& p : points) box.extend(p);
         rows.resize(row_of(box.max().y()) + 1);
@@ -87,7 +87,7 @@ class Sides {
 /// The plane, in which no point moves across a line.
 class Region final : public Surface {
   public:
-    Region(const Sides& sides, double edge_length) : sides(sides), edge_length(edge_length) {}
+    Region(const OutlineSides& sides, double edge_length) : sides(sides), edge_length(edge_length) {}
     Eigen::Vector3d position(const Vector2d& parameter) const override {
         return {parameter.x(), parameter.y(), 0};
     }
@@ -99,7 +99,7 @@ class Region final : public Surface {
     }
 
   private:
-    const Sides& sides;
+    const OutlineSides& sides;
     double edge_length;
 };
 
@@ -210,7 +210,7 @@ class Outlines {
 };
 
 /// Adds free points between the lines, one in each cell of a grid, at random.
-void fill(const Sides& sides, const GenerateOptions& options, std::vector<Vector2d>& points) {
+void fill(const OutlineSides& sides, const GenerateOptions& options, std::vector<Vector2d>& points) {
     const double cell = spacing::row_height / std::sqrt(spacing::crowding) * options.edge_length;
     const Vector2d lower = sides.bounds().min(), size = sides.bounds().sizes();
     Random random(options.seed);
@@ -233,8 +233,7 @@ void open(Mesh& mesh, const std::vector<Pair>& slits) {
         vertices.insert(vertices.end(), {a, b});
     }
     std::ranges::sort(vertices);
-    const auto repeated = std::ranges::unique(vertices);
-    vertices.erase(repeated.begin(), repeated.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     split_vertices(mesh, vertices, [&](Edge edge) { return edge.idx() < cut.size() && cut[edge]; });
 }
 
@@ -244,7 +243,7 @@ Mesh generate_polygon(const Polygon& polygon, const GenerateOptions& options) {
     if (const auto fault = fault_of(polygon))
         throw Error("cannot generate the mesh: " + fault->part + ": " + fault->what);
     const Outlines outlines(with_junctions(polygon), options.edge_length);
-    const Sides sides(outlines.points, outlines.borders, outlines.slits, options.edge_length);
+    const OutlineSides sides(outlines.points, outlines.borders, outlines.slits, options.edge_length);
     SurfacePoints points;
     points.parameter = outlines.points;
     points.fixed = outlines.points.size();

@@ -13,7 +13,7 @@ namespace sherd {
 namespace {
 
 using Eigen::Vector2d;
-using Side = std::array<Vector2d, 2>;
+using Segment = std::array<Vector2d, 2>;
 
 constexpr double round_off = 1e-6;  // of the outline's diagonal: what is nearer than that meets
 
@@ -30,26 +30,26 @@ double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-std::vector<Side> sides_of(const Polyline& line, bool is_closed) {
-    std::vector<Side> sides;
+std::vector<Segment> sides_of(const Polyline& line, bool is_closed) {
+    std::vector<Segment> sides;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) sides.push_back({line[i], line[i + 1]});
     if (is_closed) sides.push_back({line.back(), line.front()});
     return sides;
 }
 
-bool boxes_meet(const Side& a, const Side& b) {
+bool boxes_meet(const Segment& a, const Segment& b) {
     return (a[0].cwiseMin(a[1]).array() <= b[0].cwiseMax(b[1]).array()).all() &&
            (b[0].cwiseMin(b[1]).array() <= a[0].cwiseMax(a[1]).array()).all();
 }
 
-bool meet(const Side& a, const Side& b) {
+bool meet(const Segment& a, const Segment& b) {
     return boxes_meet(a, b) && CGAL::do_intersect(Kernel::Segment_2(exact(a[0]), exact(a[1])),
                                                   Kernel::Segment_2(exact(b[0]), exact(b[1])));
 }
 
-bool meet(const std::vector<Side>& some, const std::vector<Side>& others) {
-    return std::ranges::any_of(some, [&](const Side& a) {
-        return std::ranges::any_of(others, [&](const Side& b) { return meet(a, b); });
+bool meet(const std::vector<Segment>& some, const std::vector<Segment>& others) {
+    return std::ranges::any_of(some, [&](const Segment& a) {
+        return std::ranges::any_of(others, [&](const Segment& b) { return meet(a, b); });
     });
 }
 
@@ -96,7 +96,7 @@ std::string fault_of_loop(const Polyline& loop) {
 std::string fault_of_hole(const Polygon& polygon, std::size_t number) {
     const Polyline& hole = polygon.holes[number];
     if (std::string fault = fault_of_loop(hole); !fault.empty()) return fault;
-    const std::vector<Side> own = sides_of(hole, true);
+    const std::vector<Segment> own = sides_of(hole, true);
     if (meet(own, sides_of(polygon.outline, true)))
         return "crosses or touches the outline: cut it out of the outline instead";
     if (!is_inside(polygon.outline, hole.front())) return "is outside of the outline";
@@ -110,24 +110,24 @@ std::string fault_of_hole(const Polygon& polygon, std::size_t number) {
 }
 
 /// All sides of outline and holes.
-std::vector<Side> borders_of(const Polygon& polygon) {
-    std::vector<Side> all = sides_of(polygon.outline, true);
+std::vector<Segment> borders_of(const Polygon& polygon) {
+    std::vector<Segment> all = sides_of(polygon.outline, true);
     for (const Polyline& hole : polygon.holes) {
-        const std::vector<Side> sides = sides_of(hole, true);
+        const std::vector<Segment> sides = sides_of(hole, true);
         all.insert(all.end(), sides.begin(), sides.end());
     }
     return all;
 }
 
-bool is_on(const std::vector<Side>& borders, const Vector2d& p, double reach) {
+bool is_on(const std::vector<Segment>& borders, const Vector2d& p, double reach) {
     return std::ranges::any_of(
-        borders, [&](const Side& side) { return distance_from_side(p, side[0], side[1]) <= reach; });
+        borders, [&](const Segment& side) { return distance_from_side(p, side[0], side[1]) <= reach; });
 }
 
 /// The points in which two sides meet: ends of one on the other, or where they cross.
-std::vector<Vector2d> meeting_points(const Side& a, const Side& b, double reach) {
+std::vector<Vector2d> meeting_points(const Segment& a, const Segment& b, double reach) {
     std::vector<Vector2d> found;
-    const auto add = [&](const Vector2d& p, const Side& other) {
+    const auto add = [&](const Vector2d& p, const Segment& other) {
         const bool known =
             std::ranges::any_of(found, [&](const Vector2d& q) { return (q - p).norm() <= reach; });
         if (!known && distance_from_side(p, other[0], other[1]) <= reach) found.push_back(p);
@@ -143,9 +143,9 @@ std::vector<Vector2d> meeting_points(const Side& a, const Side& b, double reach)
 
 /// Of a slit with earlier slits and itself.
 std::string fault_of_meetings(const Polygon& polygon, std::size_t number, double reach) {
-    const std::vector<Side> own = sides_of(polygon.slits[number], false);
+    const std::vector<Segment> own = sides_of(polygon.slits[number], false);
     for (std::size_t i = 0; i <= number; ++i) {
-        const std::vector<Side> others = sides_of(polygon.slits[i], false);
+        const std::vector<Segment> others = sides_of(polygon.slits[i], false);
         for (std::size_t a = 0; a < own.size(); ++a)
             for (std::size_t b = 0; b < others.size(); ++b) {
                 if (i == number && b + 1 >= a) break;
@@ -162,8 +162,8 @@ std::string fault_of_slit(const Polygon& polygon, std::size_t number) {
     const Polyline& slit = polygon.slits[number];
     if (std::string fault = fault_of_points(slit, 2, false); !fault.empty()) return fault;
     const double reach = tolerance(polygon);
-    const std::vector<Side> borders = borders_of(polygon);
-    std::vector<Side> sides = sides_of(slit, false);
+    const std::vector<Segment> borders = borders_of(polygon);
+    std::vector<Segment> sides = sides_of(slit, false);
     for (const auto& [side, end] : {std::pair(0u, 0), std::pair(unsigned(sides.size() - 1), 1)}) {
         Vector2d& tip = sides[side][end];
         const Vector2d inward = sides[side][1 - end] - tip;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 
 #include "meshops/error.h"
 #include "meshops/surface.h"
@@ -18,65 +18,56 @@ using Eigen::Vector3d;
 using Corners = std::array<std::size_t, 3>;
 using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+/// Where a face is, as far as borders have been looked at.
+enum class Where : char { unknown, outside, inside };
+using CreasedFace =
+    CGAL::Triangulation_face_base_with_info_2<Where, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using CreasedDelaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+                                               CGAL::Triangulation_data_structure_2<VertexBase, CreasedFace>>;
 
 [[noreturn]] void fail() {
     throw Error("the mesh cannot be generated: edge_length is too large for the shape");
 }
 
 /// Makes edges that stay of the pairs. Fails where two of them cross, or one passes through a vertex.
-void constrain(Triangulation& triangulation, const std::vector<Triangulation::Vertex_handle>& handle,
+void constrain(CreasedDelaunay& triangulation, const std::vector<CreasedDelaunay::Vertex_handle>& handle,
                const std::vector<std::array<std::size_t, 2>>& pairs) {
     try {
         for (const auto& [a, b] : pairs) triangulation.insert_constraint(handle[a], handle[b]);
-    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    } catch (const CreasedDelaunay::Intersection_of_constraints_exception&) {
         fail();
     }
     for (const auto& [a, b] : pairs)
         if (!triangulation.is_edge(handle[a], handle[b])) fail();
 }
 
-/// The faces between infinity and the borders.
-class Outside {
-  public:
-    Outside(const Triangulation& triangulation, std::vector<std::array<std::size_t, 2>> borders)
-        : borders(std::move(borders)) {
-        if (this->borders.empty()) return;
-        for (auto& [a, b] : this->borders)
-            if (a > b) std::swap(a, b);
-        std::ranges::sort(this->borders);
-        fill(triangulation.infinite_face());
-    }
-    bool contains(Triangulation::Face_handle face) const {
-        const auto found = outside.find(face);
-        return found != outside.end() && found->second;
-    }
-
-  private:
-    void fill(Triangulation::Face_handle start) {
-        std::vector<Triangulation::Face_handle> open{start};
-        outside[start] = true;
-        while (!open.empty()) {
-            const Triangulation::Face_handle face = open.back();
-            open.pop_back();
-            for (int i = 0; i < 3; ++i) {
-                const bool there = outside[face] != is_border(face, i);
-                if (outside.try_emplace(face->neighbor(i), there).second) open.push_back(face->neighbor(i));
-            }
-        }
-    }
-    bool is_border(Triangulation::Face_handle face, int side) const {
+/// Marks the faces outside and inside of the borders, from infinity on.
+void mark(CreasedDelaunay& triangulation, std::vector<std::array<std::size_t, 2>> borders) {
+    for (auto& [a, b] : borders)
+        if (a > b) std::swap(a, b);
+    std::ranges::sort(borders);
+    const auto is_border = [&](CreasedDelaunay::Face_handle face, int side) {
         const auto [a, b] =
             std::minmax(face->vertex((side + 1) % 3)->info(), face->vertex((side + 2) % 3)->info());
         return std::ranges::binary_search(borders, std::array<std::size_t, 2>{a, b});
+    };
+    for (const auto face : triangulation.all_face_handles()) face->info() = Where::unknown;
+    std::vector<CreasedDelaunay::Face_handle> open{triangulation.infinite_face()};
+    open.back()->info() = Where::outside;
+    while (!open.empty()) {
+        const CreasedDelaunay::Face_handle face = open.back();
+        open.pop_back();
+        for (int side = 0; side < 3; ++side) {
+            const CreasedDelaunay::Face_handle next = face->neighbor(side);
+            if (next->info() != Where::unknown) continue;
+            const bool outside = (face->info() == Where::outside) != is_border(face, side);
+            next->info() = outside ? Where::outside : Where::inside;
+            open.push_back(next);
+        }
     }
-
-    std::vector<std::array<std::size_t, 2>> borders;
-    std::unordered_map<Triangulation::Face_handle, bool> outside;
-};
+}
 
 /// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number after the
 /// last vertex.
@@ -94,11 +85,11 @@ std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& po
     for (const auto v : triangulation.finite_vertex_handles()) handle[v->info()] = v;
     for (const auto& pairs : {points.creases, points.borders}) constrain(triangulation, handle, pairs);
     triangulation.infinite_vertex()->info() = count;
-    const Outside outside(triangulation, points.borders);
+    if (!points.borders.empty()) mark(triangulation, points.borders);
     std::vector<Corners> result;
     for (const auto face : triangulation.all_face_handles()) {
         if (!points.is_closed && triangulation.is_infinite(face)) continue;
-        if (outside.contains(face)) continue;
+        if (!points.borders.empty() && face->info() == Where::outside) continue;
         Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
         std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         if (std::ranges::max(corners) >= points.hole) result.push_back(corners);

@@ -99,6 +99,16 @@ std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& pl
     return numbers;
 }
 
+std::size_t partly_pinned_vertices(const SheetSpec& sheet, const Mesh& placed) {
+    const std::vector<std::int32_t> pinned = pinned_vertices(sheet, placed);
+    std::size_t count = 0;
+    for (const Vertex v : placed.vertices())
+        count +=
+            !std::ranges::binary_search(pinned, static_cast<std::int32_t>(v.idx())) &&
+            std::ranges::any_of(sheet.pins, [&](const PinSpec& pin) { return selects(pin.on, placed, v); });
+    return count;
+}
+
 std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed) {
     std::vector<PinSpec> pins = sheet.pins;
     pins.insert(pins.end(), sheet.clamps.begin(), sheet.clamps.end());

@@ -14,6 +14,9 @@ namespace sherd {
 /// order. Throws Error on one that holds none.
 std::vector<std::int32_t> pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
 
+/// Returns how many vertices pins hold that no pin or clamp holds in all directions.
+std::size_t partly_pinned_vertices(const SheetSpec& sheet, const Mesh& placed);
+
 /// Returns what moves of the vertices that pins and clamps of a sheet hold. Throws Error, naming the scene's
 /// line and key, where a vertex of one that moves is held by another one, too.
 std::vector<MovingPin> moving_pins(const SheetSpec& sheet, const Mesh& placed);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/scene/build/built_scene.h"
+#include "app/scene/build/supports.h"
 #include "app/scene/read/forces.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
@@ -146,6 +147,7 @@ gravity = [-1, 1, -9.81]
 step = 1e-2
 )");
     EXPECT_TRUE(prepared.inputs[0].pinned.empty());
+    EXPECT_EQ(partly_pinned_vertices(prepared.scene.sheets[0], prepared.inputs[0].mesh), 10u) << "two sides";
     Simulation simulation(prepared.inputs, prepared.options);
     for (int i = 0; i < 5; ++i) simulation.step();
     const Shell& sheet = simulation.shell().mechanics();

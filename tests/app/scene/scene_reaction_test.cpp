@@ -142,8 +142,8 @@ tolerance = 1e-9
 )");
     for (int i = 0; i < 20; ++i) {
         const auto [force, moment] = run.imbalance({0, 0, 50 / 5.0});
-        EXPECT_LT(force, 1e-7) << i;
-        EXPECT_LT(moment, 1e-7) << i;
+        EXPECT_LT(force, 1e-9) << i;
+        EXPECT_LT(moment, 1e-9) << i;
     }
 }
 
@@ -161,8 +161,8 @@ rule = ")" + rule + "\"\n");
         std::size_t cracks = 0;
         for (int i = 0; i < 20; ++i) {
             const auto [force, moment] = run.imbalance();
-            EXPECT_LT(force, 1e-6) << rule << i;
-            EXPECT_LT(moment, 1e-6) << rule << i;
+            EXPECT_LT(force, 1e-9) << rule << i;
+            EXPECT_LT(moment, 1e-9) << rule << i;
             cracks += run.simulation->take_events().failures.size();
         }
         EXPECT_GT(cracks, 10u) << "nothing broke: the test proves nothing";
