@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/json/json.h"
 #include "app/scene/build/edge_list.h"
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
@@ -22,8 +22,8 @@ struct CutOptions {
     bool force = false, json = false;
 };
 
-nlohmann::ordered_json summary(const Mesh& before, std::span<const Edge> edges, const CrackMesh& cracks,
-                               const CrackMesh::Change& change) {
+Json summary(const Mesh& before, std::span<const Edge> edges, const CrackMesh& cracks,
+             const CrackMesh::Change& change) {
     const Mesh& mesh = cracks.mesh();
     const std::size_t opened = change.topology.opened.size();
     return {{"vertices_before", before.number_of_vertices()},

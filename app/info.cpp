@@ -7,9 +7,9 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/json/json.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_strain.h"
 #include "meshops/error.h"
@@ -17,8 +17,6 @@
 namespace sherd {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& frame) {
     std::vector<SheetInfo> sheets;
@@ -95,10 +93,6 @@ void add_events(RunInfo& info, const CrackEvents& events) {
     for (const FragmentBirth& birth : events.births)
         if (birth.fragment >= 0 && static_cast<std::size_t>(birth.fragment) < info.fragments.size())
             info.fragments[birth.fragment].parent = birth.parent;
-}
-
-Json vector_json(const Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
 }
 
 void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) {

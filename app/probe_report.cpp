@@ -6,19 +6,17 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.h"
 #include "app/files/disk_room.h"
 #include "app/files/pending_file.h"
+#include "app/json/json.h"
 #include "app/probe.h"
 #include "app/recording/hdf5.h"
 
 namespace sherd {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The first element of largest strain, the row it stands in; none when there are no elements.
 template <class Element>

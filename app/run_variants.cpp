@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience = 50;  // ms until an interruption is seen
+constexpr int poll_interval = 50;  // ms until an interruption is seen
 
 /// What all recordings have in their names: the name that a scene without variants would get.
 fs::path common_output(const Scene& first, const RunOptions& options) {
@@ -93,7 +93,7 @@ void VariantRunner::start_some() {
 void VariantRunner::wait_for_output() const {
     std::vector<pollfd> pipes;
     for (const VariantRun& run : running) run.add_pipes(pipes);
-    poll(pipes.data(), pipes.size(), patience);
+    poll(pipes.data(), pipes.size(), poll_interval);
 }
 
 void VariantRunner::listen() {

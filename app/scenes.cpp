@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/json/json.h"
 #include "app/scene/read/shipped_scenes.h"
 #include "meshops/error.h"
 
@@ -51,7 +51,7 @@ void print_list(const std::vector<ShippedScene>& scenes) {
 }
 
 void print_json(const std::vector<ShippedScene>& scenes) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    Json list = Json::array();
     for (const ShippedScene& scene : scenes)
         list.push_back(
             {{"name", scene.name}, {"file", scene.file.string()}, {"description", scene.description}});

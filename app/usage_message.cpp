@@ -10,14 +10,14 @@
 namespace sherd {
 namespace {
 
-std::vector<std::string> command_names(const CLI::App& program) {
+std::vector<std::string> all_commands(const CLI::App& program) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
     return names;
 }
 
-std::vector<std::string> option_names(const CLI::App& command) {
+std::vector<std::string> all_options(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& name : option->get_lnames()) names.push_back(name);
@@ -35,12 +35,12 @@ std::string unknown_word(const CLI::App& program, const std::string& word) {
     const std::string of = chosen.empty() ? "" : fmt::format(" of 'sherd {}'", command.get_name());
     if (word.starts_with("--")) {
         const std::string name = word.substr(2, word.find('=') - 2);
-        const std::string nearest = nearest_name(name, option_names(command));
+        const std::string nearest = nearest_name(name, all_options(command));
         return fmt::format("'--{}' is no option{}{}", name, of, hint(nearest.empty() ? "" : "--" + nearest));
     }
     if (word.starts_with('-')) return fmt::format("'{}' is no option{}", word, of);
     if (!chosen.empty()) return fmt::format("'{}' is one argument too many{}", word, of);
-    return fmt::format("'{}' is no command{}", word, hint(nearest_name(word, command_names(program))));
+    return fmt::format("'{}' is no command{}", word, hint(nearest_name(word, all_commands(program))));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace sherd {
 namespace {
 
-constexpr double parallel = 1e-12;  // sine of the angle below which two axes count as the same
+constexpr double same_axis = 1e-12;  // sine of the angle below which two axes count as the same
 
 Eigen::Quaterniond rotation(const MotionKey& key) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(key.angle, key.axis));
@@ -15,7 +15,7 @@ Eigen::Quaterniond rotation(const MotionKey& key) {
 Eigen::Quaterniond rotation(const MotionKey& a, const MotionKey& b, double s) {
     if (a.angle == 0) return Eigen::Quaterniond(Eigen::AngleAxisd(s * b.angle, b.axis));
     if (b.angle == 0) return Eigen::Quaterniond(Eigen::AngleAxisd((1 - s) * a.angle, a.axis));
-    if (a.axis.cross(b.axis).norm() > parallel) return rotation(a).slerp(s, rotation(b));
+    if (a.axis.cross(b.axis).norm() > same_axis) return rotation(a).slerp(s, rotation(b));
     const double end = a.axis.dot(b.axis) < 0 ? -b.angle : b.angle;
     return Eigen::Quaterniond(Eigen::AngleAxisd(a.angle + s * (end - a.angle), a.axis));
 }

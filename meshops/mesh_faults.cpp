@@ -10,23 +10,23 @@
 namespace sherd {
 namespace {
 
-using Side = std::array<std::uint32_t, 2>;
+using EdgeEnds = std::array<std::uint32_t, 2>;
 
-std::array<Side, 3> sides(const std::array<std::uint32_t, 3>& triangle) {
+std::array<EdgeEnds, 3> edges_of(const std::array<std::uint32_t, 3>& triangle) {
     const auto& [a, b, c] = triangle;
-    return {Side{std::min(a, b), std::max(a, b)}, Side{std::min(b, c), std::max(b, c)},
-            Side{std::min(c, a), std::max(c, a)}};
+    return {EdgeEnds{std::min(a, b), std::max(a, b)}, EdgeEnds{std::min(b, c), std::max(b, c)},
+            EdgeEnds{std::min(c, a), std::max(c, a)}};
 }
 
 /// Triangles of zero area, and their neighbours.
 std::vector<std::size_t> around_zero_area(const TriangleSoup& soup) {
     std::vector<std::size_t> around = zero_area_triangles(soup);
-    std::set<Side> flat;
+    std::set<EdgeEnds> flat;
     for (const std::size_t t : around)
-        for (const Side& side : sides(soup.triangles[t])) flat.insert(side);
+        for (const EdgeEnds& edge : edges_of(soup.triangles[t])) flat.insert(edge);
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-        if (std::ranges::any_of(sides(soup.triangles[t]),
-                                [&](const Side& side) { return flat.contains(side); }))
+        if (std::ranges::any_of(edges_of(soup.triangles[t]),
+                                [&](const EdgeEnds& edge) { return flat.contains(edge); }))
             around.push_back(t);
     return around;
 }

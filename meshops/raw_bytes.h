@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <string>
 
 namespace sherd {
 
@@ -14,6 +15,13 @@ Number number_at(const char* bytes, std::endian order) {
     std::copy_n(bytes, sizeof(Number), raw.begin());
     if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
     return std::bit_cast<Number>(raw);
+}
+
+/// Appends the bytes of a number in the order that STL and the headers of our PLY files promise.
+template <class Number>
+void append_little_endian(std::string& bytes, Number number) {
+    static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
 }  // namespace sherd

@@ -18,7 +18,7 @@ using Corners = std::array<std::size_t, 3>;
 using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Triangulation =
+using CreasedDelaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel,
                                                CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
@@ -35,10 +35,10 @@ std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& po
         const Eigen::Vector2d place = surface.chart(points.parameter[i]);
         chart.emplace_back(Point2(place.x(), place.y()), i);
     }
-    Triangulation triangulation;
+    CreasedDelaunay triangulation;
     triangulation.insert(chart.begin(), chart.end());
     if (triangulation.number_of_vertices() != count || triangulation.dimension() != 2) fail();
-    std::vector<Triangulation::Vertex_handle> handle(count);
+    std::vector<CreasedDelaunay::Vertex_handle> handle(count);
     for (const auto v : triangulation.finite_vertex_handles()) handle[v->info()] = v;
     for (const auto& [a, b] : points.creases) triangulation.insert_constraint(handle[a], handle[b]);
     triangulation.infinite_vertex()->info() = count;

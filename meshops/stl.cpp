@@ -2,19 +2,14 @@
 #include "meshops/stl.h"
 
 #include <Eigen/Geometry>
-#include <bit>
+
+#include "meshops/raw_bytes.h"
 
 namespace sherd {
 namespace {
 
-template <typename Value>
-void append_bytes(std::string& bytes, Value value) {
-    static_assert(std::endian::native == std::endian::little, "STL is little endian");
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 void append_vector(std::string& bytes, const Eigen::Vector3d& vector) {
-    for (const double coordinate : vector) append_bytes(bytes, static_cast<float>(coordinate));
+    for (const double coordinate : vector) append_little_endian(bytes, static_cast<float>(coordinate));
 }
 
 }  // namespace
@@ -23,14 +18,14 @@ std::string stl_bytes(const TriangleSheet& sheet) {
     // The header must not start with "solid": readers would take the file for a text.
     std::string bytes = "binary STL of sherd, metres";
     bytes.resize(80);
-    append_bytes(bytes, static_cast<std::uint32_t>(sheet.triangles.size()));
+    append_little_endian(bytes, static_cast<std::uint32_t>(sheet.triangles.size()));
     for (const auto& [a, b, c] : sheet.triangles) {
         const Eigen::Vector3d &p = sheet.points[a], &q = sheet.points[b], &r = sheet.points[c];
         append_vector(bytes, (q - p).cross(r - p).normalized());
         append_vector(bytes, p);
         append_vector(bytes, q);
         append_vector(bytes, r);
-        append_bytes(bytes, std::uint16_t{0});
+        append_little_endian(bytes, std::uint16_t{0});
     }
     return bytes;
 }

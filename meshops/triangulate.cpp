@@ -17,7 +17,7 @@ using Corners = std::array<std::size_t, 3>;  // of a triangle, as indices of the
 using Point2 = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+using PolygonDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 
 /// The polygon, counterclockwise, projected along the coordinate axis nearest to its normal. In contrast to a
@@ -56,9 +56,9 @@ std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, cons
 
 /// The triangulation's faces inside the polygon: those reached from outside across an odd number of its
 /// sides.
-std::vector<Triangulation::Face_handle> inner_faces(const Triangulation& triangulation) {
-    std::map<Triangulation::Face_handle, bool> is_inner{{triangulation.infinite_face(), false}};
-    std::vector<Triangulation::Face_handle> order{triangulation.infinite_face()};
+std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& triangulation) {
+    std::map<PolygonDelaunay::Face_handle, bool> is_inner{{triangulation.infinite_face(), false}};
+    std::vector<PolygonDelaunay::Face_handle> order{triangulation.infinite_face()};
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto face = order[i];
         for (int side = 0; side < 3; ++side) {
@@ -73,8 +73,8 @@ std::vector<Triangulation::Face_handle> inner_faces(const Triangulation& triangu
 
 /// Constrained Delaunay triangles of a polygon of five or more corners; empty if it crosses itself.
 std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
-    Triangulation triangulation;
-    std::vector<Triangulation::Vertex_handle> corner;
+    PolygonDelaunay triangulation;
+    std::vector<PolygonDelaunay::Vertex_handle> corner;
     for (std::size_t i = 0; i < flat.size(); ++i) {
         corner.push_back(triangulation.insert(flat[i]));
         corner.back()->info() = i;

@@ -2,7 +2,6 @@
 #include "meshops/write_mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <map>
 
 #include "meshops/error.h"
+#include "meshops/raw_bytes.h"
 #include "meshops/read_mesh.h"
 
 namespace sherd {
@@ -124,12 +124,6 @@ std::string obj_text(const TriangleSheet& sheet) {
     return text;
 }
 
-template <typename Value>
-void append_bytes(std::string& bytes, Value value) {
-    static_assert(std::endian::native == std::endian::little, "the PLY header says little endian");
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 constexpr const char* colour_properties = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
 std::string ply_header(const TriangleSheet& sheet) {
@@ -147,29 +141,29 @@ std::string ply_header(const TriangleSheet& sheet) {
 }
 
 void append_texture(std::string& bytes, const FaceTexture& texture) {
-    append_bytes(bytes, std::uint8_t{6});
+    append_little_endian(bytes, std::uint8_t{6});
     for (const auto& uv : texture)
-        for (const double coordinate : uv) append_bytes(bytes, static_cast<float>(coordinate));
+        for (const double coordinate : uv) append_little_endian(bytes, static_cast<float>(coordinate));
 }
 
 std::string ply_bytes(const TriangleSheet& sheet) {
     std::string bytes = ply_header(sheet);
     const auto append_colour = [&bytes](const Colour& colour) {
-        for (const std::uint8_t part : colour) append_bytes(bytes, part);
+        for (const std::uint8_t part : colour) append_little_endian(bytes, part);
     };
     for (std::size_t i = 0; i < sheet.points.size(); ++i) {
-        for (const double coordinate : sheet.points[i]) append_bytes(bytes, coordinate);
+        for (const double coordinate : sheet.points[i]) append_little_endian(bytes, coordinate);
         if (!sheet.point_colour.empty()) append_colour(sheet.point_colour[i]);
     }
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
-        append_bytes(bytes, std::uint8_t{3});
-        for (const std::int32_t point : sheet.triangles[t]) append_bytes(bytes, point);
+        append_little_endian(bytes, std::uint8_t{3});
+        for (const std::int32_t point : sheet.triangles[t]) append_little_endian(bytes, point);
         if (!sheet.colour.empty()) append_colour(sheet.colour[t]);
-        if (!sheet.group.empty()) append_bytes(bytes, sheet.group[t]);
-        if (!sheet.quality.empty()) append_bytes(bytes, sheet.quality[t]);
+        if (!sheet.group.empty()) append_little_endian(bytes, sheet.group[t]);
+        if (!sheet.quality.empty()) append_little_endian(bytes, sheet.quality[t]);
         if (!sheet.texture.empty()) append_texture(bytes, sheet.texture[t]);
         if (sheet.axis.empty()) continue;
-        for (const double coordinate : sheet.axis[t]) append_bytes(bytes, coordinate);
+        for (const double coordinate : sheet.axis[t]) append_little_endian(bytes, coordinate);
     }
     return bytes;
 }

@@ -23,7 +23,7 @@ void prepare_folder(const ExportOptions& options, const fs::path& folder) {
                                 reason ? reason.message() : "it does not exist"));
 }
 
-void write(const ExportJob& job, const OutputLock& whole, bool force) {
+void write_job(const ExportJob& job, const OutputLock& whole, bool force) {
     PendingFile pending(job.file, Fault::run, whole);
     if (job.write)
         job.write(pending.path());
@@ -43,7 +43,7 @@ ExportReport export_recording(const ExportOptions& options) {
     const OutputLock lock(source.clip_file(format.extension));
     ExportReport report;
     for (const ExportJob& job : jobs) try {
-            write(job, lock, options.force);
+            write_job(job, lock, options.force);
             report.files.push_back(job.file);
         } catch (const Error& error) {
             const auto& done = report.files;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/export/export.h"
+#include "app/words/split.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -13,7 +14,7 @@ namespace sherd {
 namespace {
 
 /// A selection of frames, with what a message about it needs.
-struct Selection {
+struct FrameWords {
     const std::string& text;
     std::int64_t count;
 
@@ -50,41 +51,30 @@ struct Selection {
     }
 };
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> words(1);
-    for (const char c : text) {
-        if (c == separator)
-            words.emplace_back();
-        else
-            words.back() += c;
-    }
-    return words;
-}
-
-void add_range(const Selection& selection, const std::vector<std::string>& words,
+void add_range(const FrameWords& choice, const std::vector<std::string>& words,
                std::vector<std::size_t>& frames) {
-    if (words.size() > 3) selection.fail("a range has at most three parts");
-    const std::int64_t step = words.size() == 3 && !words[2].empty() ? selection.number(words[2]) : 1;
-    if (step < 1) selection.fail("the step of a range must be at least 1");
-    const std::int64_t stop = selection.bound(words[1], selection.count);
-    for (std::int64_t i = selection.bound(words[0], 0); i < stop; i += std::min(step, selection.count))
+    if (words.size() > 3) choice.fail("a range has at most three parts");
+    const std::int64_t step = words.size() == 3 && !words[2].empty() ? choice.number(words[2]) : 1;
+    if (step < 1) choice.fail("the step of a range must be at least 1");
+    const std::int64_t stop = choice.bound(words[1], choice.count);
+    for (std::int64_t i = choice.bound(words[0], 0); i < stop; i += std::min(step, choice.count))
         frames.push_back(static_cast<std::size_t>(i));
 }
 
 }  // namespace
 
 std::vector<std::size_t> selected_frames(const std::string& text, std::size_t count) {
-    const Selection selection{text, static_cast<std::int64_t>(count)};
-    if (count == 0) selection.fail("the recording has no frame yet");
+    const FrameWords choice{text, static_cast<std::int64_t>(count)};
+    if (count == 0) choice.fail("the recording has no frame yet");
     std::vector<std::size_t> frames;
     for (const std::string& part : split(text, ',')) {
         const std::vector<std::string> words = split(part == "all" ? ":" : part, ':');
         if (words.size() > 1)
-            add_range(selection, words, frames);
+            add_range(choice, words, frames);
         else
-            frames.push_back(part == "last" ? count - 1 : selection.frame(part));
+            frames.push_back(part == "last" ? count - 1 : choice.frame(part));
     }
-    if (frames.empty()) selection.fail("that selects no frame");
+    if (frames.empty()) choice.fail("that selects no frame");
     std::ranges::sort(frames);
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;

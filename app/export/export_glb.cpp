@@ -39,21 +39,21 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Is
     return result;
 }
 
-Positions columns(const std::vector<Vector3d>& points) {
+Positions matrix_of(const std::vector<Vector3d>& points) {
     Positions result(3, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) result.col(static_cast<Eigen::Index>(i)) = points[i];
     return result;
 }
 
 Vector3d centroid(const std::vector<Vector3d>& points) {
-    return columns(points).rowwise().mean();
+    return matrix_of(points).rowwise().mean();
 }
 
 /// The rigid motion that takes `from` nearest to `to` (Umeyama 1991).
 Eigen::Isometry3d best_fit(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
     const bool with_scaling = false;
     Eigen::Isometry3d motion;
-    motion.matrix() = Eigen::umeyama(columns(from), columns(to), with_scaling);
+    motion.matrix() = Eigen::umeyama(matrix_of(from), matrix_of(to), with_scaling);
     return motion;
 }
 
@@ -134,7 +134,7 @@ void Animation::add_motions(GlbScene& scene) {
             const std::vector<Vector3d> target = gathered(points, vertices[i]);
             const Eigen::Isometry3d motion = best_fit(local[i], target);
             scene.nodes[i].motions.push_back(motion);
-            const Positions off = columns(moved(local[i], motion)) - columns(target);
+            const Positions off = matrix_of(moved(local[i], motion)) - matrix_of(target);
             deviation = std::max(deviation, off.colwise().norm().maxCoeff());
         }
     }
@@ -143,7 +143,7 @@ void Animation::add_motions(GlbScene& scene) {
 
 /// deviation: m, of the recording from the rigid motions.
 void Animation::warn_of_deviation(double deviation) {
-    const Positions all = columns(clip.sheet_points(clip.size() - 1));
+    const Positions all = matrix_of(clip.sheet_points(clip.size() - 1));
     const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
     if (deviation > 0.01 * size)
         source.warnings.push_back(

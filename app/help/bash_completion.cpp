@@ -24,13 +24,13 @@ std::string value_words(const OptionValue& value) {
     }
 }
 
-std::string command_names(const CLI::App& program) {
+std::string command_words(const CLI::App& program) {
     std::vector<std::string> names;
     for (const CLI::App* command : shown_commands(program)) names.push_back(command->get_name());
     return fmt::format("{}", fmt::join(names, " "));
 }
 
-std::string option_names(const CLI::App& command) {
+std::string option_words(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : shown_options(command, false))
         for (const std::string& name : typed_names(*option)) names.push_back(name);
@@ -118,7 +118,7 @@ complete -F _sherd sherd
 std::string bash_completion(const CLI::App& program) {
     std::string options, values;
     for (const CLI::App* command : shown_commands(program)) {
-        options += fmt::format("        {}) echo '{}' ;;\n", command->get_name(), option_names(*command));
+        options += fmt::format("        {}) echo '{}' ;;\n", command->get_name(), option_words(*command));
         add_values(values, *command);
     }
     return fmt::format(
@@ -130,7 +130,7 @@ std::string bash_completion(const CLI::App& program) {
         "# \"COMMAND --option\" or \"COMMAND number_of_argument\": what its value may be; nothing for a "
         "flag.\n"
         "_sherd_value() {{\n    case $1 in\n{}    esac\n}}\n{}",
-        command_names(program), option_names(program), options, values, functions);
+        command_words(program), option_words(program), options, values, functions);
 }
 
 }  // namespace sherd

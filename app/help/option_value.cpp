@@ -3,18 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <string_view>
+
+#include "app/words/split.h"
 
 namespace sherd {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char mark) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, mark);) parts.push_back(part);
-    return parts;
-}
 
 /// "h5" of "RUN.h5"; empty without one.
 std::string extension_of(const std::string& name) {

@@ -127,8 +127,7 @@ RestMesh unbroken_mesh(const RecordingHeader& header) {
 }
 
 std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
-    if (const std::string fault = first_of({length_fault(s), number_fault(s, unbroken_vertices)});
-        !fault.empty())
+    if (std::string fault = first_of({length_fault(s), number_fault(s, unbroken_vertices)}); !fault.empty())
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";

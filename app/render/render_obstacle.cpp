@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint32_t grey = 0x8c8f93;
+constexpr std::uint32_t obstacle_grey = 0x8c8f93;
 constexpr double smooth_cosine = 0.87;  // of a face with the mean of its neighbours: 30 degrees
 
 /// As long as twice the area.
@@ -33,7 +33,7 @@ RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& p
             RenderVertex vertex;
             vertex.position = (pose * surface.points[corner] - origin).cast<float>();
             vertex.normal = normal.cast<float>();
-            vertex.colour = linear_colour(grey);
+            vertex.colour = linear_colour(obstacle_grey);
             vertex.material = surface.points[corner].cast<float>();
             mesh.vertices.push_back(vertex);
         }

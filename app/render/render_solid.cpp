@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr double round_off = 1e-9;  // of places in a face
+constexpr double on_edge = 1e-9;  // of places in a face
 
 Vector3d face_normal(const Positions& position, const std::array<Index, 3>& face) {
     const Vector3d a = position.col(face[0]);
@@ -207,7 +207,7 @@ std::vector<std::array<bool, 3>> rim_edges(const RestMesh& rest) {
             const Vector3d a = place_in_parent(rest, f, k), b = place_in_parent(rest, f, (k + 1) % 3);
             for (int side = 0; side < 3; ++side) {
                 const int opposite = (side + 2) % 3;
-                if (std::abs(a[opposite]) < round_off && std::abs(b[opposite]) < round_off)
+                if (std::abs(a[opposite]) < on_edge && std::abs(b[opposite]) < on_edge)
                     rim[f][k] = unbroken[rest.face_parent[f]][side];
             }
         }

@@ -17,7 +17,7 @@ Runner::Runner(Scene scene, BuiltScene built)
     : definition(std::move(scene)), stepped(std::move(built.sheets), built.options) {}
 
 StepReport Runner::step() {
-    const StepReport report = stepped.step();
+    StepReport report = stepped.step();
     const CrackEvents events = stepped.take_events();
     for (RunObserver& observer : observers) observer.stepped(report, events);
     return report;
@@ -34,7 +34,7 @@ RunEnd Runner::run() {
         throw;
     }
     const double last = static_cast<double>(step_count(definition)) * definition.solver.step;
-    const RunEnd how{stepped.time() == last ? "complete" : "interrupted", seconds()};
+    RunEnd how{stepped.time() == last ? "complete" : "interrupted", seconds()};
     end(how);
     return how;
 }

@@ -10,7 +10,8 @@
 namespace sherd {
 namespace {
 
-constexpr double noticed = 1e-6;  // of a body's size: less is rounding, as of what is placed on a floor
+constexpr double placement_rounding =
+    1e-6;  // of a body's size: less is rounding, as of what is placed on a floor
 
 /// m, how deep the deepest foot is in a shape; less than zero if none is.
 double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d& there) {
@@ -18,7 +19,7 @@ double depth(const RigidBody& body, const Shape& shape, const Eigen::Isometry3d&
     for (const Vector3d& foot : body.contact_points)
         deepest = std::max(deepest, overlap(shape, there, body.pose() * foot, body.contact_radius).depth);
     const double size = body.shape->bounds().diagonal().norm();
-    return deepest > noticed * size ? deepest : -1;
+    return deepest > placement_rounding * size ? deepest : -1;
 }
 
 std::string message(const ObstacleSpec& body, const ObstacleSpec& other, double depth) {

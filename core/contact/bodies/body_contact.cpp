@@ -14,7 +14,6 @@ namespace {
 
 constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
-constexpr double ahead_of_contact = 0.1;  // share of a body's size within which contact is expected soon
 
 bool is_ball(const RigidBody& body) {
     return body.contact_points.size() == 1;

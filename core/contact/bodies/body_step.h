@@ -10,6 +10,9 @@
 
 namespace sherd {
 
+/// Contact is expected soon within this share of a body's size.
+constexpr double ahead_of_contact = 0.1;
+
 /// The contact surface of the shell and of a body that has a surface, for NearPairs.
 ContactSurface surface_with(const Shell& shell, const RigidBody& body);
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+namespace sherd {
+
+/// Keys stay in the order in which they were written.
+using Json = nlohmann::ordered_json;
+
+/// [x, y, z]
+template <class AnyJson = Json>
+AnyJson vector_json(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace sherd
