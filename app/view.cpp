@@ -24,8 +24,8 @@ namespace sherd {
 namespace {
 
 /// JSON that may stand in a script element, whatever the scene is called.
-std::string script_json(const Json& data) {
-    std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string script_json(const PageJson& data) {
+    std::string text = data.dump(-1, ' ', false, PageJson::error_handler_t::replace);
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
         text.replace(at, 1, "\\u003c");
     return text;
@@ -74,8 +74,8 @@ std::optional<MeshThinning> thinning_for(const Recording& recording, double most
 }
 
 /// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
-Json fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
-                  std::vector<std::string>& warnings) {
+PageJson fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
+                      std::vector<std::string>& warnings) {
     const double most_bytes = 1e6 * megabytes;
     const std::optional<MeshThinning> thinning = thinning_for(recording, most_bytes);
     Snapshot last = recording.frame(recording.frame_count() - 1);
@@ -131,7 +131,7 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     stage_options.colour = RenderColour::strain;
     const RenderStage stage(recording, stage_options, warnings);
     const std::string title = xml_escaped(options.recording.stem().string());
-    Json data = fitting_data(recording, stage, options.megabytes, warnings);
+    PageJson data = fitting_data(recording, stage, options.megabytes, warnings);
     data["plain"] = options.plain;
     data["slow"] = pace_of_page(options, recording).slowdown;
     return filled(view_assets::page, {{"%TITLE%", title},

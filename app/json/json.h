@@ -10,7 +10,8 @@ namespace sherd {
 using Json = nlohmann::ordered_json;
 
 /// [x, y, z]
-inline Json vector_json(const Eigen::Vector3d& v) {
+template <class AnyJson = Json>
+AnyJson vector_json(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 

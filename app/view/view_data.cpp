@@ -130,7 +130,7 @@ class Packer {
           step((stage.everything().sizes() / 65535).cwiseMax(1e-12)),
           largest(stage.largest()) {}
 
-    Json frame(const Snapshot& snapshot) {
+    PageJson frame(const Snapshot& snapshot) {
         const std::vector<Line> lines = lines_of(snapshot);
         std::vector<std::uint8_t> state(snapshot.position.cols(), unbroken);
         std::vector<std::uint32_t> ends;
@@ -142,15 +142,15 @@ class Packer {
         std::vector<std::uint32_t> new_corners = corners_of(snapshot), new_owners = owners_of(snapshot);
         const bool first = corners.empty();
         const Births born = first ? Births() : births(before, snapshot);
-        Json packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
-                    {"strain", base64_of(packed_strain(snapshot, largest))},
-                    {"state", base64_of(state)},
-                    {"lines", base64_of(ends)},
-                    {"corners", first ? "" : base64_of(changes(corners, new_corners))},
-                    {"owners", first ? "" : base64_of(changes(owners, new_owners))},
-                    {"born", base64_of(born.vertices)},
-                    {"shares", base64_of(born.shares)},
-                    {"parts", base64_of(born.parts)}};
+        PageJson packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
+                        {"strain", base64_of(packed_strain(snapshot, largest))},
+                        {"state", base64_of(state)},
+                        {"lines", base64_of(ends)},
+                        {"corners", first ? "" : base64_of(changes(corners, new_corners))},
+                        {"owners", first ? "" : base64_of(changes(owners, new_owners))},
+                        {"born", base64_of(born.vertices)},
+                        {"shares", base64_of(born.shares)},
+                        {"parts", base64_of(born.parts)}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
         before = snapshot;
@@ -164,8 +164,8 @@ class Packer {
 };
 
 /// Their shapes, each in its own frame.
-Json obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
-    Json list = Json::array();
+PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
+    PageJson list = PageJson::array();
     for (const RecordedObstacle& obstacle : obstacles) {
         std::vector<float> points;
         std::vector<std::uint32_t> faces;
@@ -187,23 +187,24 @@ std::string packed_poses(std::vector<Eigen::Isometry3d> poses, const Vector3d& o
     return base64_of(matrices);
 }
 
-Json bar_json(const ColourBar& bar) {
-    Json ticks = Json::array();
+PageJson bar_json(const ColourBar& bar) {
+    PageJson ticks = PageJson::array();
     for (const BarTick& tick : bar.ticks) ticks.push_back({tick.share, tick.words});
     return {{"title", bar.title}, {"ticks", ticks}, {"below", bar.below}, {"above", bar.above}};
 }
 
-Json stage_json(const RenderStage& stage) {
-    Json planes = Json::array();
+PageJson stage_json(const RenderStage& stage) {
+    PageJson planes = PageJson::array();
     for (const RenderPlane& plane : stage.ground())
-        planes.push_back({vector_json(plane.point.cast<double>()), vector_json(plane.normal.cast<double>())});
-    Json palette = Json::array(), map = Json::array();
+        planes.push_back({vector_json<PageJson>(plane.point.cast<double>()),
+                          vector_json<PageJson>(plane.normal.cast<double>())});
+    PageJson palette = PageJson::array(), map = PageJson::array();
     for (Index i = 0; i < 21; ++i) palette.push_back(fragment_colour(i));
     for (int i = 0; i < 256; ++i) map.push_back(map_colour(i / 255.0));
     const Camera& camera = stage.camera();
-    return {{"up", vector_json(stage.upward())},
-            {"eye", vector_json(camera.eye)},
-            {"target", vector_json(camera.target)},
+    return {{"up", vector_json<PageJson>(stage.upward())},
+            {"eye", vector_json<PageJson>(camera.eye)},
+            {"target", vector_json<PageJson>(camera.target)},
             {"angle", camera.view_angle},
             {"radius", stage.radius()},
             {"planes", planes},
@@ -222,10 +223,11 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
     return frames;
 }
 
-Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
-               const std::optional<MeshThinning>& thinning) {
+PageJson view_data(const Recording& recording, const RenderStage& stage,
+                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning) {
     Packer packer(stage);
-    Json data = stage_json(stage), packed = Json::array(), times = Json::array(), captions = Json::array();
+    PageJson data = stage_json(stage), packed = PageJson::array(), times = PageJson::array(),
+             captions = PageJson::array();
     for (const std::size_t number : frames) {
         const Snapshot snapshot =
             thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
@@ -240,8 +242,8 @@ Json view_data(const Recording& recording, const RenderStage& stage, const std::
     const std::vector<double>& thickness = packer.before.rest.thickness;
     data["thickness"] = base64_of(std::vector<float>(thickness.begin(), thickness.end()));
     data["obstacles"] = obstacles_json(recording.obstacles());
-    data["low"] = vector_json(packer.low - stage.centre());
-    data["step"] = vector_json(packer.step);
+    data["low"] = vector_json<PageJson>(packer.low - stage.centre());
+    data["step"] = vector_json<PageJson>(packer.step);
     data["strain"] = packer.largest;
     if (const std::optional<ColourBar> bar = stage.colour_bar()) data["bar"] = bar_json(*bar);
     data["captions"] = captions;

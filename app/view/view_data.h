@@ -11,6 +11,9 @@
 
 namespace sherd {
 
+/// What the page reads, whose keys are in the order of the alphabet.
+using PageJson = nlohmann::json;
+
 /// Frames of `count` that are shown when a frame takes `frame_bytes` and there are `most_bytes` for all:
 /// every one, or as many as there is room for at nearly equal distances; the first and the last always.
 std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes);
@@ -21,7 +24,7 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
 /// frame before were in that; the thickness of the last frame's faces (none in recordings of before there was
 /// any); the shapes of obstacles, and in each frame where they are.
 /// thinning: of the meshes; none: as recorded.
-Json view_data(const Recording& recording, const RenderStage& stage, const std::vector<std::size_t>& frames,
-               const std::optional<MeshThinning>& thinning = {});
+PageJson view_data(const Recording& recording, const RenderStage& stage,
+                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning = {});
 
 }  // namespace sherd

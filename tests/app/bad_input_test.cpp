@@ -54,7 +54,7 @@ BadInput change(const std::string& name, const std::string& from, const std::str
     return {name, replaced(good_scene, from, to), message};
 }
 
-const std::string step = "step = 1e-4", radius = "radius = 0.1", stoneware = "preset = \"stoneware\"";
+const std::string step_line = "step = 1e-4", radius = "radius = 0.1", stoneware = "preset = \"stoneware\"";
 const std::string normal = "normal = [0, 0, 1]", seed = "seed = 3", duration = "duration = 0.002";
 const std::string place = "place = { translate = [0, 0, 1] }";
 
@@ -69,14 +69,15 @@ const std::vector<BadInput> bad_scenes{
            {"scene.toml:4: sheet.plate.mesh.raduis: unknown key; did you mean 'radius'?"}),
     change("unknown_material_key", stoneware, stoneware + "\nyuong = 7e10",
            {"scene.toml:8: sheet.plate.material.yuong: unknown key; did you mean 'young'?"}),
-    change("unknown_solver_key", step, "stpe = 1", {"scene.toml:11: solver.stpe", "did you mean 'step'?"}),
-    change("unknown_bending", step, "bending = \"nonliner\"",
+    change("unknown_solver_key", step_line, "stpe = 1",
+           {"scene.toml:11: solver.stpe", "did you mean 'step'?"}),
+    change("unknown_bending", step_line, "bending = \"nonliner\"",
            {"scene.toml:11: solver.bending", "\"cubic-2007\"", "did you mean \"nonlinear\"?"}),
-    change("unknown_jacobian", step, "jacobian = \"exact\"",
+    change("unknown_jacobian", step_line, "jacobian = \"exact\"",
            {"scene.toml:11: solver.jacobian", "\"constant\""}),
-    change("unpaired_jacobian", step, "bending = \"cubic\"\njacobian = \"nonlinear\"",
+    change("unpaired_jacobian", step_line, "bending = \"cubic\"\njacobian = \"nonlinear\"",
            {"scene.toml:12: solver.jacobian: \"nonlinear\" needs bending = \"nonlinear\""}),
-    change("unpaired_default", step, "jacobian = \"nonlinear\"", {"scene.toml:11: solver.jacobian:"}),
+    change("unpaired_default", step_line, "jacobian = \"nonlinear\"", {"scene.toml:11: solver.jacobian:"}),
     change("unknown_shape", "\"disc\"", "\"disk\"",
            {"scene.toml:4: sheet.plate.mesh.generate", "\"revolution\"", "did you mean \"disc\"?"}),
     change("unknown_preset", "\"stoneware\"", "\"stonewear\"",
@@ -98,11 +99,12 @@ const std::vector<BadInput> bad_scenes{
     change("type_of_flag", radius, "radius = 0.1, structured = 1", {"structured: must be true or false"}),
     change("zero_duration", duration, "duration = 0", {"scene.toml:1: duration: must be a positive"}),
     change("negative_duration", duration, "duration = -1", {"scene.toml:1: duration: must be a positive"}),
-    change("zero_step", step, "step = 0",
+    change("zero_step", step_line, "step = 0",
            {"scene.toml:11: solver.step: must be a positive number (s), not 0"}),
-    change("negative_step", step, "step = -1e-4", {"scene.toml:11: solver.step: must be a positive"}),
-    change("countless_steps", step, "step = 1e-300", {"scene.toml:11: solver.step: would take"}),
-    change("step_past_duration", step, "step = 1", {"scene.toml:11: solver.step: is longer than duration"}),
+    change("negative_step", step_line, "step = -1e-4", {"scene.toml:11: solver.step: must be a positive"}),
+    change("countless_steps", step_line, "step = 1e-300", {"scene.toml:11: solver.step: would take"}),
+    change("step_past_duration", step_line, "step = 1",
+           {"scene.toml:11: solver.step: is longer than duration"}),
     change("zero_thickness", stoneware, stoneware + "\nthickness = 0", {"thickness: must be a positive"}),
     change("negative_thickness", stoneware, stoneware + "\nthickness = -1",
            {"must be a positive number (m)"}),
@@ -139,8 +141,10 @@ const std::vector<BadInput> bad_scenes{
            {"contact.sheets: must be"}),
     change("zero_axis", place, "place = { rotate = { axis = [0, 0, 0], degrees = 3 } }",
            {"must not be zero"}),
-    change("zero_interval", step, step + "\n[output]\nevery = 0", {"scene.toml:13: output.every: must be"}),
-    change("interval_below_step", step, step + "\n[output]\nevery = 1e-5", {"shorter than solver.step"}),
+    change("zero_interval", step_line, step_line + "\n[output]\nevery = 0",
+           {"scene.toml:13: output.every: must be"}),
+    change("interval_below_step", step_line, step_line + "\n[output]\nevery = 1e-5",
+           {"shorter than solver.step"}),
     change("coarse_edges", "edge_length = 0.03", "edge_length = 3", {"edge_length: is larger than the disc"}),
     change("fine_edges", "edge_length = 0.03", "edge_length = 1e-7", {"edge_length: would make about"}),
     change("pin_of_nothing", place, "pin = {}", {"scene.toml:5: sheet.plate.pin: holds nothing"}),

@@ -103,7 +103,7 @@ TEST(PeakTable, CountsWhatEachHingeMakesOfTheThreshold) {
               "bending strain, 1/m");
 }
 
-const std::string falling = R"(duration = 0.002
+const std::string falling_onto_floor = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
 place.translate = [0, 0, 0.0025]
@@ -120,7 +120,7 @@ mass = 1
 
 TEST(RunSummary, TellsPeaksWhenNothingBrokeAndWhatNothingTouched) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_onto_floor);
     const ProgramResult whole = run_sherd({"run", "scene.toml"}, directory.path);
     ASSERT_EQ(whole.exit_code, 0) << whole.err;
     for (const char* part : {"\npeaks of hinges", "\n  plate stress, Pa", "\n  plate strain, 1/m",

@@ -8,6 +8,7 @@
 
 #include "app/recording/hdf5.h"
 #include "tests/support/program.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -24,12 +25,6 @@ v 8 8 8
 f 1 2 4
 f 1 5 2
 )";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::runtime_error("the text has no " + from);
-    return text.replace(at, from.size(), to);
-}
 
 /// rest.obj, deformed.obj and material.toml in a folder of their own.
 struct ProbeTest : testing::Test {

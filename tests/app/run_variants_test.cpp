@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/recording/recording.h"
+#include "tests/support/falling_disc.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -15,11 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string falling = R"(duration = 0.002
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
-material = { preset = "stoneware" }
-[[variant]]
+const std::string variants_of_disc = falling_disc + R"([[variant]]
 name = "slow"
 [[variant]]
 name = "fast"
@@ -35,7 +32,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(RunVariants, RunsAllAsIfEachWereRunAlone) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", variants_of_disc);
     const ProgramResult all = run_sherd({"run", "scene.toml", "--set", "seed=4"}, directory.path);
     EXPECT_EQ(all.exit_code, 0) << all.err;
     for (const std::string name : {"slow", "fast", "turning"}) {
@@ -57,7 +54,7 @@ TEST(RunVariants, RunsAllAsIfEachWereRunAlone) {
 
 TEST(RunVariants, AreWrittenWhereTheOutputSays) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", variants_of_disc);
     EXPECT_EQ(run_sherd({"run", "scene.toml", "-o", "folder"}, directory.path).exit_code, 0);
     EXPECT_TRUE(fs::exists(directory.path / "folder" / "scene-fast.h5"));
     EXPECT_EQ(run_sherd({"run", "scene.toml", "-o", "folder/drop.h5"}, directory.path).exit_code, 0);
@@ -77,7 +74,7 @@ TEST(RunVariants, AreWrittenWhereTheOutputSays) {
 
 TEST(RunVariants, OneThatFailsDoesNotStopTheOthers) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling +
+    directory.write("scene.toml", variants_of_disc +
                                       "[[variant]]\nname = \"impossible\"\nsheet.plate.spin = [0, 5, 0]\n"
                                       "solver = { max_iterations = 1, tolerance = 1e-30 }\n"
                                       "[[variant]]\nname = \"last\"\n");
@@ -91,7 +88,7 @@ TEST(RunVariants, OneThatFailsDoesNotStopTheOthers) {
 
 TEST(RunVariants, EndTogetherWhenInterrupted) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", variants_of_disc);
     const auto end = [&](pid_t program) {
         for (int i = 0; i < 2000; ++i) {
             if (fs::exists(directory.path / "scene-slow.xdmf") &&

@@ -13,7 +13,7 @@
 namespace sherd::test {
 namespace {
 
-void expect_derivatives(const Shape& shape, const Vector3d& at) {
+void expect_normal_and_curvature(const Shape& shape, const Vector3d& at) {
     const auto value = [&](const Vector3d& x) { return shape.distance(x).distance; };
     const auto gradient = [&](const Vector3d& x) { return shape.distance(x).gradient; };
     const SurfaceDistance exact = shape.distance(at);
@@ -43,7 +43,7 @@ TEST(Solids, GradientAndHessianAreThoseOfTheDistance) {
                 spread[k / 2] = std::max(
                     spread[k / 2], (shape->distance(beside).gradient - shape->distance(at).gradient).norm());
             }
-            if (spread.maxCoeff() < 0.1) expect_derivatives(*shape, at);
+            if (spread.maxCoeff() < 0.1) expect_normal_and_curvature(*shape, at);
         }
 }
 
@@ -56,7 +56,7 @@ TEST(Solids, EdgesAndCornersOfABoxAreRoundFromOutside) {
     EXPECT_DOUBLE_EQ(box.distance(Vector3d(1, 0.15, 0)).distance, -0.05);
     for (const Vector3d& at : {Vector3d(1.1, 0.25, 0), Vector3d(0.2, -0.6, 0), Vector3d(1.51, -0.22, 0.32),
                                Vector3d(1, 0.15, 0), Vector3d(1.502, 0.1, 0.303)})
-        expect_derivatives(box, at);
+        expect_normal_and_curvature(box, at);
 }
 
 TEST(Solids, ACylinderHasASideTwoEndsAndRoundEdges) {
@@ -64,7 +64,7 @@ TEST(Solids, ACylinderHasASideTwoEndsAndRoundEdges) {
     const Vector3d out = axis.unitOrthogonal(), middle(0, 0, 1);
     const auto distance = [&](double along, double away) {
         const Vector3d at = middle + along * axis + away * out;
-        expect_derivatives(cylinder, at);
+        expect_normal_and_curvature(cylinder, at);
         return cylinder.distance(at).distance;
     };
     EXPECT_NEAR(distance(0.2, 0.6), 0.1, 1e-15);

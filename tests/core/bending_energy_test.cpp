@@ -12,20 +12,20 @@ namespace sherd {
 namespace {
 
 using enum BendingModel;
-constexpr int across = 3, along = 9;  // vertices
+constexpr int across = 3, around = 9;  // vertices
 const double edge_length = 0.02;
-const Material material{1000, 0.001, 1e7, 0.3};
+const Material tube_material{1000, 0.001, 1e7, 0.3};
 
 Index vertex(int i, int j) {
     return across * i + j;
 }
 
-/// A quarter of a tube, `along` edges around and `across` wide, with unequal triangles, clamped at one end.
+/// A quarter of a tube, `around` edges around and `across` wide, with unequal triangles, clamped at one end.
 Shell arch() {
     Shell shell;
-    resize_vertices(shell, along * across);
-    const double radius = edge_length * (along - 1) / 1.57;
-    for (int i = 0; i < along; ++i)
+    resize_vertices(shell, around * across);
+    const double radius = edge_length * (around - 1) / 1.57;
+    for (int i = 0; i < around; ++i)
         for (int j = 0; j < across; ++j) {
             const double turn = (i + 0.2 * std::sin(2.0 * i + 3.0 * j)) * edge_length / radius;
             shell.rest.col(vertex(i, j)) =
@@ -33,17 +33,17 @@ Shell arch() {
             shell.fixed[vertex(i, j)] = i < 2;
         }
     shell.position = shell.rest;
-    const Matrix3d elasticity = membrane_elasticity(material);
+    const Matrix3d elasticity = membrane_elasticity(tube_material);
     const auto add_triangle = [&](const std::array<Index, 3>& v) {
         shell.triangles.push_back({v, membrane_triangle(columns(shell.rest, v), elasticity)});
         for (const Index corner : v)
             shell.mass[corner] +=
-                shell.triangles.back().membrane.area * material.thickness * material.density / 3;
+                shell.triangles.back().membrane.area * tube_material.thickness * tube_material.density / 3;
     };
     const auto add_hinge = [&](const std::array<Index, 4>& v) {
-        shell.hinges.push_back(hinge_stencil(shell, v, hinge_stiffness(material)));
+        shell.hinges.push_back(hinge_stencil(shell, v, hinge_stiffness(tube_material)));
     };
-    for (int i = 0; i + 1 < along; ++i)
+    for (int i = 0; i + 1 < around; ++i)
         for (int j = 0; j + 1 < across; ++j) {
             const Index a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
                         d = vertex(i, j + 1);

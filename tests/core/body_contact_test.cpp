@@ -15,7 +15,7 @@
 namespace sherd::test {
 namespace {
 
-Material rubber() {
+Material elastic() {
     Material material;
     material.density = 1000, material.thickness = 0.002, material.young = 1e7;
     return material;
@@ -39,7 +39,7 @@ Vector3d spin_momentum(const Shell& shell, const RigidBody& body) {
 
 // The energy has the body's best pose inside: its derivatives must know how that moves.
 TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    Shell shell = stacked_plates(1, 8, 0, rubber());
+    Shell shell = stacked_plates(1, 8, 0, elastic());
     shell.velocity.setZero();
     RigidBody box = rigid_box(Vector3d(0.05, 0.04, 0.02), 800);
     box.rotation = Eigen::AngleAxisd(0.3, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
@@ -63,7 +63,7 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 // Bodies that are smaller than a face, or faster than a step is long, would pass between the vertices.
 TEST(BodyContact, NoBodyPassesThroughAFace) {
     for (const bool is_ball : {false, true}) {
-        Shell shell = stacked_plates(1, 2, 0, rubber());
+        Shell shell = stacked_plates(1, 2, 0, elastic());
         RigidBody body = is_ball ? rigid_sphere(0.004, 1500) : rigid_box(Vector3d(0.006, 0.004, 0.005), 1500);
         body.surface = is_ball ? sphere_surface(0.004, 3)
                                : box_surface(Vector3d::Zero(), Vector3d(0.003, 0.002, 0.0025));
@@ -106,7 +106,7 @@ class Collision : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(BodyContact, Collision, testing::Values(0.0, 0.3));
 
 TEST_P(Collision, KeepsMomentum) {
-    Shell shell = stacked_plates(1, 10, 0, rubber());
+    Shell shell = stacked_plates(1, 10, 0, elastic());
     shell.velocity.setZero();
     StepperOptions options;
     options.step = 1e-4;
@@ -176,7 +176,7 @@ TEST(BodyContact, BodiesRestOnObstacles) {
 
 // A ball laid on a soft sheet that is held at its rim sinks in and is carried.
 TEST(BodyContact, ASheetCarriesABody) {
-    Shell shell = stacked_plates(1, 8, 0, rubber());
+    Shell shell = stacked_plates(1, 8, 0, elastic());
     for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
         shell.fixed[v] = shell.rest.col(v).cwiseAbs().maxCoeff() > 0.0499;
     StepperOptions options;
@@ -193,7 +193,7 @@ TEST(BodyContact, ASheetCarriesABody) {
 // Two balls side by side, each on a vertex: what the sheet does to one, the other must feel, and the Hessian
 // must know.
 TEST(BodyContact, BodiesThatTouchActOnTheSheetTogether) {
-    Shell shell = stacked_plates(1, 8, 0, rubber());
+    Shell shell = stacked_plates(1, 8, 0, elastic());
     shell.velocity.setZero();
     const Vector3d one = shell.position.col(40), other = shell.position.col(43);
     const double deep = 1e-5, radius = 0.5 * (other - one).norm() + deep;

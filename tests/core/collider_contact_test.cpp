@@ -7,15 +7,13 @@
 #include "core/contact/sheets/sheet_friction.h"
 #include "core/time/implicit_stepper.h"
 #include "tests/support/collider_gap.h"
+#include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/steps.h"
 
 namespace sherd::test {
 namespace {
-
-const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
-const Material rubber{.density = 1000, .thickness = 2e-3, .young = 1e7, .poisson = 0.4};
 
 StepperOptions against(const Obstacle& obstacle, double step) {
     StepperOptions options;
@@ -50,8 +48,8 @@ Obstacle spike(double friction = 0) {
 
 // The corner and the edges of a box under faces; what they do to the sheet must be what the energy says.
 TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    Shell shell = stacked_plates(1, 2, 0, rubber);
-    shell.position.colwise() += Vector3d(0.011, 0.007, 0.2 * rubber.thickness);
+    Shell shell = stacked_plates(1, 2, 0, firm_rubber);
+    shell.position.colwise() += Vector3d(0.011, 0.007, 0.2 * firm_rubber.thickness);
     Obstacle moving = spike(0.4);
     moving.motion.keys = {{.time = 1}, {.time = 1 + 1e-3, .translation = Vector3d(2e-5, 0, 0)}};
     SheetContact contact(shell, {moving}, false);
@@ -71,10 +69,10 @@ TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 
 // Between the vertices of a coarse plate there is room for the corner of a box.
 TEST(ColliderContact, ACornerDoesNotPassThroughAFace) {
-    Shell shell = stacked_plates(1, 2, 0, rubber);
+    Shell shell = stacked_plates(1, 2, 0, firm_rubber);
     shell.position.colwise() += Vector3d(0.011, 0.007, 0.004);
     shell.velocity.row(2).setConstant(-10);
-    advance(shell, against(spike(), 1e-4), 40, rubber.thickness);
+    advance(shell, against(spike(), 1e-4), 40, firm_rubber.thickness);
     EXPECT_GT(linear_momentum(shell).z(), -0.9 * 10 * shell.mass.sum()) << "it felt the corner";
 }
 
@@ -91,13 +89,13 @@ TEST(ColliderContact, AThinWallStopsAPlateAtAKilometreASecond) {
 
 // A thin box that is moved takes along what is in its way, though it advances by many thicknesses a step.
 TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
-    Shell shell = stacked_plates(1, 4, 0, rubber);
+    Shell shell = stacked_plates(1, 4, 0, firm_rubber);
     shell.position.row(2).array() += 0.003;
     Obstacle wall = solid_box(Vector3d::Zero(), Vector3d(0.2, 0.2, 5e-5));
     wall.motion.smooth = false;
     wall.motion.keys = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 0},
                         {1, Vector3d(0, 0, 20), Vector3d::UnitX(), 0.3}};
-    advance(shell, against(wall, 1e-3), 20, rubber.thickness);
+    advance(shell, against(wall, 1e-3), 20, firm_rubber.thickness);
     EXPECT_GT(shell.velocity.row(2).mean(), 15);
 }
 
@@ -105,8 +103,8 @@ TEST(ColliderContact, AMovingWallTakesAPlateAlong) {
 TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
     double depth[2];
     for (const bool surface : {false, true}) {
-        Shell shell = stacked_plates(1, 4, 0, rubber);
-        shell.position.row(2).array() += 0.5 * rubber.thickness;
+        Shell shell = stacked_plates(1, 4, 0, firm_rubber);
+        shell.position.row(2).array() += 0.5 * firm_rubber.thickness;
         Obstacle box = solid_box(Vector3d(0, 0, -1), Vector3d(1, 1, 1));
         if (!surface) box.surface = nullptr;
         StepperOptions options = against(box, 1e-2);
@@ -118,7 +116,7 @@ TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
             time_step.solve(50);
             time_step.finish();
         }
-        depth[surface] = 0.5 * rubber.thickness - shell.position.row(2).mean();
+        depth[surface] = 0.5 * firm_rubber.thickness - shell.position.row(2).mean();
     }
     EXPECT_GT(depth[0], 0);
     EXPECT_NEAR(depth[1], depth[0], 1e-2 * depth[0]);
@@ -126,7 +124,7 @@ TEST(ColliderContact, APlateLiesOnABoxAsOnAPlane) {
 
 // A sheet that is pinned inside a box, near its surface, hangs from it; the rest of it meets the box.
 TEST(ColliderContact, WhatIsHeldInsideDoesNotMeetItsHolder) {
-    Shell shell = stacked_plates(1, 8, 0, rubber);
+    Shell shell = stacked_plates(1, 8, 0, firm_rubber);
     const Obstacle holder = solid_box(Vector3d(-0.06, 0, 0), Vector3d(0.0105, 0.2, 0.01));
     for (Index v = 0; v < static_cast<Index>(shell.rest.cols()); ++v)
         shell.fixed[v] = shell.rest(0, v) < -0.044;

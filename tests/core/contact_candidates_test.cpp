@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tests/support/contact_pairs.h"
+#include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 
@@ -13,8 +14,6 @@ namespace sherd {
 namespace {
 
 using test::Random;
-
-const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
 
 /// Kind and vertices.
 using Name = std::pair<PairKind, std::array<Index, 4>>;
@@ -86,7 +85,7 @@ Positions flight(Random& random, const Shell& shell, double speed, double spin) 
 // A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
 // neighbourhood, however often and in whatever order the candidates were asked before.
 TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
-    const Shell shell = test::stacked_plates(3, 3, 2.1e-3, ceramic);
+    const Shell shell = test::stacked_plates(3, 3, 2.1e-3, test::ceramic);
     const ContactSurface surface(shell);
     const Index count = surface.vertices();
     Random random(3);
@@ -120,7 +119,7 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
 
 // Of colliders, those that rest and those that move, whatever trees were kept of them.
 TEST(ContactCandidates, MissNoPairWithSolids) {
-    const Shell shell = test::stacked_plates(1, 4, 0, ceramic);
+    const Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
     const auto box = test::box_surface(Vector3d(0, 0, -0.0109), Vector3d(0.03, 0.02, 0.01));
     const auto ball = test::sphere_surface(0.02, 2);
     std::vector<ContactCollider> both(2);
@@ -155,7 +154,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
 
 // Cracks change the surface: what is looked at anew must be all that changed, and nothing gone may stay.
 TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
-    Shell shell = test::stacked_plates(2, 4, 2.1e-3, ceramic);
+    Shell shell = test::stacked_plates(2, 4, 2.1e-3, test::ceramic);
     ContactSurface surface(shell);
     const Positions still = Positions::Zero(3, shell.position.cols());
     ColliderTrees none;

@@ -13,8 +13,6 @@ namespace {
 
 using test::Random;
 
-constexpr PairKind kinds[] = {PairKind::vertex_triangle, PairKind::edge_edge};
-
 /// Vertices that have a weight.
 std::vector<int> involved(const Closest& closest) {
     std::vector<int> vertices;
@@ -65,7 +63,7 @@ struct Unbounded {
 // Any wrong case, sign or cancellation: the distance must be the smallest there is, on degenerate elements
 // too.
 TEST(ContactDistance, IsTheSmallestOverAllPoints) {
-    for (const PairKind kind : kinds)
+    for (const PairKind kind : test::pair_kinds)
         for (const PairPositions& x : test::adversarial_pairs(2000)) {
             const double distance = std::sqrt(squared_distance(closest_points(kind, x), x));
             const auto searched = static_cast<double>(test::searched_distance(kind, x.cast<long double>()));
@@ -75,7 +73,7 @@ TEST(ContactDistance, IsTheSmallestOverAllPoints) {
 
 // A translation far from the origin must not cost more digits than the positions themselves have lost.
 TEST(ContactDistance, KeepsItsDigitsFarFromTheOrigin) {
-    for (const PairKind kind : kinds)
+    for (const PairKind kind : test::pair_kinds)
         for (const PairPositions& x : test::adversarial_pairs(200)) {
             const PairPositions far = x.colwise() + Vector3d(1000, -2000, 500);
             const double distance = std::sqrt(squared_distance(closest_points(kind, far), far));
@@ -87,7 +85,7 @@ TEST(ContactDistance, KeepsItsDigitsFarFromTheOrigin) {
 // All seven cases, derivatives against automatic differentiation of the textbook formula of the case.
 TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
     int seen[2][3] = {};
-    for (const PairKind kind : kinds) {
+    for (const PairKind kind : test::pair_kinds) {
         Random random(3);
         for (int i = 0; i < 400; ++i) {
             const PairPositions x = random.matrix<PairPositions>(1);
@@ -107,7 +105,7 @@ TEST(ContactDistance, DerivativesAreThoseOfTheTextbookFormulas) {
 
 // The gradient is continuous over the borders between the cases: a jump would stop Newton's method.
 TEST(ContactDistance, GradientIsTheDifferenceQuotientAcrossCases) {
-    for (const PairKind kind : kinds) {
+    for (const PairKind kind : test::pair_kinds) {
         Random random(5);
         for (int i = 0; i < 400; ++i) {
             PairPositions x = random.matrix<PairPositions>(1);
@@ -136,7 +134,7 @@ TEST(ContactDistance, ForcesOfAPairHaveNeitherSumNorTorque) {
         EXPECT_LT(torque.norm(), 1e-14 * (1 + forces.norm()));
     };
     for (const PairPositions& x : test::adversarial_pairs(800)) {
-        for (const PairKind kind : kinds)
+        for (const PairKind kind : test::pair_kinds)
             expect_balance(x, squared_distance_gradient(closest_points(kind, x), x));
         expect_balance(x, EdgeMollifier{10}.gradient(x));
     }

@@ -11,8 +11,6 @@ namespace {
 using test::LongPositions;
 using test::Random;
 
-constexpr PairKind kinds[] = {PairKind::vertex_triangle, PairKind::edge_edge};
-
 /// Smallest distance at `samples` times from 0 to `until`, in long double and without the code under test.
 long double sampled_distance(PairKind kind, const PairPositions& x, const PairPositions& displacement,
                              double until, int samples) {
@@ -48,7 +46,7 @@ double checked_fraction(PairKind kind, const PairPositions& x, const PairPositio
 
 // The one property that all of contact stands on, over every degenerate position there is and random motions.
 TEST(ContinuousCollision, NeverReportsAStepThatCrosses) {
-    for (const PairKind kind : kinds) {
+    for (const PairKind kind : test::pair_kinds) {
         Random random(11);
         int stopped = 0, free = 0;
         for (const PairPositions& x : test::adversarial_pairs(400)) {

@@ -13,13 +13,13 @@ namespace {
 
 using test::Random;
 
-constexpr double stiffness = 1.7;
+constexpr double bend_stiffness = 1.7;
 
 TEST(CubicHinge, FeelsNoForceAtRestHoweverCurved) {
     Random random(4);
     for (int i = 0; i < 200; ++i) {
         const HingePositions rest = random_hinge(random, random.uniform(-2.6, 2.6));
-        const CubicHinge hinge = cubic_hinge(rest, stiffness);
+        const CubicHinge hinge = cubic_hinge(rest, bend_stiffness);
         EXPECT_LT(gradient(hinge, rest).norm(), 1e-11 * hinge.quadratic.norm() * rest.norm());
         EXPECT_NEAR(value(hinge, rest), 0, 1e-12 * hinge.quadratic.norm());
     }
@@ -29,7 +29,7 @@ TEST(CubicHinge, FeelsNoForceAtRestHoweverCurved) {
 TEST(CubicHinge, QuadraticPartIsPositiveSemidefinite) {
     Random random(5);
     for (int i = 0; i < 500; ++i) {
-        const CubicHinge hinge = cubic_hinge(random_hinge(random, random.uniform(-2.6, 2.6)), stiffness);
+        const CubicHinge hinge = cubic_hinge(random_hinge(random, random.uniform(-2.6, 2.6)), bend_stiffness);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(hinge.quadratic);
         EXPECT_GT(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[3]);
     }
@@ -40,7 +40,8 @@ TEST(CubicHinge, QuadraticCorrectionIsMadeOfEdgeLengths) {
     Random random(6);
     for (int i = 0; i < 200; ++i) {
         const HingePositions rest = random_hinge(random, random.uniform(-2.6, 2.6));
-        const CubicHinge paper = cubic_hinge_2007(rest, stiffness), hinge = cubic_hinge(rest, stiffness);
+        const CubicHinge paper = cubic_hinge_2007(rest, bend_stiffness),
+                         hinge = cubic_hinge(rest, bend_stiffness);
         const Eigen::Matrix4d added = hinge.quadratic - paper.quadratic;
         EXPECT_EQ(added(2, 3), 0);
         EXPECT_LT((added * Eigen::Vector4d::Ones()).norm(), 1e-14 * hinge.quadratic.norm());
@@ -57,8 +58,9 @@ TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
         const RestHinge geometry = rest_hinge(rest);
         const Eigen::Vector4d& c = geometry.cotangents;
         const Eigen::Vector4d K(c[1] + c[3], c[0] + c[2], -c[0] - c[1], -c[2] - c[3]);
-        const double expected = 1.5 * stiffness / geometry.area * (x * K).squaredNorm();
-        for (const CubicHinge& hinge : {cubic_hinge(rest, stiffness), cubic_hinge_2007(rest, stiffness)}) {
+        const double expected = 1.5 * bend_stiffness / geometry.area * (x * K).squaredNorm();
+        for (const CubicHinge& hinge :
+             {cubic_hinge(rest, bend_stiffness), cubic_hinge_2007(rest, bend_stiffness)}) {
             EXPECT_LT(std::abs(hinge.cubic), 1e-13 * hinge.quadratic.norm());
             EXPECT_NEAR(value(hinge, x), expected, 1e-12 * hinge.quadratic.norm() * x.squaredNorm());
         }
@@ -68,8 +70,8 @@ TEST(CubicHinge, IsTheQuadraticModelWhereTheRestShapeIsFlat) {
 // The form of 2007 is what it is known to be: forces at rest that the correction removes.
 TEST(CubicHinge, FormOf2007FeelsAForceAtRestWhereItIsCurved) {
     const HingePositions rest = test::folded_hinge(1, 0.4, 0.7, 0.2, 1.1);
-    EXPECT_NEAR(value(cubic_hinge_2007(rest, stiffness), rest), 0, 1e-14);
-    EXPECT_GT(gradient(cubic_hinge_2007(rest, stiffness), rest).norm(), 0.1);
+    EXPECT_NEAR(value(cubic_hinge_2007(rest, bend_stiffness), rest), 0, 1e-14);
+    EXPECT_GT(gradient(cubic_hinge_2007(rest, bend_stiffness), rest).norm(), 0.1);
 }
 
 TEST(Hinge, AngleHasTheSignOfTheTripleProductUpToLargeFolds) {

@@ -6,19 +6,12 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/small_sheet.h"
 #include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
-
-const Material material{1000, 0.01, 1e6, 0.3};
-
-void advance(ImplicitStepper& step) {
-    step.begin();
-    step.solve(50);
-    step.finish();
-}
 
 /// Modes of a sheet at rest: (K, M) eigenvectors, normalized to u^T M u = 1, slowest first.
 Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(const Shell& shell, BendingModel model) {
@@ -41,7 +34,7 @@ class DampingOf : public testing::TestWithParam<BendingModel> {};
 INSTANTIATE_TEST_SUITE_P(Models, DampingOf, testing::Values(BendingModel::cubic, BendingModel::coupled));
 
 TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
-    const Shell rest = test::two_triangles(material);
+    const Shell rest = test::two_triangles(test::thick_foam);
     const auto eigen = modes(rest, GetParam());
     for (int mode = 6; mode < 12; ++mode) {
         Shell shell = rest;
@@ -60,7 +53,7 @@ TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
         ImplicitStepper step(shell, options);
         double before = amplitude, now = amplitude;
         for (int i = 0; i < 20; ++i) {
-            advance(step);
+            test::advance(step);
             const double next = ((2 + viscous) * now - before) / (1 + viscous + h * h * w * w);
             before = std::exchange(now, next);
             const VectorXd moved = (shell.position - shell.rest).reshaped();
@@ -72,7 +65,7 @@ TEST_P(DampingOf, EveryModeDecaysAtTheRateOfTheTwoCoefficients) {
 
 // Newton's method would not converge, or to something else.
 TEST(Damping, GradientAndHessianAreDerivatives) {
-    Shell shell = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(test::thick_foam);
     test::Random random(1);
     for (double& entry : shell.position.reshaped()) entry += random.uniform(-0.1, 0.1);
     Positions x = shell.position;
@@ -85,7 +78,7 @@ TEST(Damping, GradientAndHessianAreDerivatives) {
 
 // A viscous force must not push nor turn a sheet as a whole, however it is deformed.
 TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
-    Shell shell = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(test::thick_foam);
     test::Random random(2);
     for (double& entry : shell.position.reshaped()) entry += random.uniform(-0.3, 0.3);
     Positions x = shell.position;
@@ -106,7 +99,7 @@ TEST(Damping, StiffnessDampingHasNoNetForceNorTorque) {
 
 // Spinning, vibrating, damped: no linear momentum appears, and vibration dies while rotation goes on.
 TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
-    Shell shell = test::tetrahedron(material);
+    Shell shell = test::tetrahedron(test::thick_foam);
     const Vector3d spin(1, 2, -1);
     for (Index v = 0; v < 4; ++v)
         shell.velocity.col(v) = Vector3d(1, 0, 0.5) + spin.cross(Vector3d(shell.position.col(v)));
@@ -117,14 +110,14 @@ TEST(Damping, StiffnessDampingKeepsLinearMomentumAndRotation) {
     options.shell.damping.stiffness = 1e-3;
     const Vector3d linear = linear_momentum(shell), angular = angular_momentum(shell);
     ImplicitStepper step(shell, options);
-    for (int i = 0; i < 500; ++i) advance(step);
+    for (int i = 0; i < 500; ++i) test::advance(step);
     EXPECT_LT((linear_momentum(shell) - linear).norm(), 1e-9 * linear.norm());
     EXPECT_LT((angular_momentum(shell) - angular).norm(), 2e-3 * angular.norm());
 }
 
 // Mass damping slows a free flight at its rate: (1 + h a) v_{n+1} = v_n.
 TEST(Damping, MassDampingSlowsFreeFlight) {
-    Shell shell = test::two_triangles(material);
+    Shell shell = test::two_triangles(test::thick_foam);
     shell.velocity.colwise() = Vector3d(1, 2, 3);
     StepperOptions options;
     options.gravity.setZero();
@@ -133,7 +126,7 @@ TEST(Damping, MassDampingSlowsFreeFlight) {
     const Vector3d start = linear_momentum(shell);
     ImplicitStepper step(shell, options);
     for (int i = 1; i <= 10; ++i) {
-        advance(step);
+        test::advance(step);
         EXPECT_LT((linear_momentum(shell) - start / std::pow(1.04, i)).norm(), 1e-9 * start.norm());
     }
 }

@@ -6,13 +6,12 @@
 #include <numeric>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/small_sheet.h"
 #include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
-
-const Material material{1000, 0.01, 1e6, 0.3};
 
 std::vector<Index> all_triangles(const Shell& shell) {
     std::vector<Index> triangles(shell.triangles.size());
@@ -47,7 +46,7 @@ Positions forces(const Energy& energy, const Positions& x) {
 
 // Newton's method would not converge, or to something else.
 TEST(Loads, GradientAndHessianAreDerivatives) {
-    for (const Shell& shell : {test::tetrahedron(material), test::two_triangles(material)}) {
+    for (const Shell& shell : {test::tetrahedron(test::thick_foam), test::two_triangles(test::thick_foam)}) {
         Load load = pressure_on_all(shell, 30);
         load.dead = area_forces(shell, load.pressed, {1, 2, 3});
         test::expect_derivatives(loaded(shell, {load}, 1), crumpled(shell, 1), 1e-4, 1e-7);
@@ -56,7 +55,7 @@ TEST(Loads, GradientAndHessianAreDerivatives) {
 
 // A balloon would fly away by itself.
 TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
-    const Shell shell = test::tetrahedron(material);
+    const Shell shell = test::tetrahedron(test::thick_foam);
     const LoadEnergy energy = loaded(shell, {pressure_on_all(shell, 30)}, 0);
     const Positions x = crumpled(shell, 2);
     const Positions force = forces(energy, x);
@@ -72,7 +71,7 @@ TEST(Loads, PressureInAClosedSheetHasNoNetForceAndFollowsItsNormals) {
 
 // At the free rim the force is the exact one of the beginning of the step.
 TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
-    Shell shell = test::two_triangles(material);
+    Shell shell = test::two_triangles(test::thick_foam);
     shell.position = crumpled(shell, 3);
     const Positions force = forces(loaded(shell, {pressure_on_all(shell, 5)}, 0), shell.position);
     Vector3d area = Vector3d::Zero();
@@ -85,7 +84,7 @@ TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
 
 // Load a length, an area and a vertex: the totals are what the units say.
 TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
-    const Shell shell = test::two_triangles(material);
+    const Shell shell = test::two_triangles(test::thick_foam);
     const auto total = [&](const std::vector<CornerForce>& dead) {
         Load load;
         load.dead = dead;
@@ -107,7 +106,7 @@ TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
 // The momentum that a free sheet gains is the ramp's impulse, by the rule that implicit Euler integrates
 // with.
 TEST(Loads, RampGrowsLinearlyAndThenStays) {
-    Shell shell = test::two_triangles(material);
+    Shell shell = test::two_triangles(test::thick_foam);
     StepperOptions options;
     options.gravity.setZero();
     options.step = 0.01;

@@ -14,10 +14,10 @@ namespace {
 
 using test::Random;
 
-const Material material{1000, 0.01, 3e5, 0.3};
+const Material membrane_material{1000, 0.01, 3e5, 0.3};
 
 MembraneTriangle random_triangle(Random& random) {
-    return membrane_triangle(random.matrix<TrianglePositions>(1), membrane_elasticity(material));
+    return membrane_triangle(random.matrix<TrianglePositions>(1), membrane_elasticity(membrane_material));
 }
 
 const Material cloth{1000, 0.01, 3e5, 0.3, 4e4, 2e4};
@@ -53,7 +53,7 @@ TEST(Membrane, ConvexHessianIsPositiveSemidefiniteAndExactInTension) {
     Random random(3);
     for (int i = 0; i < 200; ++i) {
         const TrianglePositions rest = random.matrix<TrianglePositions>(1);
-        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(membrane_material));
         const auto convex = hessian(triangle, random.matrix<TrianglePositions>(1), true);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(convex);
         EXPECT_GT(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[8]);
@@ -67,7 +67,7 @@ TEST(Membrane, HasNoEnergyAtRestNorUnderRigidMotion) {
     Random random(4);
     for (int i = 0; i < 100; ++i) {
         const TrianglePositions rest = random.matrix<TrianglePositions>(1);
-        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+        const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(membrane_material));
         const TrianglePositions moved = (random.rotation() * rest).colwise() + random.matrix<Vector3d>(5);
         EXPECT_LT(green_strain(triangle, moved).norm(), 1e-12 / triangle.area);
     }
@@ -89,12 +89,13 @@ TEST(Membrane, HasNoNetForceOrTorqueOnAnyDeformation) {
 TEST(Membrane, UniaxialStressFollowsYoungAndPoisson) {
     TrianglePositions rest;
     rest << 0, 1, 0, 0, 0, 1, 0, 0, 0;
-    const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(material));
+    const MembraneTriangle triangle = membrane_triangle(rest, membrane_elasticity(membrane_material));
     const double strain = 1e-6;
     TrianglePositions x = rest;
     x.row(0) *= 1 + strain;
-    x.row(1) *= 1 - material.poisson * strain;
-    const double expected = 0.5 * material.young * material.thickness * strain * strain * triangle.area;
+    x.row(1) *= 1 - membrane_material.poisson * strain;
+    const double expected =
+        0.5 * membrane_material.young * membrane_material.thickness * strain * strain * triangle.area;
     EXPECT_NEAR(value(triangle, x), expected, 1e-5 * expected);
 }
 

@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/plates.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
 
 using std::numbers::pi;
-
-const Material rubber{.density = 1000, .thickness = 1e-3, .young = 2e6, .poisson = 0.4};
 
 Motion straight(const Vector3d& way, double duration) {
     Motion motion;
@@ -31,14 +31,8 @@ void carry(Shell& shell, const std::vector<Index>& vertices, const Motion& motio
     }
 }
 
-void advance(ImplicitStepper& time_step) {
-    ASSERT_TRUE(time_step.begin());
-    ASSERT_TRUE(time_step.solve(100).converged);
-    time_step.finish();
-}
-
 TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
-    Shell shell = test::stacked_plates(1, 4, 0, rubber);
+    Shell shell = test::stacked_plates(1, 4, 0, test::thin_rubber);
     Motion motion;
     motion.keys = {{0.01}, {0.05, Vector3d(0, 0.02, 0.01), Vector3d::UnitX(), pi / 2}};
     motion.pivot = shell.rest.col(0);
@@ -50,7 +44,7 @@ TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
     ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= 30; ++i) {
         const Positions before = shell.position;
-        advance(time_step);
+        test::advance(time_step);
         for (const Index v : {0, 1, 7}) {
             const Vector3d place = motion.at(i * options.step) * Vector3d(shell.rest.col(v));
             EXPECT_LT((shell.position.col(v) - place).norm(), 1e-15);
@@ -64,7 +58,7 @@ TEST(MovingPins, AreWhereTheMotionHasThemWithItsVelocity) {
 // Whoever flies along sees pins that stand still.
 TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
     const Vector3d velocity(3, -2, 1);
-    Shell standing = test::stacked_plates(1, 6, 0, rubber), flying = standing;
+    Shell standing = test::stacked_plates(1, 6, 0, test::thin_rubber), flying = standing;
     standing.fixed[0] = standing.fixed[6] = 1;
     carry(flying, {0, 6}, straight(velocity, 1));
     flying.velocity.colwise() = velocity;
@@ -73,8 +67,8 @@ TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
     options.tolerance = 1e-12;
     ImplicitStepper still(standing, options), moving(flying, options);
     for (int i = 1; i <= 40; ++i) {
-        advance(still);
-        advance(moving);
+        test::advance(still);
+        test::advance(moving);
         const Positions seen = flying.position.colwise() - i * options.step * velocity;
         ASSERT_LT((seen - standing.position).cwiseAbs().maxCoeff(), 1e-9) << "step " << i;
     }
@@ -85,7 +79,7 @@ TEST(MovingPins, AtConstantVelocityDoWhatPinsAtRestDo) {
 
 // A clamp that turns takes the sheet's tangent along: in the end the strip sticks out of it as it did.
 TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
-    Material stiff = rubber;
+    Material stiff = test::thin_rubber;
     stiff.young *= 1000;
     Shell shell = test::stacked_plates(1, 4, 0, stiff);
     Motion motion;
@@ -100,7 +94,7 @@ TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
         options.shell.mirrors.push_back(clamp_hinge(shell, side, hinge_stiffness(stiff)));
     ASSERT_EQ(options.shell.mirrors.size(), 4u);
     ImplicitStepper time_step(shell, options);
-    for (int i = 0; i < 400; ++i) advance(time_step);
+    for (int i = 0; i < 400; ++i) test::advance(time_step);
     const Positions turned = motion.at(1) * shell.rest;
     EXPECT_LT((shell.position - turned).cwiseAbs().maxCoeff(), 1e-6);
     EXPECT_LT(time_step.energies().bending, 1e-9);
@@ -108,7 +102,7 @@ TEST(MovingPins, AClampThatTurnsTurnsTheSheet) {
 
 // A plate that is carried into a free one has to arrive, and throws the other ahead of it.
 TEST(MovingPins, PushWhatIsInTheirWay) {
-    Shell shell = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    Shell shell = test::stacked_plates(2, 3, 1.2e-3, test::thin_rubber);
     const Index half = static_cast<Index>(shell.rest.cols()) / 2;
     std::vector<Index> lower(half);
     for (Index v = 0; v < half; ++v) lower[v] = v;
@@ -121,13 +115,13 @@ TEST(MovingPins, PushWhatIsInTheirWay) {
     options.tolerance = 1e-8;
     ImplicitStepper time_step(shell, options);
     for (int i = 1; i <= 50; ++i) {
-        advance(time_step);
+        test::advance(time_step);
         EXPECT_NEAR(shell.position(2, 0), i * options.step, 1e-15);
-        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * rubber.thickness);
+        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * test::thin_rubber.thickness);
     }
     EXPECT_GT(shell.velocity.rightCols(half).row(2).mean(), 1);
     // Too far at once: the step is refused, not solved with the pins on their way or through the other plate.
-    Shell near = test::stacked_plates(2, 3, 1.2e-3, rubber);
+    Shell near = test::stacked_plates(2, 3, 1.2e-3, test::thin_rubber);
     carry(near, lower, straight(Vector3d(0, 0, 0.1), 0.1));
     options.step = 5e-3;
     EXPECT_FALSE(ImplicitStepper(near, options).begin());

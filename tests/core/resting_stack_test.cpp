@@ -5,6 +5,7 @@
 
 #include "core/contact/penalty/obstacle_contact.h"
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/steps.h"
@@ -12,7 +13,6 @@
 namespace sherd {
 namespace {
 
-constexpr Material ceramic{.density = 2400, .thickness = 2e-3, .young = 70e9, .poisson = 0.2};
 constexpr int plates = 3;
 constexpr double settling = 0.5, rest = 10;  // s
 
@@ -27,8 +27,8 @@ void advance(ImplicitStepper& time_step, double seconds, double step) {
 // Fragments that have come to rest stay where they are, however long one looks: a stack on the floor drifts
 // by less than a thousandth of its size in 10 s, and each plate and the floor bear what lies on them to 1 %.
 TEST(RestingStack, StaysAtRest) {
-    Shell shell = test::stacked_plates(plates, 3, 1.001 * ceramic.thickness, ceramic);
-    shell.position.row(2).array() += 0.5001 * ceramic.thickness;
+    Shell shell = test::stacked_plates(plates, 3, 1.001 * test::ceramic.thickness, test::ceramic);
+    shell.position.row(2).array() += 0.5001 * test::ceramic.thickness;
     const Obstacle floor = test::floor(3e10, 0.3);
     StepperOptions options;
     options.step = 5e-3;

@@ -3,13 +3,12 @@
 
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/plates.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
-
-const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
-const Material rubber{.density = 1000, .thickness = 1e-3, .young = 2e6, .poisson = 0.4};
 
 StepperOptions with_contact(double step) {
     StepperOptions options;
@@ -19,16 +18,10 @@ StepperOptions with_contact(double step) {
     return options;
 }
 
-void advance(ImplicitStepper& time_step) {
-    time_step.begin();
-    EXPECT_TRUE(time_step.solve(200).converged);
-    time_step.finish();
-}
-
 // A kilometre a second at a step in which the plate would be far behind the other one: thrown back, not
 // through.
 TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
-    Shell shell = test::stacked_plates(2, 4, 0.05, ceramic);
+    Shell shell = test::stacked_plates(2, 4, 0.05, test::ceramic);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
     shell.velocity.rightCols(half).row(2).setConstant(-1000);
     StepperOptions options = with_contact(1e-4);
@@ -36,9 +29,9 @@ TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
     const Vector3d momentum = linear_momentum(shell);
     ImplicitStepper time_step(shell, options);
     for (int i = 0; i < 5; ++i) {
-        advance(time_step);
+        test::advance(time_step);
         EXPECT_EQ(test::intersections(shell, shell.position), 0);
-        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * ceramic.thickness);
+        EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * test::ceramic.thickness);
         EXPECT_GT(shell.position.rightCols(half).row(2).mean(), shell.position.leftCols(half).row(2).mean());
     }
     EXPECT_LT(shell.velocity.leftCols(half).row(2).mean(), -400);
@@ -47,7 +40,7 @@ TEST(SheetContact, APlateAtAKilometreASecondDoesNotPass) {
 
 // A sheet that claps shut meets itself, and folds no flatter than it is thick.
 TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
-    Shell shell = test::stacked_plates(1, 12, 0, rubber);
+    Shell shell = test::stacked_plates(1, 12, 0, test::thin_rubber);
     for (Index v = 0; v < shell.position.cols(); ++v) {
         const double x = shell.position(0, v);
         shell.velocity.col(v) = Vector3d(-100 * x, 0, 400 * std::abs(x));
@@ -58,7 +51,7 @@ TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
     const SheetContact contact(shell);
     std::size_t most = 0;
     for (int i = 0; i < 50; ++i) {
-        advance(time_step);
+        test::advance(time_step);
         most = std::max(most, contact.active_pairs(shell.position).size());
         EXPECT_EQ(test::intersections(shell, shell.position), 0);
     }
@@ -68,16 +61,16 @@ TEST(SheetContact, AFoldingSheetDoesNotPassThroughItself) {
 // A stack comes to rest, stays there, and each contact carries what lies on it, to 1 %.
 TEST(SheetContact, AStackRestsOnItself) {
     const int plates = 4;
-    Shell shell = test::stacked_plates(plates, 4, 1.02 * ceramic.thickness, ceramic);
+    Shell shell = test::stacked_plates(plates, 4, 1.02 * test::ceramic.thickness, test::ceramic);
     const Index each = static_cast<Index>(shell.position.cols()) / plates;
     std::fill_n(shell.fixed.begin(), each, 1);
     StepperOptions options = with_contact(2e-4);
     options.contact.friction = 0.3;
     options.tolerance = 2e-10;  // a hundredth of what the plates sink into each other
     ImplicitStepper time_step(shell, options);
-    for (int i = 0; i < 150; ++i) advance(time_step);
+    for (int i = 0; i < 150; ++i) test::advance(time_step);
     const Positions before = shell.position;
-    for (int i = 0; i < 50; ++i) advance(time_step);
+    for (int i = 0; i < 50; ++i) test::advance(time_step);
     EXPECT_LT((shell.position - before).cwiseAbs().maxCoeff(), 1e-7);
     Positions forces = Positions::Zero(3, shell.position.cols());
     SheetContact(shell).add_gradient(shell.position, forces);
@@ -104,7 +97,7 @@ void cut_off(Shell& shell, std::size_t triangle, ImplicitStepper& time_step) {
 // A crack opens in the middle of a step, in contact: lips that lie on each other neither push nor stop the
 // step, and all the rest goes on as before.
 TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
-    Shell shell = test::stacked_plates(2, 4, 1.1 * ceramic.thickness, ceramic);
+    Shell shell = test::stacked_plates(2, 4, 1.1 * test::ceramic.thickness, test::ceramic);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
     shell.hinges.clear();  // which would have to be cut as well
     shell.velocity.rightCols(half).row(2).setConstant(-3);
@@ -118,9 +111,9 @@ TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
     cut_off(shell, 50, time_step);
     EXPECT_TRUE(time_step.solve(200).converged);
     time_step.finish();
-    for (int i = 0; i < 5; ++i) advance(time_step);
+    for (int i = 0; i < 5; ++i) test::advance(time_step);
     EXPECT_LT((linear_momentum(shell) - momentum).norm(), 1e-8 * momentum.norm());
-    EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * ceramic.thickness);
+    EXPECT_GT(test::smallest_distance(shell, shell.position), 0.75 * test::ceramic.thickness);
 }
 
 }  // namespace

@@ -4,13 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
 namespace {
-
-const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
-const Material rubber{.density = 1000, .thickness = 2e-3, .young = 2e6, .poisson = 0.4};
 
 Positions shaken(const Positions& x, double amplitude) {
     test::Random random(6);
@@ -21,7 +19,7 @@ Positions shaken(const Positions& x, double amplitude) {
 
 // Force and stiffness of hundreds of pairs of all cases at once, mollified ones too.
 TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
-    const Shell shell = test::stacked_plates(2, 5, 1.8e-3, ceramic);
+    const Shell shell = test::stacked_plates(2, 5, 1.8e-3, test::ceramic);
     const SheetContact contact(shell);
     const Positions x = shaken(shell.position, 1e-4);
     ASSERT_GT(contact.active_pairs(x).size(), 100u);
@@ -38,7 +36,7 @@ TEST(SheetContact, ForceAndStiffnessAreDerivativesOfTheValue) {
 // The candidates are found once for a neighbourhood: moving about in it, out of it and back must not change a
 // bit.
 TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
-    const Shell shell = test::stacked_plates(3, 4, 1.8e-3, ceramic);
+    const Shell shell = test::stacked_plates(3, 4, 1.8e-3, test::ceramic);
     const SheetContact wanderer(shell);
     for (const double lift : {0.0, 0.02, 0.0, 1.0, 0.05, 1e-3}) {
         Positions x = shaken(shell.position, 1e-4);
@@ -60,7 +58,7 @@ TEST(SheetContact, DoesNotDependOnWhereItWasAskedBefore) {
 
 // A sheet whose edges are shorter than it is thick must not push itself apart; folded flat it must.
 TEST(SheetContact, RestShapeIsFreeOfForces) {
-    Material thick = rubber;
+    Material thick = test::rubber;
     thick.thickness = 0.03;
     Shell shell = test::stacked_plates(1, 10, 0, thick);  // edges of 0.01
     const SheetContact contact(shell);
@@ -90,11 +88,11 @@ double common_area() {
 // any mesh: edges of 12, 6 and 3 thicknesses. The mesh may matter a little, since a vertex over an edge of
 // the other sheet sees two triangles.
 TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
-    const double press = 0.001 * ceramic.thickness,
-                 column = ceramic.young * common_area() / ceramic.thickness;
-    const Barrier barrier{0.25 * ceramic.thickness};
+    const double press = 0.001 * test::ceramic.thickness,
+                 column = test::ceramic.young * common_area() / test::ceramic.thickness;
+    const Barrier barrier{0.25 * test::ceramic.thickness};
     for (const int count : {4, 8, 16}) {
-        const Shell shell = test::stacked_plates(2, count, ceramic.thickness - press, ceramic);
+        const Shell shell = test::stacked_plates(2, count, test::ceramic.thickness - press, test::ceramic);
         Positions sum = Positions::Zero(3, shell.position.cols());
         SheetContact(shell).add_gradient(shell.position, sum);
         const double force = sum.row(2).head(sum.cols() / 2).sum();
@@ -104,7 +102,7 @@ TEST(SheetContact, PressureIsThatOfTheColumnOnAnyMesh) {
 
 // Nothing that is held together by twins pushes, and what only borders on them still does.
 TEST(SheetContact, TwinsDoNotSeeEachOther) {
-    Shell shell = test::stacked_plates(2, 2, 1.8e-3, ceramic);
+    Shell shell = test::stacked_plates(2, 2, 1.8e-3, test::ceramic);
     const std::size_t before = SheetContact(shell).active_pairs(shell.position).size();
     shell.twins = {{4, 13}};  // the middles
     const auto after = SheetContact(shell).active_pairs(shell.position);
@@ -117,7 +115,7 @@ TEST(SheetContact, TwinsDoNotSeeEachOther) {
 }
 
 TEST(SheetContact, OverlapIsRefusedByName) {
-    Shell shell = test::stacked_plates(2, 2, 1e-3, ceramic);
+    Shell shell = test::stacked_plates(2, 2, 1e-3, test::ceramic);
     StepperOptions options;
     options.contact.sheets = true;
     ImplicitStepper step(shell, options);
@@ -165,7 +163,8 @@ TEST(SheetContact, CollidingPlatesDoNotPassThroughEachOther) {
         Material material;
         double speed, step;
     };
-    for (const Case& c : {Case{ceramic, 3, 1e-4}, Case{ceramic, 60, 1e-4}, Case{rubber, 10, 3e-4}}) {
+    for (const Case& c :
+         {Case{test::ceramic, 3, 1e-4}, Case{test::ceramic, 60, 1e-4}, Case{test::rubber, 10, 3e-4}}) {
         Shell shell = test::stacked_plates(2, 5, 0, c.material);
         const Collision result = collide(shell, c.speed, c.step, 60);
         EXPECT_EQ(result.intersections, 0);

@@ -2,16 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/small_sheet.h"
 
 namespace sherd {
 namespace {
 
-const Material material{1000, 0.01, 1e6, 0.3};
-
 // Newton's method would not converge, or to something else.
 TEST(MirrorHinge, GradientAndHessianAreDerivatives) {
-    const Shell shell = test::tetrahedron(material);
+    const Shell shell = test::tetrahedron(test::thick_foam);
     // A plane through vertices 0 and 1 that is oblique to the triangle between them: curved at rest.
     const Vector3d along = (shell.rest.col(1) - shell.rest.col(0)).normalized();
     const Vector3d normal = along.cross(Vector3d(0.3, 0.5, -0.4)).normalized();
@@ -33,8 +32,8 @@ TEST(SymmetryPlane, HalfASheetMovesLikeTheWhole) {
     Positions whole_rest(3, 4), half_rest(3, 3);
     whole_rest << 0, 0, -1, 1, 0, 1, 0.4, 0.4, 0, 0, 0, 0;
     half_rest << 0, 0, 1, 0, 1, 0.4, 0, 0, 0;
-    Shell whole = test::small_sheet(whole_rest, {{0, 1, 2}, {0, 3, 1}}, material);
-    Shell half = test::small_sheet(half_rest, {{0, 2, 1}}, material);
+    Shell whole = test::small_sheet(whole_rest, {{0, 1, 2}, {0, 3, 1}}, test::thick_foam);
+    Shell half = test::small_sheet(half_rest, {{0, 2, 1}}, test::thick_foam);
     half.guides = {Eigen::DiagonalMatrix<double, 3>(0, 1, 1)};
     half.guide = {1, 1, 0};
     StepperOptions options;

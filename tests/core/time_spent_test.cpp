@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "core/time/implicit_stepper.h"
+#include "tests/support/materials.h"
 #include "tests/support/plates.h"
 
 namespace sherd {
 namespace {
 
-const Material ceramic{.density = 2400, .thickness = 2e-3, .young = 7e10, .poisson = 0.2};
 constexpr Task tasks[] = {Task::other,    Task::elasticity,    Task::contact,  Task::loads,
                           Task::analysis, Task::factorization, Task::solution, Task::breaking};
 constexpr double nap = 2e-3;  // s
@@ -35,7 +35,7 @@ double sum(const TimeSpent& spent) {
 
 /// Two plates, the upper one on its way to the lower one, two steps before they meet.
 void let_plates_fall(bool sheet_contact, TimeSpent& result, double& wall) {
-    Shell shell = test::stacked_plates(2, 4, 1.2 * ceramic.thickness, ceramic);
+    Shell shell = test::stacked_plates(2, 4, 1.2 * test::ceramic.thickness, test::ceramic);
     shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-2);
     StepperOptions options;
     options.tolerance = 1e-8;

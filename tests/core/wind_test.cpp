@@ -54,12 +54,6 @@ Shell moving_anyhow() {
     return shell;
 }
 
-void advance(ImplicitStepper& time_step) {
-    time_step.begin();
-    EXPECT_TRUE(time_step.solve(100).converged);
-    time_step.finish();
-}
-
 // Newton's method would not converge, or go uphill.
 TEST(Wind, GradientAndHessianAreDerivativesOfAConvexEnergy) {
     const Shell shell = moving_anyhow();
@@ -81,7 +75,7 @@ TEST(Wind, APlateThatFallsBroadsideReachesItsTerminalSpeed) {
         options.step = length;
         options.shell.winds = {wind_on(shell, Vector3d::Zero())};
         ImplicitStepper time_step(shell, options);
-        for (double time = 0; time < 8; time += length) advance(time_step);
+        for (double time = 0; time < 8; time += length) test::advance(time_step);
         const double speed =
             std::sqrt(2 * shell.mass.sum() * 9.81 / (1.225 * area_of(shell) * options.shell.winds[0].drag));
         for (Index v = 0; v < 4; ++v)
@@ -110,8 +104,8 @@ TEST(Wind, OnASheetAtRestIsASheetThatMovesThroughStillAir) {
     still.shell.winds = {wind_on(moving, Vector3d::Zero())};
     ImplicitStepper in_wind(resting, options), in_still_air(moving, still);
     for (int i = 1; i <= 50; ++i) {
-        advance(in_wind);
-        advance(in_still_air);
+        test::advance(in_wind);
+        test::advance(in_still_air);
         const Positions seen = moving.position.colwise() + i * options.step * velocity;
         ASSERT_LT((seen - resting.position).cwiseAbs().maxCoeff(), 1e-9);
     }
@@ -152,7 +146,7 @@ TEST(Wind, NeverBlowsASheetFasterThanItself) {
         ImplicitStepper time_step(shell, options);
         double before = 0.5 * shell.mass.sum() * 400;
         for (int i = 0; i < 20; ++i) {
-            advance(time_step);
+            test::advance(time_step);
             Shell seen = shell;
             seen.velocity.colwise() -= wind.velocity;
             const double energy =

@@ -9,13 +9,13 @@
 
 #include "fracture/simulation.h"
 #include "meshops/generate.h"
+#include "tests/support/materials.h"
 
 namespace sherd {
 namespace {
 
 constexpr double width = 0.06, span = 0.2, edge_length = 0.006, strength = 4e7;
 constexpr double ramp = 0.06;  // s
-const Material glass{2500, 0.004, 7e10, 0.2};
 
 /// What became of a sheet under a load that grows from nothing.
 struct Outcome {
@@ -60,7 +60,7 @@ Outcome press(const SheetInput& input, const std::vector<Index>& faces, double f
 SheetInput glass_rectangle(double length, double height, unsigned seed) {
     SheetInput sheet;
     sheet.mesh = generate_rectangle(length, height, {edge_length, Layout::delaunay, seed});
-    sheet.material = glass;
+    sheet.material = test::glass;
     sheet.strength = uniform_strength(strength, Measure::stress);
     return sheet;
 }
@@ -143,7 +143,7 @@ TEST(BreakingPath, BreaksAStripBentOverAnEdgeOnce) {
         EXPECT_LT(largest_distance(outcome, strip, span / 2), 3 * edge_length);
         // Three-point bending, 6 M / (b t^2); the supports, which do not slide, add some tension.
         const double bar = most * outcome.time / ramp * 2 * edge_length * width;
-        const double stress = 1.5 * bar * span / (width * glass.thickness * glass.thickness);
+        const double stress = 1.5 * bar * span / (width * test::glass.thickness * test::glass.thickness);
         EXPECT_GT(stress, 0.7 * strength);
         EXPECT_LT(stress, 1.1 * strength);
     }

@@ -11,12 +11,12 @@
 #include "fracture/breakable_shell.h"
 #include "meshops/generate.h"
 #include "meshops/self_intersections.h"
+#include "tests/support/materials.h"
 
 namespace sherd {
 namespace {
 
-constexpr double length = 0.12, width = 0.04, middle = length / 2;
-const Material glass{2500, 0.004, 7e10, 0.2};
+constexpr double strip_length = 0.12, strip_width = 0.04, middle = strip_length / 2;
 
 /// The halves of a strip, which lie as they were; each vertex moves with a velocity of its own.
 class BrokenStrip {
@@ -73,8 +73,8 @@ class BrokenStrip {
   private:
     static SheetInput input(Layout layout) {
         SheetInput strip;
-        strip.mesh = generate_rectangle(length, width, {0.01, layout, 3});
-        strip.material = glass;
+        strip.mesh = generate_rectangle(strip_length, strip_width, {0.01, layout, 3});
+        strip.material = test::glass;
         return strip;
     }
     bool left(Face face) const {
@@ -121,7 +121,7 @@ TEST_P(BrokenStrips, PushedTogetherInPlaneBounce) {
     EXPECT_LT(strip.mean(mechanics.velocity, true).x(), -0.1);
     EXPECT_GT(strip.mean(mechanics.velocity, false).x(), 0.1);
     EXPECT_GT(strip.largest_overlap, 0);
-    EXPECT_LT(strip.largest_overlap, 0.01 * glass.thickness);
+    EXPECT_LT(strip.largest_overlap, 0.01 * test::glass.thickness);
     EXPECT_LT((mechanics.velocity * mechanics.mass - momentum).norm(), 1e-9 * 0.5 * mechanics.mass.sum());
 }
 
@@ -136,7 +136,8 @@ TEST_P(BrokenStrips, AreLeftToTheBarrierOnceApart) {
     for (int i = 0; i < 30; ++i) strip.advance();
     EXPECT_EQ(strip.largest_overlap, 0);
     const Positions& x = strip.sheet.mechanics().position;
-    EXPECT_GT(strip.mean(x, false).x() - strip.mean(x, true).x(), 0.5 * length + 0.75 * glass.thickness);
+    EXPECT_GT(strip.mean(x, false).x() - strip.mean(x, true).x(),
+              0.5 * strip_length + 0.75 * test::glass.thickness);
     EXPECT_LT(strip.mean(strip.sheet.mechanics().velocity, true).x(), 0);
 }
 
@@ -148,7 +149,7 @@ TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
         return Vector3d(left ? 0.1 : -0.1, 0, 100 * std::abs(arm));
     });
     for (int i = 0; i < 300; ++i) strip.advance();
-    EXPECT_LT(strip.largest_overlap, 0.1 * glass.thickness);
+    EXPECT_LT(strip.largest_overlap, 0.1 * test::glass.thickness);
 }
 
 // Half a turn apart like scissors: the ends of two lips are far from each other, their middles are not. They
@@ -156,8 +157,8 @@ TEST_P(BrokenStrips, FoldedOntoEachOtherStayApart) {
 TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
     BrokenStrip strip(Layout::structured, 1e-4);
     Positions& x = strip.sheet.mechanics().position;
-    const double gap = 0.6 * glass.thickness;
-    const Vector3d centre(middle, 0.375 * width, 0);  // between two vertices of the crack
+    const double gap = 0.6 * test::glass.thickness;
+    const Vector3d centre(middle, 0.375 * strip_width, 0);  // between two vertices of the crack
     for (Eigen::Index v = 0; v < x.cols(); ++v)
         if (!strip.on_left[v]) {
             const Vector3d arm = x.col(v) - centre;
@@ -170,7 +171,7 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
     EXPECT_NO_THROW(strip.time_step->begin());
 
     for (Eigen::Index v = 0; v < x.cols(); ++v)
-        if (!strip.on_left[v]) x(0, v) += glass.thickness;
+        if (!strip.on_left[v]) x(0, v) += test::glass.thickness;
     EXPECT_TRUE(strip.sheet.release_lips());
     EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
 }

@@ -8,6 +8,7 @@
 
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 #include "tests/support/vdb_file.h"
 
 namespace sherd::test {
@@ -31,12 +32,7 @@ GridSamples sample(const std::filesystem::path& file, const std::string& name,
 }
 
 std::string message_of(const std::filesystem::path& file, const std::string& name = "") {
-    try {
-        sample(file, name, {Vector3d::Zero()});
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return thrown_by([&] { sample(file, name, {Vector3d::Zero()}); });
 }
 
 class FloatGrid : public testing::Test {

@@ -17,9 +17,9 @@
 namespace sherd::test {
 namespace {
 
-using Random = std::mt19937;  // the same numbers everywhere; not so its distributions
+using Generator = std::mt19937;  // the same numbers everywhere; not so its distributions
 
-std::size_t below(Random& random, std::size_t count) {
+std::size_t below(Generator& random, std::size_t count) {
     return random() % count;
 }
 
@@ -53,7 +53,7 @@ const std::vector<std::string> words{"-1",
                                      "o a b\n",
                                      "vt nan nan\n"};
 
-std::string mutated(std::string text, Random& random) {
+std::string mutated(std::string text, Generator& random) {
     for (std::size_t change = 0; change <= below(random, 3); ++change) {
         if (text.empty()) return text;
         const std::size_t at = below(random, text.size()), size = 1 + below(random, 8);
@@ -112,7 +112,7 @@ TEST(MutatedMesh, IsAnErrorOrAMesh) {
     std::size_t errors = 0, meshes = 0;
     for (const auto& [name, original] : originals()) {
         read_mesh(directory.write(name, original), {}, warnings);
-        Random random(14);
+        Generator random(14);
         for (int i = 0; i < 400; ++i) {
             const std::string text = mutated(original, random);
             // Whoever it ends with a signal finds the input there, and the number here.

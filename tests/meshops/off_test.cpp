@@ -7,17 +7,13 @@
 
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
 
-std::string failure(const std::string& content) {
-    try {
-        check_polygon_soup(parse_off("a.off", content));
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string off_failure(const std::string& content) {
+    return thrown_by([&] { check_polygon_soup(parse_off("a.off", content)); });
 }
 
 const std::vector<Point> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -57,18 +53,18 @@ TEST(Off, BinaryFilesAreReadAndNotBelieved) {
     EXPECT_EQ(soup.points, corners);
     EXPECT_EQ(soup.polygons, (Polygons{{0, 1, 2}}));
     for (std::size_t size = 0; size < bytes.size(); ++size)
-        EXPECT_NE(failure(bytes.substr(0, size)), "no error") << size;
+        EXPECT_NE(off_failure(bytes.substr(0, size)), "no error") << size;
     for (const std::size_t at : {12, 16, 108}) {  // vertices, faces, corners of the face
         std::string many = bytes;
         many.replace(at, 4, "\x7f\xff\xff\xff");
-        EXPECT_NE(failure(many).find("truncated"), std::string::npos) << at << failure(many);
+        EXPECT_NE(off_failure(many).find("truncated"), std::string::npos) << at << off_failure(many);
     }
 }
 
 TEST(Off, MistakesAreNamedWithTheirLine) {
     const std::string head = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
     const auto expect = [](const std::string& text, const std::string& message) {
-        EXPECT_NE(failure(text).find(message), std::string::npos) << failure(text) << "\nof " << text;
+        EXPECT_NE(off_failure(text).find(message), std::string::npos) << off_failure(text) << "\nof " << text;
     };
     expect(head + "300000000 0 1 2\n", "a.off:6: `300000000` corners were promised, the line has fewer");
     expect(head + "3 0 1 x\n", "a.off:6: `x` is not a number");

@@ -10,7 +10,9 @@
 #include "meshops/error.h"
 #include "meshops/ply_header.h"
 #include "meshops/polygon_soup.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -21,21 +23,12 @@ const std::string faces_of_header = "element face 1\nproperty list uchar int ver
 const std::string good = "ply\nformat ascii 1.0\ncomment by hand\n" + points_of_header + faces_of_header +
                          "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
 PolygonSoup parse(const std::string& content) {
     return parse_ply("a.ply", content);
 }
 
 std::string failure(const std::string& content) {
-    try {
-        check_polygon_soup(parse(content));
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return thrown_by([&] { check_polygon_soup(parse(content)); });
 }
 
 TEST(Ply, EachMistakeOfAHeaderIsNamedWithItsLine) {

@@ -4,6 +4,7 @@
 
 #include "meshops/read_mesh.h"
 #include "tests/support/ply_square.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -18,10 +19,6 @@ std::vector<Eigen::Vector3d> axes_in(const std::string& text, bool repair = fals
     if (exists)
         for (const Face face : mesh.faces()) found.push_back(axis[face]);
     return found;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
 }
 
 TEST(ReadAxis, FacePropertiesBecomeTheAxesOfTheFaces) {

@@ -10,6 +10,7 @@
 #include "tests/support/finite_differences.h"
 #include "tests/support/random_shapes.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 #include "tests/support/vdb_file.h"
 
 namespace sherd::test {
@@ -110,25 +111,16 @@ TEST(SignedDistanceGrid, VoxelsOfALevelSetAreTakenAsTheyAre) {
     EXPECT_LT(taken.sample(centre).distance, -0.09) << "filled";
 }
 
-std::string message_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
     const TemporaryDirectory directory;
     const auto file = write_sphere(directory, openvdb::GRID_FOG_VOLUME);
-    const std::string fog = message_of([&] { SignedDistanceGrid::of_level_set(file, "ball", 1, 0.002); });
+    const std::string fog = thrown_by([&] { SignedDistanceGrid::of_level_set(file, "ball", 1, 0.002); });
     EXPECT_NE(fog.find("ball.vdb: its grid 'ball' is of class 'fog volume'"), std::string::npos) << fog;
     EXPECT_NE(fog.find("needs a level set"), std::string::npos) << fog;
-    const std::string fine = message_of([&] { SignedDistanceGrid::of_mesh(sphere_mesh(), 1e-5, 0.002); });
+    const std::string fine = thrown_by([&] { SignedDistanceGrid::of_mesh(sphere_mesh(), 1e-5, 0.002); });
     EXPECT_NE(fine.find("make them larger"), std::string::npos) << fine;
     const Mesh tube = generate_cylinder(0.05, 0.1, {.edge_length = 0.01});
-    const std::string open = message_of([&] { SignedDistanceGrid::of_mesh(tube, voxel, 0.002); });
+    const std::string open = thrown_by([&] { SignedDistanceGrid::of_mesh(tube, voxel, 0.002); });
     EXPECT_NE(open.find("it is open"), std::string::npos) << open;
 }
 

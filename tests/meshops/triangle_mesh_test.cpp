@@ -11,6 +11,7 @@
 
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -18,27 +19,22 @@ namespace {
 using Triangles = std::vector<std::array<std::int32_t, 3>>;
 
 /// A square of two triangles with vertices 0 to 3, and three vertices more outside of it.
-const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {1, 0, 0},  {1, 1, 0}, {0, 1, 0},
-                                          {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
+const std::vector<Eigen::Vector3d> corner_points{{0, 0, 0}, {1, 0, 0},  {1, 1, 0}, {0, 1, 0},
+                                                 {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
 
 std::string message_of(const Triangles& triangles, std::size_t used,
-                       std::vector<Eigen::Vector3d> positions = points) {
+                       std::vector<Eigen::Vector3d> positions = corner_points) {
     positions.resize(used);
-    try {
-        triangle_mesh(positions, triangles);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return thrown_by([&] { triangle_mesh(positions, triangles); });
 }
 
 TEST(TriangleMesh, KeepsNumbersAndPlaces) {
     const Triangles square{{2, 3, 0}, {0, 1, 2}};
-    const Mesh mesh = triangle_mesh(std::span(points).first(4), square);
+    const Mesh mesh = triangle_mesh(std::span(corner_points).first(4), square);
     ASSERT_EQ(mesh.number_of_vertices(), 4u);
     ASSERT_EQ(mesh.number_of_faces(), 2u);
     EXPECT_EQ(mesh.number_of_edges(), 5u);
-    for (std::int32_t v = 0; v < 4; ++v) EXPECT_EQ(position(mesh, Vertex(v)), points[v]);
+    for (std::int32_t v = 0; v < 4; ++v) EXPECT_EQ(position(mesh, Vertex(v)), corner_points[v]);
     for (std::int32_t f = 0; f < 2; ++f)
         for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(Face(f))))
             EXPECT_NE(std::ranges::find(square[f], static_cast<std::int32_t>(v)), square[f].end());
@@ -64,7 +60,7 @@ TEST(TriangleMesh, NamesWhatIsWrong) {
     EXPECT_EQ(
         message_of({{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {3, 0, 4}}, 5),
         "face 3: its normal is opposite to those of its neighbours; swap two of its vertices 3, 0 and 4");
-    std::vector<Eigen::Vector3d> broken = points;
+    std::vector<Eigen::Vector3d> broken = corner_points;
     broken[1].y() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(message_of({{0, 1, 2}}, 3, broken), "vertex 1: has a coordinate that is NaN or infinite");
 }

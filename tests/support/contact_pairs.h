@@ -9,6 +9,8 @@
 
 namespace sherd::test {
 
+inline constexpr PairKind pair_kinds[] = {PairKind::vertex_triangle, PairKind::edge_edge};
+
 using LongPositions = Eigen::Matrix<long double, 3, 4>;
 using LongVector = Eigen::Matrix<long double, 3, 1>;
 

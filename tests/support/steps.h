@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "core/time/implicit_euler.h"
+#include "core/time/implicit_stepper.h"
 
 namespace sherd::test {
 
@@ -16,6 +19,13 @@ template <class E>
 E begun(E energy, const Shell& shell, double begin, double length) {
     energy.begin(step_of(shell, begin, length));
     return energy;
+}
+
+/// One step, which must be possible and converge.
+inline void advance(ImplicitStepper& stepper) {
+    ASSERT_TRUE(stepper.begin());
+    ASSERT_TRUE(stepper.solve(200).converged);
+    stepper.finish();
 }
 
 }  // namespace sherd::test

@@ -16,6 +16,7 @@
 
 #include "app/recording/recording.h"
 #include "meshops/error.h"
+#include "tests/support/falling_disc.h"
 #include "tests/support/program.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
@@ -24,12 +25,6 @@ namespace sherd::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string falling = R"(duration = 0.002
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
-material = { preset = "stoneware" }
-)";
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -154,7 +149,7 @@ TEST(OutputLock, IsNotToBeHadWhereNothingCanBeWritten) {
 // A file system without locks must not make Sherd useless there, nor let two write.
 TEST(OutputLock, WithoutLocksOfTheFileSystemTheFileIsTheLock) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     ProgramLimits limits;
     limits.no_locks = true;
     const std::vector<std::string> command{"run", "scene.toml", "--force"};
@@ -175,7 +170,7 @@ void wait_for(const fs::path& file) {
 
 TEST(OutputLock, ASecondRunIsRefusedAndTheFirstOnesRecordingStays) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     ProgramResult second;
     std::string first;
     const auto meanwhile = [&](pid_t program) {
@@ -202,7 +197,7 @@ TEST(OutputLock, ASecondRunIsRefusedAndTheFirstOnesRecordingStays) {
 
 TEST(OutputLock, AKilledRunLeavesNothingThatBlocks) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     const auto kill_it = [&](pid_t program) {
         wait_for(directory.path / "out.xdmf");
         kill(program, SIGKILL);
@@ -218,7 +213,7 @@ TEST(OutputLock, AKilledRunLeavesNothingThatBlocks) {
 
 TEST(OutputLock, OfVariantsIsLookedAtBeforeOneIsRun) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");
+    directory.write("scene.toml", falling_disc + "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\n");
     const std::vector<std::string> all{"run", "scene.toml", "--force"};
     {
         const OutputLock lock(directory.path / "scene-b.h5");  // by one who runs this variant alone
@@ -274,7 +269,7 @@ TEST(OutputLock, IsTakenByEveryCommandThatWrites) {
 // A reader's file is his as long as he has it open; who reads on by name must not get two runs in one.
 TEST(OutputLock, ARunIsForcedOverARecordingThatIsBeingRead) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     record(synthetic_run(), directory.path / "scene.h5");
     const Recording reading(directory.path / "scene.h5");
     const int held = open((directory.path / "scene.h5").c_str(), O_RDONLY);

@@ -9,6 +9,7 @@
 #include "app/progress/progress_line.h"
 #include "app/progress/run_progress.h"
 #include "app/recording/recording.h"
+#include "tests/support/falling_disc.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/terminal.h"
@@ -17,11 +18,6 @@ namespace sherd::test {
 namespace {
 
 /// A disc in free fall with two variants, which nothing stops before its time.
-const std::string falling = R"(duration = 0.002
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
-material = { preset = "stoneware" }
-)";
 const std::string variants = "[[variant]]\nname = \"slow\"\n[[variant]]\nname = \"diagonal\"\n";
 
 RunProgress long_run() {
@@ -118,7 +114,7 @@ class ProgressOnATerminal : public testing::Test {
 
 TEST_F(ProgressOnATerminal, NeverWrapsAndLeavesOneLine) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     for (const unsigned short columns : {80, 60}) {
         const Shown shown = run_on_terminal({"run", "scene.toml", "--force"}, directory, columns);
         EXPECT_EQ(shown.exit_code, 0) << shown.bytes;
@@ -133,7 +129,7 @@ TEST_F(ProgressOnATerminal, NeverWrapsAndLeavesOneLine) {
 
 TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     TerminalProgram program({"run", "scene.toml", "--set", "duration=1000"}, directory.path, 100);
     const auto redraws = [](const std::string& text) { return std::ranges::count(text, '\r'); };
     const std::string wide = program.read_until([&](const auto& text) { return redraws(text) >= 6; });
@@ -163,7 +159,7 @@ TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
 
 TEST_F(ProgressOnATerminal, OfVariantsIsALineForEachThatIsDrawnInPlace) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling + variants);
+    directory.write("scene.toml", falling_disc + variants);
     for (const unsigned short columns : {80, 60}) {
         TerminalProgram program({"run", "scene.toml", "--force", "--set", "duration=1000"}, directory.path,
                                 columns);
@@ -201,7 +197,7 @@ TEST_F(ProgressOnATerminal, OfVariantsIsALineForEachThatIsDrawnInPlace) {
 
 TEST_F(ProgressOnATerminal, OfVariantsThatEndLeavesALineAndATableOfEach) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling + variants);
+    directory.write("scene.toml", falling_disc + variants);
     const Shown shown = run_on_terminal({"run", "scene.toml"}, directory, 80);
     EXPECT_EQ(shown.exit_code, 0);
     EXPECT_EQ(wrapped_bars(shown.screen), 0);
@@ -218,7 +214,7 @@ TEST_F(ProgressOnATerminal, OfVariantsThatEndLeavesALineAndATableOfEach) {
 
 TEST_F(ProgressOnATerminal, OnADumbTerminalIsALineForEachTenthWithoutEscapes) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling);
+    directory.write("scene.toml", falling_disc);
     const Shown shown = run_on_terminal({"run", "scene.toml"}, directory, 80, "dumb");
     EXPECT_EQ(shown.exit_code, 0);
     EXPECT_FALSE(has(shown.bytes, "\x1b"));
@@ -228,7 +224,7 @@ TEST_F(ProgressOnATerminal, OnADumbTerminalIsALineForEachTenthWithoutEscapes) {
 
 TEST(Progress, OfAFileIsALineForEachTenth) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", falling + variants);
+    directory.write("scene.toml", falling_disc + variants);
     for (const bool all : {false, true}) {
         std::vector<std::string> arguments{"run", "scene.toml", "--force"};
         if (!all) arguments.insert(arguments.end(), {"--variant", "slow"});

@@ -11,6 +11,7 @@
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -39,13 +40,8 @@ Prepared prepare(const std::string& text) {
     return result;
 }
 
-std::string message_of(const std::string& text) {
-    try {
-        prepare(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string force_message(const std::string& text) {
+    return thrown_by([&] { prepare(text); });
 }
 
 Vector3d total(const Load& load) {
@@ -223,7 +219,7 @@ step = 5e-3
 
 TEST(SceneSupport, MotionsThatCannotBeAreRefused) {
     const auto pin = [](const std::string& keys) {
-        return message_of(plate + "pin = [{ boundary = true, " + keys + " }]\n");
+        return force_message(plate + "pin = [{ boundary = true, " + keys + " }]\n");
     };
     const std::string later = "{ time = 1, translate = [0, 0, 1] }";
     const auto says = [](const std::string& message, const std::string& wanted) {
@@ -239,18 +235,21 @@ TEST(SceneSupport, MotionsThatCannotBeAreRefused) {
 
 TEST(SceneForce, WhatReachesNothingIsNamed) {
     const std::string far = "box = [[8, 8, 8], [9, 9, 9]]\n";
-    EXPECT_NE(message_of(plate + "[[force.load]]\npressure = 1\n" + far).find("force.load"),
+    EXPECT_NE(force_message(plate + "[[force.load]]\npressure = 1\n" + far).find("force.load"),
               std::string::npos);
-    EXPECT_NE(message_of(plate + "[[force.load]]\nline = [1, 0, 0]\n" + far).find("edge of the boundary"),
+    EXPECT_NE(force_message(plate + "[[force.load]]\nline = [1, 0, 0]\n" + far).find("edge of the boundary"),
               std::string::npos);
-    EXPECT_NE(message_of(plate + "clamp = { box = [[-1, -1, -1], [1e-6, 1e-6, 1]] }\n").find("no tangent"),
+    EXPECT_NE(force_message(plate + "clamp = { box = [[-1, -1, -1], [1e-6, 1e-6, 1]] }\n").find("no tangent"),
               std::string::npos);
-    EXPECT_NE(message_of(plate + "symmetry = { point = [5, 0, 0], normal = [1, 0, 0] }\n").find("symmetry"),
-              std::string::npos);
+    EXPECT_NE(
+        force_message(plate + "symmetry = { point = [5, 0, 0], normal = [1, 0, 0] }\n").find("symmetry"),
+        std::string::npos);
 }
 
 TEST(SceneForce, ContradictionsAreRefused) {
-    const auto load = [](const std::string& keys) { return message_of(plate + "[[force.load]]\n" + keys); };
+    const auto load = [](const std::string& keys) {
+        return force_message(plate + "[[force.load]]\n" + keys);
+    };
     EXPECT_NE(load("pressure = 1\narea = [1, 0, 0]\n").find("conflicts"), std::string::npos);
     EXPECT_NE(load("ramp = 1\n").find("has no size"), std::string::npos);
     EXPECT_NE(load("pressure = 1\nsheet = \"plat\"\n").find("names no sheet"), std::string::npos);

@@ -12,7 +12,7 @@
 namespace sherd::test {
 namespace {
 
-Scene scene_of(const std::string& fracture, const std::string& solver = "", int seed = 1) {
+Scene breaking_plate(const std::string& fracture, const std::string& solver = "", int seed = 1) {
     const TemporaryDirectory directory;
     return read_scene(directory.write(
         "scene.toml",
@@ -32,17 +32,17 @@ SheetInput input_of(const Scene& scene) {
 }
 
 TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
-    const Scene strain = scene_of("strain = 0.4\ncrack_tip = 1");
+    const Scene strain = breaking_plate("strain = 0.4\ncrack_tip = 1");
     EXPECT_EQ(fracture_of(strain).strength.measure, Measure::strain);
     EXPECT_EQ(fracture_of(strain).strength.across, 0.4);
     EXPECT_EQ(fracture_of(strain).strength.crack_tip_factor, 1);
     EXPECT_EQ(strain.solver.rule, BreakingRule::staged);
-    const Scene stress = scene_of("strength = [4e7, 1e7]");
+    const Scene stress = breaking_plate("strength = [4e7, 1e7]");
     EXPECT_EQ(fracture_of(stress).strength.measure, Measure::stress);
     EXPECT_EQ(fracture_of(stress).strength.along, 4e7);
     EXPECT_EQ(fracture_of(stress).strength.across, 1e7);
     EXPECT_EQ(fracture_of(stress).strength.crack_tip_factor, 0.7) << "the default";
-    const Scene paper = scene_of("strain = 0.4\nmeasure = \"bending\"", "rule = \"paper\"");
+    const Scene paper = breaking_plate("strain = 0.4\nmeasure = \"bending\"", "rule = \"paper\"");
     EXPECT_EQ(fracture_of(paper).strength.measure, Measure::bending);
     EXPECT_EQ(paper.solver.rule, BreakingRule::paper);
     std::vector<std::string> warnings;
@@ -51,20 +51,20 @@ TEST(SceneFracture, ValuesArriveWithTheirMeasure) {
 
 // Glass is the same in all directions, its strength need not be.
 TEST(SceneFracture, ADirectedStrengthGetsItsAxes) {
-    const SheetInput input = input_of(scene_of("strength = [4e7, 1e7]"));
+    const SheetInput input = input_of(breaking_plate("strength = [4e7, 1e7]"));
     EXPECT_EQ(input.axes.size(), input.mesh.number_of_faces());
     EXPECT_NO_THROW(BreakableShell({input}));
-    EXPECT_TRUE(input_of(scene_of("strength = 4e7")).axes.empty());
+    EXPECT_TRUE(input_of(breaking_plate("strength = 4e7")).axes.empty());
 }
 
 TEST(SceneFracture, ScatterComesFromTheSeed) {
     const std::string weibull = "strain = 1\nweibull = 8";
-    const std::vector<double> first = input_of(scene_of(weibull)).strength.factors;
+    const std::vector<double> first = input_of(breaking_plate(weibull)).strength.factors;
     ASSERT_FALSE(first.empty());
-    EXPECT_EQ(first, input_of(scene_of(weibull)).strength.factors);
-    EXPECT_NE(first, input_of(scene_of(weibull, "", 2)).strength.factors);
-    EXPECT_NE(first, input_of(scene_of(weibull + "\nweibull_area = 1e-4")).strength.factors);
-    EXPECT_TRUE(input_of(scene_of("strain = 1")).strength.factors.empty());
+    EXPECT_EQ(first, input_of(breaking_plate(weibull)).strength.factors);
+    EXPECT_NE(first, input_of(breaking_plate(weibull, "", 2)).strength.factors);
+    EXPECT_NE(first, input_of(breaking_plate(weibull + "\nweibull_area = 1e-4")).strength.factors);
+    EXPECT_TRUE(input_of(breaking_plate("strain = 1")).strength.factors.empty());
 }
 
 struct BadFracture {
@@ -75,7 +75,7 @@ class BadSceneFracture : public testing::TestWithParam<BadFracture> {};
 
 TEST_P(BadSceneFracture, NamesTheKey) {
     try {
-        scene_of(GetParam().fracture);
+        breaking_plate(GetParam().fracture);
         FAIL() << "was accepted";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find(GetParam().message), std::string::npos) << error.what();

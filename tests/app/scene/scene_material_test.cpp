@@ -19,44 +19,46 @@ std::string scene_with(const std::string& material, const std::string& mesh = ""
            "\n[sheet.plate.material]\npreset = \"cotton\"\n" + material + "\n";
 }
 
-Scene scene_of(const std::string& material) {
+Scene scene_made_of(const std::string& material) {
     const TemporaryDirectory directory;
     return read_scene(directory.write("scene.toml", scene_with(material)));
 }
 
 TEST(SceneMaterial, OrthotropicConstantsArrive) {
-    const Material m = scene_of("young = [4e6, 1e6]\npoisson = 0.6\nshear = 2e5\ncalibration = \"paper\"")
-                           .sheets[0]
-                           .material;
+    const Material m =
+        scene_made_of("young = [4e6, 1e6]\npoisson = 0.6\nshear = 2e5\ncalibration = \"paper\"")
+            .sheets[0]
+            .material;
     EXPECT_EQ(m.density, 500) << "of the preset";
     EXPECT_EQ(m.young, 4e6);
     EXPECT_EQ(m.young1, 1e6);
     EXPECT_EQ(m.poisson, 0.6) << "more than an isotropic sheet may have";
     EXPECT_EQ(m.shear, 2e5);
     EXPECT_EQ(m.calibration, Calibration::paper);
-    const Material coupled = scene_of("young = [4e6, 1e6]\nyoung01 = 3e5").sheets[0].material;
+    const Material coupled = scene_made_of("young = [4e6, 1e6]\nyoung01 = 3e5").sheets[0].material;
     EXPECT_DOUBLE_EQ(coupled.poisson, 0.3);
     EXPECT_FALSE(coupled.shear) << "Huber's";
-    const Material plain = scene_of("").sheets[0].material;
+    const Material plain = scene_made_of("").sheets[0].material;
     EXPECT_TRUE(is_isotropic(plain));
     EXPECT_EQ(plain.calibration, Calibration::third);
 }
 
 TEST(SceneMaterial, AxisArrivesAndTurnsWithTheSheet) {
-    const MaterialAxis axis = scene_of("axis = { degrees = 45 }").sheets[0].axis;
+    const MaterialAxis axis = scene_made_of("axis = { degrees = 45 }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisDirection>(axis.kind).degrees, 45);
-    EXPECT_EQ(std::get<AxisDirection>(scene_of("").sheets[0].axis.kind).degrees, 0);
-    const MaterialAxis along = scene_of("axis = { direction = [0, 0, 2] }").sheets[0].axis;
+    EXPECT_EQ(std::get<AxisDirection>(scene_made_of("").sheets[0].axis.kind).degrees, 0);
+    const MaterialAxis along = scene_made_of("axis = { direction = [0, 0, 2] }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisDirection>(along.kind).direction, Vector3d(0, 0, 1));
-    const MaterialAxis around = scene_of("axis = { direction = [0, 0, 1], degrees = 90 }").sheets[0].axis;
+    const MaterialAxis around =
+        scene_made_of("axis = { direction = [0, 0, 1], degrees = 90 }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisDirection>(around.kind).direction, Vector3d(0, 0, 1));
     EXPECT_EQ(std::get<AxisDirection>(around.kind).degrees, 90);
     const MaterialAxis texture =
-        scene_of("axis = { texture = \"a.png\", encoding = \"vector\" }").sheets[0].axis;
+        scene_made_of("axis = { texture = \"a.png\", encoding = \"vector\" }").sheets[0].axis;
     EXPECT_EQ(std::get<AxisTexture>(texture.kind).path.filename(), "a.png");
     EXPECT_EQ(std::get<AxisTexture>(texture.kind).encoding, AxisEncoding::vector);
 
-    const Scene scene = scene_of("young = [4e6, 1e6]\naxis = { degrees = 90 }");
+    const Scene scene = scene_made_of("young = [4e6, 1e6]\naxis = { degrees = 90 }");
     std::vector<std::string> warnings;
     const SheetInput input = make_sheet(scene.sheets[0], scene, warnings);
     ASSERT_EQ(input.axes.size(), input.mesh.number_of_faces());

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-const std::string plate = R"(duration = 0.002
+const std::string resting_plate = R"(duration = 0.002
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
 place = { translate = [0, 0, 1] }
@@ -25,13 +25,13 @@ material = { preset = "stoneware" }
 [obstacle.thing]
 )";
 
-Scene scene_of(const std::string& obstacle) {
+Scene scene_around(const std::string& obstacle) {
     const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", plate + obstacle));
+    return read_scene(directory.write("scene.toml", resting_plate + obstacle));
 }
 
 Obstacle obstacle_of(const std::string& obstacle) {
-    const Scene scene = scene_of(obstacle);
+    const Scene scene = scene_around(obstacle);
     std::vector<std::string> warnings;
     return make_obstacles(scene, scene.obstacles, warnings).at(0);
 }
@@ -83,7 +83,7 @@ const std::string octahedron =
 ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
-    directory.write("scene.toml", plate + obstacle);
+    directory.write("scene.toml", resting_plate + obstacle);
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
@@ -93,7 +93,8 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
     const Scene scene = read_scene(directory.write(
         "scene.toml",
-        plate + "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
+        resting_plate +
+            "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
     std::vector<std::string> warnings;
     const Obstacle solid = make_obstacles(scene, scene.obstacles, warnings).at(0);
     EXPECT_TRUE(warnings.empty());
@@ -126,7 +127,7 @@ TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
          {std::string("sphere = { radius = 0.5, centre = [1, 0, 0] }"),
           std::string("box = { size = [1, 2, 3], centre = [1, 0, 0] }"),
           std::string("cylinder = { radius = 0.5, length = 2, centre = [1, 0, 0], axis = [1, 1, 0] }")}) {
-        const Scene scene = scene_of(text);
+        const Scene scene = scene_around(text);
         std::vector<std::string> warnings;
         const Obstacle made = make_obstacles(scene, scene.obstacles, warnings).at(0);
         const Positions& points = made.surface->points;
@@ -141,7 +142,7 @@ TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
 }
 
 TEST(SceneObstacle, DensityOrMassMakesAFreeBody) {
-    const Scene scene = scene_of(R"(sphere = { radius = 0.1, centre = [1, 0, 0] }
+    const Scene scene = scene_around(R"(sphere = { radius = 0.1, centre = [1, 0, 0] }
 place.translate = [0, 0, 3]
 mass = 5
 velocity = [1, 2, 3]
@@ -167,7 +168,7 @@ place.rotate = { axis = [0, 0, 1], degrees = 90 }
 
 void expect_error(const std::string& obstacle, const std::vector<std::string>& parts) {
     try {
-        scene_of(obstacle);
+        scene_around(obstacle);
         ADD_FAILURE() << "no error: " << obstacle;
     } catch (const Error& error) {
         for (const std::string& part : parts)
@@ -229,7 +230,8 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
 TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, double height) {
-        directory.write("scene.toml", plate + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
+        directory.write("scene.toml",
+                        resting_plate + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
         return run_sherd({command, "scene.toml"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -253,7 +255,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
-        directory.write("scene.toml", plate + "box = " + box + "\n");
+        directory.write("scene.toml", resting_plate + "box = " + box + "\n");
         return run_sherd({command, "scene.toml"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -313,7 +315,8 @@ TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](double height) {
         directory.write("scene.toml",
-                        plate + "plane = {}\n[obstacle.ball]\nsphere = { radius = 0.1, centre = [0, 0, " +
+                        resting_plate +
+                            "plane = {}\n[obstacle.ball]\nsphere = { radius = 0.1, centre = [0, 0, " +
                             std::to_string(height) +
                             "] }\ndensity = 1000\n[obstacle.brick]\n"
                             "box = { size = [0.1, 0.1, 0.1], centre = [0.14, 0, 0.1] }\nmass = 1\n");

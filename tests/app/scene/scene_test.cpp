@@ -16,6 +16,7 @@
 #include "app/words/nearest_name.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -28,11 +29,6 @@ const std::string small_scene = R"(duration = 0.5
 mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
 material = { preset = "glass" }
 )";
-
-Scene scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", text), {overrides, ""});
-}
 
 TEST(Scene, EveryKeyArrives) {
     const Scene scene = scene_of(R"(duration = 2
@@ -122,7 +118,7 @@ TEST(Scene, DefaultsAreThoseOfTheReference) {
 
 TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
     const auto chosen = [](const std::vector<std::string>& keys) {
-        const BendingOptions bending = scene_of(small_scene, keys).solver.bending;
+        const BendingOptions bending = scene_of(small_scene, {keys, ""}).solver.bending;
         return std::pair(bending.model, bending.jacobian);
     };
     const std::string nonlinear = "solver.bending=nonlinear", cubic_2007 = "solver.bending=cubic-2007";
@@ -141,9 +137,9 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
 }
 
 TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
-    EXPECT_EQ(step_count(scene_of(small_scene, {"duration=0.3", "solver.step=0.1"})), 3);
-    EXPECT_EQ(step_count(scene_of(small_scene, {"duration=0.35", "solver.step=0.1"})), 4);
-    EXPECT_EQ(scene_of(small_scene, {"duration=0.001", "solver.step=1e-4"}).frame_interval, 1e-4)
+    EXPECT_EQ(step_count(scene_of(small_scene, {{"duration=0.3", "solver.step=0.1"}, ""})), 3);
+    EXPECT_EQ(step_count(scene_of(small_scene, {{"duration=0.35", "solver.step=0.1"}, ""})), 4);
+    EXPECT_EQ(scene_of(small_scene, {{"duration=0.001", "solver.step=1e-4"}, ""}).frame_interval, 1e-4)
         << "a frame a step at most";
 }
 
@@ -160,8 +156,9 @@ rotate = [{ axis = [0, 0, 2], degrees = 90 }, { axis = [1, 0, 0], degrees = 90 }
 
 TEST(Scene, OverridesReplaceValuesAndStandInTheText) {
     const Scene scene = scene_of(
-        small_scene, {"duration=3", "sheet.plate.material.preset=steel", "sheet.plate.mesh={file=\"x.obj\"}",
-                      "solver.step=1e-3", "sheet.other.mesh=y.obj", "sheet.other.material.preset=paper"});
+        small_scene, {{"duration=3", "sheet.plate.material.preset=steel", "sheet.plate.mesh={file=\"x.obj\"}",
+                       "solver.step=1e-3", "sheet.other.mesh=y.obj", "sheet.other.material.preset=paper"},
+                      ""});
     EXPECT_EQ(scene.duration, 3);
     EXPECT_EQ(scene.sheets[0].material.density, 7850);
     EXPECT_EQ(std::get<MeshFile>(scene.sheets[0].mesh).path.filename(), "x.obj");
@@ -174,7 +171,7 @@ TEST(Scene, OverridesReplaceValuesAndStandInTheText) {
 
 TEST(Scene, TheTextReadBackIsTheSameScene) {
     // A recording keeps the text: its comments must not break it.
-    const Scene scene = scene_of(small_scene, {"duration=0.25"});
+    const Scene scene = scene_of(small_scene, {{"duration=0.25"}, ""});
     EXPECT_EQ(scene_of(scene.text).sheets.size(), 1u);
 }
 

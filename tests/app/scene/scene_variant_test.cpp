@@ -7,7 +7,9 @@
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
+#include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -36,18 +38,8 @@ area = [3, 0, 0]
 plane = { normal = [0, 0, 1] }
 )";
 
-Scene scene_of(const std::string& text, const SceneChoice& choice = {}) {
-    const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", text), choice);
-}
-
-std::string message_of(const std::string& text, const SceneChoice& choice = {}) {
-    try {
-        scene_of(text, choice);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string variant_message(const std::string& text, const SceneChoice& choice = {}) {
+    return thrown_by([&] { scene_of(text, choice); });
 }
 
 TEST(SceneVariant, ChangesItsKeysAndNothingElse) {
@@ -89,7 +81,7 @@ TEST(SceneVariant, OverridesWinAndTheTextSaysWhatWasRun) {
 // Lines 10 to 12 of these scenes are the variant's.
 TEST(SceneVariant, MistakesAreToldWhereTheyStand) {
     const auto mistake = [](const std::string& lines) {
-        return message_of(tube + "[[variant]]\nname = \"a\"\n" + lines, {{}, "a"});
+        return variant_message(tube + "[[variant]]\nname = \"a\"\n" + lines, {{}, "a"});
     };
     const auto says = [](const std::string& message, const std::string& wanted) {
         EXPECT_NE(message.find("scene.toml:" + wanted), std::string::npos) << message;
@@ -101,16 +93,17 @@ TEST(SceneVariant, MistakesAreToldWhereTheyStand) {
     says(mistake("[[variant]]\nseed = 3\n"), "12: variant[1].name: is missing");
     says(mistake("[[variant]]\nname = \"a\"\n"), "13: variant[1].name: \"a\" is the name of another variant");
     says(mistake("[[variant]]\nname = \"a/b\"\n"), "13: variant[1].name: becomes a part of a file's name");
-    says(message_of(tube + "[[varaint]]\n"), "10: varaint: unknown key; did you mean 'variant'?");
-    EXPECT_NE(message_of(tube, {{"variant.name=a"}, ""}).find("--set variant.name=a: variant: has its place"),
-              std::string::npos);
+    says(variant_message(tube + "[[varaint]]\n"), "10: varaint: unknown key; did you mean 'variant'?");
+    EXPECT_NE(
+        variant_message(tube, {{"variant.name=a"}, ""}).find("--set variant.name=a: variant: has its place"),
+        std::string::npos);
 }
 
 TEST(SceneVariant, AnUnknownOneIsToldThoseThatThereAre) {
-    const std::string message = message_of(tube + variants, {{}, "vertica"});
+    const std::string message = variant_message(tube + variants, {{}, "vertica"});
     EXPECT_NE(message.find("did you mean 'vertical'? it has: vertical, loaded-2"), std::string::npos)
         << message;
-    EXPECT_NE(message_of(tube, {{}, "a"}).find("has no variants at all"), std::string::npos);
+    EXPECT_NE(variant_message(tube, {{}, "a"}).find("has no variants at all"), std::string::npos);
     const TemporaryDirectory directory;
     directory.write("scene.toml", tube + variants);
     for (const std::string command : {"run", "check"})

@@ -9,6 +9,7 @@
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -41,14 +42,9 @@ SimulationOptions prepare(const std::string& text, std::vector<SheetInput>& inpu
     return built.options;
 }
 
-std::string message_of(const std::string& text) {
-    try {
-        std::vector<SheetInput> inputs;
-        prepare(text, inputs);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+std::string wind_message(const std::string& text) {
+    std::vector<SheetInput> inputs;
+    return thrown_by([&] { prepare(text, inputs); });
 }
 
 TEST(SceneWind, EveryKeyArrives) {
@@ -86,7 +82,7 @@ gust = { amplitude = 2, time = 0.3, length = 0.5 }
 
 TEST(SceneWind, MistakesAreNamed) {
     const auto says = [](const std::string& keys, const std::string& wanted) {
-        const std::string message = message_of(flags + keys);
+        const std::string message = wind_message(flags + keys);
         EXPECT_NE(message.find(wanted), std::string::npos) << message;
     };
     says("[force.wind]\ndensity = 0\n",

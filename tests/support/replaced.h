@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace sherd::test {
+
+/// The text with `to` in place of the first `from`, which it must have.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("the text has no " + from);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace sherd::test
