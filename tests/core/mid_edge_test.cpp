@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-TrianglePositions random_triangle(test::Random& random) {
+TrianglePositions triangle_anywhere(test::Random& random) {
     TrianglePositions x;
     x << 0, random.uniform(0.5, 2), random.uniform(-0.5, 2.5), 0, 0, random.uniform(0.1, 2), 0, 0, 0;
     x = (random.rotation() * x).eval();
@@ -33,7 +33,7 @@ Vector2d slope(const Vector3d& curvature, const Vector2d& p) {
 TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
     test::Random random(1);
     for (int i = 0; i < 200; ++i) {
-        const PlaneTriangle triangle = plane_triangle(random_triangle(random));
+        const PlaneTriangle triangle = plane_triangle(triangle_anywhere(random));
         const Vector3d curvature = random.matrix<Vector3d>(1);
         // The facet is height = g . p + constant.
         Matrix3d points;
@@ -57,7 +57,7 @@ TEST(MidEdge, TangentAngleIsThatOfAQuadraticSurface) {
 TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
     test::Random random(2);
     for (int i = 0; i < 200; ++i) {
-        const PlaneTriangle triangle = plane_triangle(random_triangle(random));
+        const PlaneTriangle triangle = plane_triangle(triangle_anywhere(random));
         const Vector3d curvature = random.matrix<Vector3d>(1);
         Vector3d sum = Vector3d::Zero();
         for (int side = 0; side < 3; ++side)
@@ -70,7 +70,7 @@ TEST(MidEdge, AnglesAtTheSidesGiveTheCurvatureBack) {
 TEST(MidEdge, TriangleIsLaidIntoTheFrameOfItsMembrane) {
     test::Random random(3);
     for (int i = 0; i < 50; ++i) {
-        const TrianglePositions rest = random_triangle(random);
+        const TrianglePositions rest = triangle_anywhere(random);
         const PlaneTriangle plane = plane_triangle(rest);
         const MembraneTriangle membrane = membrane_triangle(rest, Matrix3d::Identity());
         // The derivative of the coordinates themselves.

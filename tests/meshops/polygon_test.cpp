@@ -18,7 +18,6 @@ namespace sherd {
 namespace {
 
 using Eigen::Vector2d;
-using std::numbers::pi;
 
 Polyline rectangle(double x, double y, double width, double height) {
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
@@ -27,8 +26,8 @@ Polyline rectangle(double x, double y, double width, double height) {
 Polyline circle(double x, double y, double radius, int points = 200) {
     Polyline line;
     for (int i = 0; i < points; ++i)
-        line.emplace_back(x + radius * std::cos(2 * pi * i / points),
-                          y + radius * std::sin(2 * pi * i / points));
+        line.emplace_back(x + radius * std::cos(2 * std::numbers::pi * i / points),
+                          y + radius * std::sin(2 * std::numbers::pi * i / points));
     return line;
 }
 
@@ -51,10 +50,10 @@ std::vector<Region> regions() {
         {"square", {rectangle(0, 0, 1, 1), {}, {}}, 1, 1, 1},
         {"ell", {ell, {}, {}}, 3, 1, 1},
         {"clockwise ell", {clockwise, {}, {}}, 3, 1, 1},
-        {"disc", {circle(0, 0, 0.5), {}, {}}, pi / 4, 1, 1},
+        {"disc", {circle(0, 0, 0.5), {}, {}}, std::numbers::pi / 4, 1, 1},
         {"plate with holes",
          {rectangle(-1, -1, 2, 2), {circle(0.3, 0.2, 0.3), rectangle(-0.8, -0.8, 0.4, 0.4)}, {}},
-         4 - 0.09 * pi - 0.16,
+         4 - 0.09 * std::numbers::pi - 0.16,
          -1,
          3},
         {"plate with a slit", {rectangle(0, 0, 1, 1), {}, {{{0.3, 0.5}, {0.7, 0.5}}}}, 1, 0, 2},
@@ -62,7 +61,7 @@ std::vector<Region> regions() {
         {"cut in two", {rectangle(0, 0, 1, 1), {}, {{{0, 0.2}, {1, 0.7}}}}, 1, 2, 2},
         {"slit from hole to rim",
          {circle(0, 0, 1), {circle(0, 0, 0.5)}, {{{0.5, 0}, {1, 0}}}},
-         0.75 * pi,
+         0.75 * std::numbers::pi,
          1,
          1},
         {"crossing slits",

@@ -95,9 +95,9 @@ box = [[1.999, -1, -1], [2.001, 2, 1]]
     }
     EXPECT_NEAR(sum, 3, 1e-12) << "the right side is 1 m long";
     EXPECT_NE(
-        message_of(plate + "[[force.load]]\nmoment = [0, 0, 1]\n").find("moment: must be a finite number"),
+        force_message(plate + "[[force.load]]\nmoment = [0, 0, 1]\n").find("moment: must be a finite number"),
         std::string::npos);
-    EXPECT_NE(message_of(plate + "[[force.load]]\nmoment = 1\nbox = [[8, 8, 8], [9, 9, 9]]\n")
+    EXPECT_NE(force_message(plate + "[[force.load]]\nmoment = 1\nbox = [[8, 8, 8], [9, 9, 9]]\n")
                   .find("edge of the boundary"),
               std::string::npos);
 }
@@ -175,7 +175,7 @@ step = 1e-2
 
 TEST(SceneSupport, FreedomThatCannotBeIsRefused) {
     const auto says = [](const std::string& support, const std::string& wanted) {
-        const std::string message = message_of(plate + support + "\n");
+        const std::string message = force_message(plate + support + "\n");
         EXPECT_NE(message.find("scene.toml:5: sheet.plate." + wanted), std::string::npos) << message;
     };
     says("pin = { boundary = true, free = [\"w\"] }", "pin.free: must be an array of one or more of \"x\"");

@@ -6,6 +6,7 @@
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -24,12 +25,12 @@ place = { translate = [0, 0, 1] }
 gravity = [0, 0, 0]
 )";
 
-struct Prepared {
+struct BuiltText {
     Scene scene;
     BuiltScene built;
 };
 
-Prepared prepare(const std::string& text) {
+BuiltText built_from(const std::string& text) {
     const TemporaryDirectory directory;
     Scene scene = read_scene(directory.write("scene.toml", text));
     std::vector<std::string> warnings;
@@ -37,17 +38,8 @@ Prepared prepare(const std::string& text) {
     return {std::move(scene), std::move(built)};
 }
 
-std::string message_of(const std::string& text) {
-    try {
-        prepare(text);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(SceneGauge, ShowsTheDisplacementOfItsPoint) {
-    Prepared prepared = prepare(squares + R"(
+    BuiltText prepared = built_from(squares + R"(
 [[gauge]]
 name = "low"
 at = [0.3, 0.4, 0.1]
@@ -71,7 +63,7 @@ step = 1e-2
 
 TEST(SceneGauge, WhatCannotBeIsRefused) {
     const auto says = [](const std::string& keys, const std::string& wanted) {
-        const std::string message = message_of(squares + "[[gauge]]\n" + keys);
+        const std::string message = thrown_by([&] { built_from(squares + "[[gauge]]\n" + keys); });
         EXPECT_NE(message.find(wanted), std::string::npos) << message;
     };
     says("name = \"g\"\nat = [0, 0, 0.5]\n", "gauge[0].at: is 0.5 m from the nearest point of any sheet");

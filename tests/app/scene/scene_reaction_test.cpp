@@ -12,7 +12,7 @@ namespace sherd::test {
 namespace {
 
 // The plate 0 <= x <= 2, 0 <= y <= 1, of 10 kg.
-const std::string plate = R"(duration = 100
+const std::string held_plate = R"(duration = 100
 [sheet.plate]
 mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
 material = { density = 1000, thickness = 0.005, young = 1e9, poisson = 0.3 }
@@ -71,7 +71,7 @@ class Motion {
 };
 
 TEST(Reaction, OfAPlateOnBearingsIsItsWeight) {
-    Motion run(plate + R"(pin = [
+    Motion run(held_plate + R"(pin = [
     { box = [[-1, -1, -1], [1e-6, 2, 1]], free = ["x", "y"] },
     { box = [[1.999, -1, -1], [3, 2, 1]], free = ["x"] },
     { box = [[-1e-6, -1, -1], [1e-6, 1e-6, 1]] } ]
@@ -105,7 +105,7 @@ class ReactionWith : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Bending, ReactionWith, testing::Values("cubic", "coupled"));
 
 TEST_P(ReactionWith, ClampsAndPlanesBearMoments) {
-    Motion run(plate + R"(clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }
+    Motion run(held_plate + R"(clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }
 symmetry = { point = [2, 0, 0], normal = [1, 0, 0] }
 [solver]
 step = 1  # far beyond the slowest period, which takes the vibration out
@@ -128,7 +128,7 @@ gravity = [0, 0, -1e-3]
 }
 
 TEST(Reaction, BalancesEveryStepOfAMotion) {
-    Motion run(plate + R"(pin = { box = [[-1, -1, -1], [1e-6, 0.3, 1]], free = ["y"] }
+    Motion run(held_plate + R"(pin = { box = [[-1, -1, -1], [1e-6, 0.3, 1]], free = ["y"] }
 clamp = { box = [[1.999, -1, -1], [3, 0.6, 1]], keys = [
     { time = 0 }, { time = 0.1, translate = [0.01, 0, 0.05], rotate = { axis = [1, 2, 0], degrees = 20 } } ] }
 symmetry = [{ point = [0, 1, 0], normal = [0, 1, 0] }, { point = [0, 0, 0], normal = [1, 0, 0] }]
@@ -150,7 +150,7 @@ tolerance = 1e-9
 // Copies of a vertex have to be held as it was, and what breaks off must not take its reaction along.
 TEST(BreakingReaction, BalancesWhileTheSheetBreaks) {
     for (const std::string rule : {"staged", "paper"}) {
-        Motion run(plate + R"(pin = [{ boundary = true }]
+        Motion run(held_plate + R"(pin = [{ boundary = true }]
 fracture = { strain = 0.01 }
 [contact]
 sheets = false
@@ -175,7 +175,7 @@ TEST(Reaction, OfAnObstacleIsTheWeightOfWhatRestsOnIt) {
         "[obstacle.table]\nfriction = 0.3\nbox = { size = [1, 0.6, 1], centre = [1, 0.5, -0.503] }\n";
     const std::string solver = "[solver]\nstep = 1e-2\ndamping = { mass = 5 }\n";
     for (const std::string& obstacle : {floor, table}) {
-        Motion run(plate + obstacle + solver);
+        Motion run(held_plate + obstacle + solver);
         const StepReport report = run.steps(200);
         ASSERT_EQ(report.reactions.size(), 1u);
         EXPECT_LT((report.reactions[0].force - Vector3d(0, 0, weight)).norm(), 1e-3 * weight)
@@ -183,7 +183,7 @@ TEST(Reaction, OfAnObstacleIsTheWeightOfWhatRestsOnIt) {
         EXPECT_LT((report.reactions[0].moment - Vector3d(0.5 * weight, -weight, 0)).norm(), 1e-2 * weight)
             << obstacle << report.reactions[0].moment;
     }
-    Motion ball(plate + "pin = { boundary = true }\n[obstacle.floor]\nplane = { point = [0, 0, -1] }\n" +
+    Motion ball(held_plate + "pin = { boundary = true }\n[obstacle.floor]\nplane = { point = [0, 0, -1] }\n" +
                 "[obstacle.ball]\nsphere = { radius = 0.1, centre = [3, 3, -0.9] }\nmass = 2\n" + solver);
     const StepReport report = ball.steps(50);
     ASSERT_EQ(report.reactions.size(), 2u) << "a pin and a floor; a free body is neither";
