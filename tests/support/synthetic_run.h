@@ -151,7 +151,7 @@ inline StepReport step(Index i) {
     report.peak_bending_strain = 1.0 + std::cos(i);
     report.peak_overload = 0.5 + std::cos(3.0 * i);
     for (Index k = 0; k < 3; ++k)
-        report.reactions.push_back({Vector3d(number(i, k), 2, -3), Vector3d(k, number(i, 8 + k), 1)});
+        report.reactions.push_back({Vector3d(number(i, k), 2, 3), Vector3d(k, number(i, 8 + k), 1)});
     for (Index k = 0; k < 2; ++k) report.gauges.push_back({Vector3d(number(i, 11 + k), 0, 1e-3 * i)});
     return report;
 }
