@@ -26,7 +26,7 @@ struct VertexCurvature {
 
 }  // namespace
 
-CoupledBending::CoupledBending(const Shell& shell, std::vector<MirrorHinge> hinges)
+CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& hinges)
     : shell(shell), mirrors(shell, hinges), curvature(shell, sides_of(hinges)) {
     start = VectorXd::Zero(curvature.folds_of_edges() + static_cast<Eigen::Index>(shell.edge_hinge.size()));
     for (std::size_t m = 0; m < mirrors.size(); ++m)

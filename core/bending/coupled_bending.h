@@ -17,7 +17,7 @@ namespace sherd {
 class CoupledBending : public Energy {
   public:
     /// The shell must outlive this object.
-    CoupledBending(const Shell& shell, std::vector<MirrorHinge> mirrors);
+    CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
     CoupledBending(const CoupledBending&) = delete;  // its parts refer to each other's shell and mirrors
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
     void start_from(const Positions& x, double scale);

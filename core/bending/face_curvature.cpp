@@ -97,8 +97,7 @@ void FaceCurvature::follow(const ShellChange& change) {
     shares.resize(shell.edge_hinge.size());
     sides_of_edge.resize(shell.edge_hinge.size());
     std::ranges::sort(changed);
-    const auto repeated = std::ranges::unique(changed);
-    changed.erase(repeated.begin(), repeated.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const Index face : changed) update_face(face);
 }
 

@@ -60,8 +60,9 @@ TEST(EdgeMoment, IsACoupleOfItsSizeAboutItsSide) {
 // Over several turns the energy goes on where the last step ended.
 TEST(EdgeMoment, CountsFromTheBeginningOfTheStep) {
     Shell shell = test::two_triangles(Material{});
-    const auto [from, to, apex] = edge_and_apex(shell, {0, 1});
-    const Vector3d edge = shell.rest.col(to) - shell.rest.col(from), middle = shell.rest.col(from);
+    const std::array<Index, 3> corners = edge_and_apex(shell, {0, 1});
+    const Index apex = corners[2];
+    const Vector3d middle = shell.rest.col(corners[0]), edge = shell.rest.col(corners[1]) - middle;
     const auto turned = [&](double angle) {
         Positions x = shell.rest;
         x.col(apex) = Eigen::AngleAxisd(angle, edge.normalized()) * (x.col(apex) - middle) + middle;

@@ -71,7 +71,7 @@ TEST(TheoryModes, FreeSquarePlate) {
         const auto errors = [&](BendingModel model, const char* name) {
             const VectorXd all = frequencies(plate.mechanics(), model, {}, 12, 0.1);
             EXPECT_LT(all.head(6).maxCoeff(), 0.1) << "rigid motions cost energy";
-            const std::vector<double> percent = percent_errors(all.tail(6), leissa);
+            std::vector<double> percent = percent_errors(all.tail(6), leissa);
             test::report(
                 ("free square plate, modes 1 to 6, 1/" + std::to_string(edges) + ", " + name).c_str(),
                 percent);
@@ -98,8 +98,7 @@ TEST(TheoryModes, CantileverStrip) {
         const auto at_wall = test::select(sheet, [](const Vector3d& p) { return p.x() < 1e-9; });
         const auto mirrors = test::clamp(sheet, at_wall, sheet.hinges.front().stiffness);
         const auto errors_of = [&](BendingModel model, const char* name) {
-            const std::vector<double> percent =
-                percent_errors(frequencies(sheet, model, mirrors, 6, 0.1), theory);
+            std::vector<double> percent = percent_errors(frequencies(sheet, model, mirrors, 6, 0.1), theory);
             test::report(("cantilever strip, modes 1 to 6, b/" + std::to_string(edges) + ", " + name).c_str(),
                          percent);
             return percent;
