@@ -18,6 +18,7 @@
 #include "meshops/mesh_measures.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -134,6 +135,18 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
     EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
               std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
     EXPECT_EQ(chosen({"solver.bending=coupled"}).first, BendingModel::coupled);
+}
+
+// Neither would have any effect, and whoever gave it would believe that it has.
+TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
+    const auto error_with = [](const std::string& key) {
+        return thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
+    };
+    EXPECT_NE(error_with("solver.jacobian=cubic").find("coupled hinges have one matrix of their own"),
+              std::string::npos);
+    EXPECT_NE(error_with("sheet.plate.material.calibration=paper").find("calibration = \"paper\" is for"),
+              std::string::npos);
+    EXPECT_EQ(error_with("seed=3"), "no error");
 }
 
 TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
