@@ -85,8 +85,13 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
 /// Prints what there is to know. Throws Error with all mistakes that only the meshes show.
 void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
     if (!scene.variant.empty()) fmt::print("variant {}\n", scene.variant);
-    fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
-               scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
+    if (!scene.is_static())
+        fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
+                   scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
+    else
+        fmt::print("{}: statics to load {:.6g}{} in {} steps of {:.3g}, a frame every {:.3g}\n",
+                   scene.file.string(), scene.solver.load, scene.solver.arc_length ? " or along a path," : "",
+                   step_count(scene), scene.solver.step, scene.frame_interval);
     std::vector<std::string> mistakes;
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {

@@ -78,6 +78,7 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     for (const StepReport& step : steps) {
         info.newton_iterations += step.newton_iterations;
         info.halvings += step.halvings;
+        info.largest_load = std::max(info.largest_load, step.load);
         info.capped_steps += step.stage_cap_reached;
         info.most_stages = std::max(info.most_stages, step.stages);
         raise_peaks(info.peaks, step);
@@ -176,6 +177,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     RunInfo info;
     info.scene_file = header.scene_file;
     info.seed = header.seed;
+    info.time_unit = header.time_unit;
     info.end = recording.end();
     info.wall_seconds = recording.wall_seconds();
     info.frames = recording.frame_count();
@@ -197,6 +199,9 @@ std::string run_info_json(const RunInfo& info) {
     const StepReport last = info.last.value_or(StepReport{});
     Json json{{"steps", last.step},
               {"time", last.time},
+              {"time_unit", info.time_unit},
+              {"load", last.load},
+              {"largest_load", info.largest_load},
               {"frames", info.frames},
               {"vertices", info.vertices},
               {"faces", info.faces},
@@ -256,7 +261,12 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "scene        {}, seed {}\n", info.scene_file, info.seed);
     fmt::format_to(out, "end          {}", info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
-    fmt::format_to(out, "\nrun          {} steps, {:.6g} s, {} frames\n", last.step, last.time, info.frames);
+    const bool in_time = info.time_unit == "s";
+    fmt::format_to(out, "\nrun          {} steps, {}{:.6g}{}, {} frames\n", last.step,
+                   in_time ? "" : info.time_unit + " ", last.time, in_time ? " s" : "", info.frames);
+    if (!in_time && info.last)
+        fmt::format_to(out, "load         {:.6g} times the loads at the end, {:.6g} at most\n", last.load,
+                       info.largest_load);
     fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);

@@ -42,6 +42,8 @@ struct SheetInfo {
 struct RunInfo {
     std::string scene_file, end;
     std::int64_t seed = 0;
+    std::string time_unit = "s";  ///< RecordingHeader::time_unit
+    double largest_load = 0;      ///< factor of all loads
     double wall_seconds = 0;
     std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
     std::size_t failures = 0, openings = 0, splits = 0, vertex_births = 0, face_births = 0;

@@ -53,6 +53,8 @@ int main(int argc, char** argv) {
     sherd::add_export(program, chosen);
     sherd::add_cut(program, chosen);
     sherd::add_probe(program, chosen);
+    sherd::add_bench(program, chosen);
+    sherd::add_converge(program, chosen);
     sherd::add_render(program, chosen);
     sherd::add_plot(program, chosen);
     sherd::add_view(program, chosen);

@@ -36,7 +36,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     EndOnInterruption interruption;
     RunRecorder recorder(std::move(output), scene, simulation);
     RunTotals totals;
-    ProgressObserver progress(scene.duration, totals, options.progress_to);
+    ProgressObserver progress(scene.duration, scene.time_unit(), totals, options.progress_to);
     for (RunObserver* observer :
          std::initializer_list<RunObserver*>{&interruption, &totals, &progress, &recorder})
         runner.add(*observer);

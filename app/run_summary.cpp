@@ -24,6 +24,12 @@ void add_peaks(std::string& text, const RunTotals& totals) {
         add_row(text, "peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
 }
 
+std::string load_words(const RunTotals& totals) {
+    std::string words = fmt::format("{:.6g} at the end", totals.last.load);
+    if (totals.largest_load > totals.last.load) words += fmt::format(", {:.6g} at most", totals.largest_load);
+    return words;
+}
+
 std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulation& simulation) {
     std::vector<std::string> names;
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o)
@@ -40,8 +46,12 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     std::string text;
     add_row(text, "run", end.how);
     add_row(text, "recording", recording.string());
-    add_row(text, "steps", fmt::format("{} of {:g} s", totals.last.step, scene.solver.step));
-    add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
+    const char* unit = scene.is_static() ? "" : " s";
+    add_row(text, "steps", fmt::format("{} of {:g}{}", totals.last.step, scene.solver.step, unit));
+    if (scene.is_static())
+        add_row(text, "load", load_words(totals));
+    else
+        add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
     add_row(text, "Newton iterations",
             fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
@@ -52,7 +62,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     add_peaks(text, totals);
     if (totals.halvings > 0)
         add_row(text, "steps halved",
-                fmt::format("{} times, down to {:g} s", totals.halvings, totals.smallest_step));
+                fmt::format("{} times, down to {:g}{}", totals.halvings, totals.smallest_step, unit));
     if (totals.capped > 0) add_row(text, "steps out of stages", fmt::format("{}", totals.capped));
     if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));
     if (const auto names = untouched_obstacles(scene, simulation); !names.empty())

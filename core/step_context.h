@@ -29,6 +29,8 @@ struct StepContext {
     Positions origin;           ///< [3, V] m
     Positions velocity_origin;  ///< [3, V] m/s
     std::vector<BodyOrigin> bodies;
+    double inertia = 1;  ///< share of the masses' inertia that acts: 0 in statics
+    double load = 1;     ///< factor of all loads
 
     double end() const { return begin + length; }  ///< s
     /// Velocity at the end of the step, m/s. x: [3, V] m.

@@ -87,15 +87,23 @@ StepReport Simulation::step() try {
 } catch (const std::runtime_error& error) {
     // The mechanics know of arrays only: they throw what is wrong, and here it is known when.
     std::ostringstream text;
-    text << "step " << steps << ", at " << time() << " s: " << error.what();
+    text << "step " << steps << ", at " << (options.stepper.scheme == Scheme::statics ? "load " : "")
+         << time() << (options.stepper.scheme == Scheme::statics ? ": " : " s: ") << error.what();
     throw Error(text.str(), Fault::run);
 }
 
 void Simulation::give_up(const StepReport& report) const {
+    const bool statics = options.stepper.scheme == Scheme::statics;
+    const char* unit = statics ? "" : " s";
     std::ostringstream text;
-    text << "step " << report.step << ", at " << time() << " s: even a step of " << step_size.size()
-         << " s cannot be solved within " << options.max_iterations
+    text << "step " << report.step << ", at " << (statics ? "load " : "") << time() << unit
+         << ": even a step of " << step_size.size() << unit << " cannot be solved within "
+         << options.max_iterations
          << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
+    if (statics)
+        text
+            << "; or there is no equilibrium near: the shell snaps through (solver.arc_length = true follows "
+               "it), a piece came off, or a sheet can turn or glide as a whole";
     const bool obstacle_moves =
         std::any_of(options.stepper.contact.obstacles.begin(), options.stepper.contact.obstacles.end(),
                     [](const Obstacle& obstacle) { return obstacle.moves(); });
@@ -110,12 +118,15 @@ bool Simulation::attempt(StepReport& report) {
     if (!newton.converged) return false;
     const Stopwatch watch(stepper.time_spent(), Task::breaking);
     const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+    ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
+    if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
-    if (options.rule == BreakingRule::staged) newton = break_in_stages(report, newton, measures);
+    const bool in_stages = options.rule == BreakingRule::staged && !ends_at_crack;
+    if (in_stages) newton = break_in_stages(report, newton, measures);
     // By the paper's rule hinges break after the solution that balances the reactions.
     report.reactions = stepper.reactions();
-    if (options.rule == BreakingRule::staged) return newton.converged;
+    if (in_stages) return newton.converged;
     if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
     return newton.converged;
@@ -210,6 +221,7 @@ void Simulation::finish(StepReport& report) {
     hinge_peaks.finish_step();
     step_size.advance();
     report.time = time();
+    report.load = stepper.load();
     if (report.stages > 0) update_fragments();
     set_time(events, steps, time());
     const PotentialEnergies potential = stepper.energies();

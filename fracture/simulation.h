@@ -30,6 +30,9 @@ struct SimulationOptions {
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< stages of staged breaking in one step
+    /// End with the first hinges that fail. The step is halved as far as it can be to find their moment; no
+    /// new equilibrium is sought.
+    bool until_crack = false;
 };
 
 /// Sheets that move, bend and break.
@@ -61,7 +64,9 @@ class Simulation {
     const std::vector<char>& touched_bodies() const { return bodies_touched; }
     /// Returns the crack events since the last call.
     CrackEvents take_events();
-    double time() const { return step_size.time(); }  ///< s
+    double time() const { return step_size.time(); }  ///< s; see StepperOptions::scheme
+    /// Whether there is no step to do any more: SimulationOptions::until_crack, ImplicitStepper::arrived().
+    bool arrived() const { return ends_at_crack || stepper.arrived(); }
     /// The wall time of all steps by task.
     const TimeSpent& time_spent() const { return stepper.time_spent(); }
 
@@ -92,6 +97,7 @@ class Simulation {
     CrackEvents events;
     StepSize step_size;
     std::int64_t steps = 0;
+    bool ends_at_crack = false;
 };
 
 }  // namespace sherd

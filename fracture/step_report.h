@@ -13,6 +13,7 @@ struct StepReport {
     std::int64_t step = 0;  ///< number of the step, from 1
     double time = 0;        ///< s, at its end
     double step_size = 0;   ///< s
+    double load = 1;  ///< factor of all loads; in statics its times are load factors, or lengths of path
 
     double kinetic = 0;                            ///< J
     double bending = 0;                            ///< J

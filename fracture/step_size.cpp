@@ -4,7 +4,7 @@
 namespace sherd {
 
 bool StepSize::halve() {
-    if (halvings == most_halvings) return false;
+    if (!can_halve()) return false;
     ++halvings;
     successes = 0;
     return true;

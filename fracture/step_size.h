@@ -17,6 +17,7 @@ class StepSize {
     double size() const { return seconds(ticks()); }  ///< s, length of the next step
     double time() const { return seconds(done); }     ///< s, end of the last step
 
+    bool can_halve() const { return halvings < most_halvings; }
     /// Halves the next step. Returns false when it has the smallest length already.
     bool halve();
     /// Must be called when the next step is finished.

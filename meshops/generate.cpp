@@ -156,19 +156,27 @@ std::vector<double> fixed_circles(const Revolution& surface, double edge_length)
     return circles;
 }
 
-/// Distributes points over a surface of revolution: circles of fixed vertices, and rows between them.
+/// Distributes points over a surface of revolution, or a sector of one: circles of fixed vertices, the sides
+/// of a sector, and rows between them.
 class RevolutionSpread {
   public:
-    RevolutionSpread(const Revolution& surface, const GenerateOptions& options)
-        : surface(surface), edge_length(options.edge_length), random(options.seed) {}
+    /// angle: rad, of the sector; 2 pi: it is whole.
+    RevolutionSpread(const Revolution& surface, double angle, const GenerateOptions& options)
+        : surface(surface),
+          angle(angle),
+          is_whole(angle == 2 * pi),
+          edge_length(options.edge_length),
+          random(options.seed) {}
 
     SurfacePoints spread() {
         const auto circles = fixed_circles(surface, edge_length);
         for (std::size_t i = 0; i < circles.size(); ++i) {
             const bool is_rim = i == 0 || i + 1 == circles.size();
             counts.push_back(add_circle(circles[i], is_rim));
-            if (i == 0 && counts[0] > 1) points.hole = counts[0];
+            if (i == 0 && counts[0] > 1 && is_whole) points.hole = counts[0];
         }
+        for (std::size_t i = 0; i + 1 < circles.size() && !is_whole; ++i)
+            counts[i] += add_sides(circles[i], circles[i + 1]);
         points.fixed = points.parameter.size();
         for (std::size_t i = 0; i + 1 < circles.size(); ++i) fill_band(i, circles[i], circles[i + 1]);
         return std::move(points);
@@ -184,21 +192,33 @@ class RevolutionSpread {
             return 1;
         }
         const std::size_t first = points.parameter.size();
-        const std::size_t count = radius == 0 ? 1 : pieces(2 * pi * radius, edge_length);
-        const double phase = random.uniform();
+        const std::size_t edges = radius == 0 ? 1 : pieces(angle * radius, edge_length);
+        const double phase = is_whole ? random.uniform() : 0;
+        const std::size_t count = is_whole ? edges : edges + 1;
         for (std::size_t i = 0; i < count; ++i) {
-            points.parameter.emplace_back(along, 2 * pi * (double(i) + phase) / double(count));
-            if (!is_rim) points.creases.push_back({first + i, first + (i + 1) % count});
+            const double around = i == edges ? angle : angle * (double(i) + phase) / double(edges);
+            points.parameter.emplace_back(along, around);
+            if (!is_rim && i < edges) points.creases.push_back({first + i, first + (i + 1) % count});
         }
         return count;
+    }
+
+    /// Adds the sides of a sector between two circles, without their ends, and returns the number of
+    /// vertices.
+    std::size_t add_sides(double from, double to) {
+        const std::size_t edges = pieces(to - from, edge_length);
+        for (std::size_t i = 1; i < edges; ++i)
+            for (const double side : {0.0, angle})
+                points.parameter.emplace_back(from + (to - from) * double(i) / double(edges), side);
+        return 2 * (edges - 1);
     }
 
     void fill_band(std::size_t band, double from, double to) {
         const std::size_t below = counts[band], above = counts[band + 1];
         const int poles = int(below == 1) + int(above == 1);
         const std::size_t boundary = (below > 1 ? below : 0) + (above > 1 ? above : 0);
-        const double area = surface.area(from, to);
-        const std::size_t wanted = free_vertices(area, edge_length, boundary, poles);
+        const double area = (is_whole ? 1 : angle / (2 * pi)) * surface.area(from, to);
+        const std::size_t wanted = free_vertices(area, edge_length, boundary, is_whole ? poles : 1);
         const std::size_t count = wanted - std::min(wanted, std::size_t(poles));
         const double margin = std::min(spacing::half_row * edge_length, (to - from) / 4);
         fill(from + margin, to - margin, count);
@@ -212,31 +232,56 @@ class RevolutionSpread {
             const double share = surface.area(from, from + double(row + 1) * height) / total;
             const auto until = row + 1 == rows ? count : std::size_t(std::lround(share * double(count)));
             const std::size_t columns = until - done;
-            for (; done < until; ++done) {
-                const double angle = 2 * pi * (double(done) + random.uniform()) / double(columns);
+            for (std::size_t column = 0; done < until; ++done, ++column) {
+                const double turn = is_whole ? double(done) : double(column);
+                const double around = angle * (turn + random.uniform()) / double(columns);
                 const double along = from + (double(row) + random.uniform()) * height;
-                points.parameter.emplace_back(along, angle);
+                points.parameter.emplace_back(along, between_sides(around, along));
             }
         }
     }
 
+    /// An angle with room for the vertices on the sides of a sector.
+    double between_sides(double around, double along) const {
+        if (is_whole) return around;
+        const double margin = std::min(spacing::half_row * edge_length / surface.radius(along), angle / 4);
+        return margin + around * (1 - 2 * margin / angle);
+    }
+
     const Revolution& surface;
+    double angle;
+    bool is_whole;
     double edge_length;
     Random random;
     SurfacePoints points;
-    std::vector<std::size_t> counts;  ///< number of vertices of each circle
+    std::vector<std::size_t> counts;  ///< number of vertices of each circle, and of the sides above it
 };
 
-Mesh revolve(std::span<const Vector2d> profile, const GenerateOptions& options) {
+constexpr double whole_turn = 360;  // degrees
+
+Mesh revolve(std::span<const Vector2d> profile, double degrees, const GenerateOptions& options) {
+    const double angle = degrees / whole_turn * (2 * pi);
     // A vertex never moves by more than its edges in one iteration.
     const Revolution surface(profile, 2 * options.edge_length);
-    require_edge_length(options, largest_edge_length(profile, surface.length()));
+    const bool is_whole = degrees == whole_turn;
+    require_edge_length(options,
+                        is_whole ? largest_edge_length(profile, surface.length()) : surface.length());
     constexpr double largest_range = 300;
     if (surface.chart_range() > largest_range) {
         throw Error("cannot generate the surface of revolution: it is too slender, more than " +
                     text(largest_range) + " radii long");
     }
-    return relax(surface, RevolutionSpread(surface, options).spread(), spacing::iterations);
+    if (options.layout == Layout::structured) {
+        const auto place = [&](double along, double around) {
+            return surface.position({along * surface.length(), around * angle});
+        };
+        const double middle = surface.area(0, surface.length()) / (2 * pi * surface.length());
+        return grid(pieces(surface.length(), options.edge_length),
+                    pieces(angle * middle, options.edge_length), false, place);
+    }
+    const SurfacePoints points = RevolutionSpread(surface, angle, options).spread();
+    if (is_whole) return relax(surface, points, spacing::iterations);
+    return relax(RevolutionSector(surface), points, spacing::iterations);
 }
 
 }  // namespace
@@ -256,7 +301,7 @@ Mesh generate_disc(double radius, const GenerateOptions& options) {
     require_positive(radius, "radius");
     require_delaunay(options, "disc");
     require_edge_length(options, radius);
-    return revolve(std::array{Vector2d(0, 0), Vector2d(radius, 0)}, options);
+    return revolve(std::array{Vector2d(0, 0), Vector2d(radius, 0)}, whole_turn, options);
 }
 
 Mesh generate_cylinder(double radius, double height, const GenerateOptions& options) {
@@ -264,7 +309,7 @@ Mesh generate_cylinder(double radius, double height, const GenerateOptions& opti
     require_positive(height, "height");
     require_edge_length(options, std::min(radius, height));
     if (options.layout == Layout::delaunay) {
-        return revolve(std::array{Vector2d(radius, height), Vector2d(radius, 0)}, options);
+        return revolve(std::array{Vector2d(radius, height), Vector2d(radius, 0)}, whole_turn, options);
     }
     return grid(pieces(2 * pi * radius, options.edge_length), pieces(height, options.edge_length), true,
                 [&](double x, double z) {
@@ -284,7 +329,7 @@ Mesh generate_sphere(double radius, const GenerateOptions& options) {
         profile.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
     }
     profile.emplace_back(0, -radius);
-    Mesh mesh = revolve(profile, options);
+    Mesh mesh = revolve(profile, whole_turn, options);
     for (const Vertex v : mesh.vertices()) {
         const auto arm = mesh.point(v) - CGAL::ORIGIN;
         mesh.point(v) = CGAL::ORIGIN + arm * (radius / std::sqrt(arm.squared_length()));
@@ -292,11 +337,16 @@ Mesh generate_sphere(double radius, const GenerateOptions& options) {
     return mesh;
 }
 
-Mesh generate_revolution(std::span<const Vector2d> profile, const GenerateOptions& options) {
+Mesh generate_revolution(std::span<const Vector2d> profile, const GenerateOptions& options, double degrees) {
     check_profile(profile);
-    require_delaunay(options, "surface of revolution");
     require_positive(options.edge_length, "edge_length");
-    return revolve(profile, options);
+    require(degrees, degrees > 0 && degrees <= whole_turn, "angle", "above 0 and at most 360 degrees");
+    if (degrees == whole_turn) {
+        require_delaunay(options, "whole surface of revolution");
+    } else if (profile.front().x() == 0 || profile.back().x() == 0) {
+        throw Error("cannot generate the surface of revolution: a sector's profile must not touch the axis");
+    }
+    return revolve(profile, degrees, options);
 }
 
 }  // namespace sherd

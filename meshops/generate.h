@@ -32,7 +32,11 @@ Mesh generate_sphere(double radius, const GenerateOptions& options);
 /// from the axis (or the inner rim) outward. A point with r = 0 may only be the first or the last, and closes
 /// the surface there. Normals point to the left of the profile's direction in the (r, z) half-plane: for a
 /// bowl drawn from its bottom to its rim, to its inside.
-Mesh generate_revolution(std::span<const Eigen::Vector2d> profile, const GenerateOptions& options);
+///
+/// degrees: the surface is the sector between the angles 0 (the x axis) and this, counterclockwise; its
+/// profile may not touch the axis then, and it can be structured.
+Mesh generate_revolution(std::span<const Eigen::Vector2d> profile, const GenerateOptions& options,
+                         double degrees = 360);
 
 /// Meshes a polygon in the plane z = 0, with normals along +z. Its lines have vertices at corners that turn
 /// by more than 20 degrees, and evenly spaced ones between them, so that a curve may be given by many points.

@@ -51,17 +51,26 @@ Vector3d Revolution::position(const Vector2d& parameter) const {
     return {place.x() * std::cos(parameter.y()), place.x() * std::sin(parameter.y()), place.y()};
 }
 
+double Revolution::chart_radius(double along) const {
+    const std::size_t i = segment(along);
+    const double r = at(along).x();
+    if (profile[i].x() > 0) return log_radius[i] + chart_length(profile[i].x(), r, along - distance[i]);
+    return log_radius[i + 1] - chart_length(r, profile[i + 1].x(), distance[i + 1] - along);
+}
+
 Vector2d Revolution::chart(const Vector2d& parameter) const {
-    const std::size_t i = segment(parameter.x());
-    const double r = at(parameter.x()).x();
-    if (r == 0) return Vector2d::Zero();
-    double u = 0;
-    if (profile[i].x() > 0) {
-        u = log_radius[i] + chart_length(profile[i].x(), r, parameter.x() - distance[i]);
-    } else {
-        u = log_radius[i + 1] - chart_length(r, profile[i + 1].x(), distance[i + 1] - parameter.x());
-    }
-    return std::exp(u) * Vector2d(std::cos(parameter.y()), std::sin(parameter.y()));
+    if (at(parameter.x()).x() == 0) return Vector2d::Zero();
+    return std::exp(chart_radius(parameter.x())) * Vector2d(std::cos(parameter.y()), std::sin(parameter.y()));
+}
+
+Vector2d RevolutionSector::chart(const Vector2d& parameter) const {
+    return {whole.chart_radius(parameter.x()), parameter.y()};
+}
+
+Vector2d RevolutionSector::project(const Vector3d& point, const Vector2d& near) const {
+    Vector2d found = whole.project(point, near);
+    found.y() += 2 * std::numbers::pi * std::round((near.y() - found.y()) / (2 * std::numbers::pi));
+    return found;
 }
 
 Vector2d Revolution::project(const Vector3d& point, const Vector2d& near) const {

@@ -29,6 +29,8 @@ class Revolution final : public Surface {
     double area(double from, double to) const;
     /// Arc lengths (m) of the profile's inner points where it turns by more than `degrees`.
     std::vector<double> corners(double degrees) const;
+    /// u at an arc length that is not on the axis.
+    double chart_radius(double along) const;
     /// Range of u over the points that are not on the axis.
     double chart_range() const;
 
@@ -40,6 +42,23 @@ class Revolution final : public Surface {
     std::vector<double> distance;    ///< m, arc length of each profile point
     std::vector<double> log_radius;  ///< u of each profile point; unused for points on the axis
     double reach;
+};
+
+/// A part of a surface of revolution that does not reach the axis, between two angles. Its chart is (u,
+/// angle), so that the sides are straight there.
+class RevolutionSector final : public Surface {
+  public:
+    /// whole: must outlive this object.
+    explicit RevolutionSector(const Revolution& whole) : whole(whole) {}
+
+    Eigen::Vector3d position(const Eigen::Vector2d& parameter) const override {
+        return whole.position(parameter);
+    }
+    Eigen::Vector2d chart(const Eigen::Vector2d& parameter) const override;
+    Eigen::Vector2d project(const Eigen::Vector3d& point, const Eigen::Vector2d& near) const override;
+
+  private:
+    const Revolution& whole;
 };
 
 }  // namespace sherd

@@ -5,7 +5,7 @@ namespace sherd {
 
 void ProgressObserver::stepped(const StepReport& report, const CrackEvents&) {
     reporter.update({report.step, report.time, duration, report.step_size,
-                     static_cast<std::int64_t>(totals.cracks), report.fragments, totals.halvings});
+                     static_cast<std::int64_t>(totals.cracks), report.fragments, totals.halvings, unit});
 }
 
 void ProgressObserver::ended(const RunEnd& end) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "app/progress/run_reporter.h"
 #include "app/run/run_observer.h"
 #include "app/run/run_totals.h"
@@ -10,10 +12,10 @@ namespace sherd {
 /// Shows or reports how far a run is.
 class ProgressObserver : public RunObserver {
   public:
-    /// duration: s, of the scene; totals: of the run, which are told of each step before this is; descriptor:
-    /// as for RunReporter, which may throw.
-    ProgressObserver(double duration, const RunTotals& totals, int descriptor)
-        : reporter(duration, descriptor), duration(duration), totals(totals) {}
+    /// duration, unit: of the scene; totals: of the run, which are told of each step before this is;
+    /// descriptor: as for RunReporter, which may throw.
+    ProgressObserver(double duration, std::string unit, const RunTotals& totals, int descriptor)
+        : reporter(duration, descriptor), duration(duration), unit(std::move(unit)), totals(totals) {}
 
     void stepped(const StepReport& report, const CrackEvents& events) override;
     void ended(const RunEnd& end) override;
@@ -21,6 +23,7 @@ class ProgressObserver : public RunObserver {
   private:
     RunReporter reporter;
     double duration;
+    std::string unit;
     const RunTotals& totals;
 };
 

@@ -8,25 +8,29 @@
 namespace sherd {
 
 ProgressText progress_text(const RunProgress& progress) {
-    ProgressText text{{{fmt::format("step {}", progress.step), 4},
-                       {fmt::format("{:.4g} of {:.4g} s", progress.time, progress.duration), 1}},
-                      {{fmt::format("cracks {}", progress.cracks), 3},
-                       {fmt::format("fragments {}", progress.fragments), 2}}};
+    const bool in_time = progress.unit == "s";
+    const std::string before = in_time ? "" : progress.unit + " ", after = in_time ? " s" : "";
+    ProgressText text{
+        {{fmt::format("step {}", progress.step), 4},
+         {fmt::format("{}{:.4g} of {:.4g}{}", before, progress.time, progress.duration, after), 1}},
+        {{fmt::format("cracks {}", progress.cracks), 3},
+         {fmt::format("fragments {}", progress.fragments), 2}}};
     if (progress.halvings > 0)
         text.after.push_back(
-            {fmt::format("halved {} times, now {:.3g} s", progress.halvings, progress.step_size), 5});
+            {fmt::format("halved {} times, now {:.3g}{}", progress.halvings, progress.step_size, after), 5});
     return text;
 }
 
 std::string to_line(const RunProgress& p) {
-    return fmt::format("{} {} {} {} {} {} {}\n", p.step, p.time, p.duration, p.step_size, p.cracks,
-                       p.fragments, p.halvings);
+    return fmt::format("{} {} {} {} {} {} {} {}\n", p.step, p.time, p.duration, p.step_size, p.cracks,
+                       p.fragments, p.halvings, p.unit);
 }
 
 std::optional<RunProgress> run_progress(const std::string& line) {
     std::istringstream stream(line);
     RunProgress p;
-    stream >> p.step >> p.time >> p.duration >> p.step_size >> p.cracks >> p.fragments >> p.halvings;
+    stream >> p.step >> p.time >> p.duration >> p.step_size >> p.cracks >> p.fragments >> p.halvings >>
+        p.unit;
     if (!stream) return std::nullopt;
     return p;
 }

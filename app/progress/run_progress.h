@@ -12,9 +12,10 @@ namespace sherd {
 /// How far a run is.
 struct RunProgress {
     std::int64_t step = 0;
-    double time = 0, duration = 0;  ///< s, simulated
-    double step_size = 0;           ///< s, now
+    double time = 0, duration = 0;  ///< simulated
+    double step_size = 0;           ///< now
     std::int64_t cracks = 0, fragments = 0, halvings = 0;
+    std::string unit = "s";  ///< of its times: Scene::time_unit()
 };
 
 /// What is said of it; the halvings of steps when there have been any.

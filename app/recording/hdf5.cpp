@@ -268,6 +268,10 @@ std::string read_text_attribute(hid_t where, const std::string& name) {
     return taken(text);
 }
 
+bool has_attribute(hid_t where, const std::string& name) {
+    return H5Aexists(where, name.c_str()) > 0;
+}
+
 double read_real_attribute(hid_t where, const std::string& name) {
     return read_number<double>(where, name, H5T_FLOAT);
 }

@@ -99,6 +99,7 @@ void create_link(hid_t where, const std::string& name, const std::string& target
 void write_attribute(hid_t where, const std::string& name, const std::string& value);
 void write_attribute(hid_t where, const std::string& name, double value);
 void write_attribute(hid_t where, const std::string& name, std::int64_t value);
+bool has_attribute(hid_t where, const std::string& name);
 std::string read_text_attribute(hid_t where, const std::string& name);
 double read_real_attribute(hid_t where, const std::string& name);
 std::int64_t read_integer_attribute(hid_t where, const std::string& name);

@@ -38,6 +38,7 @@ struct RecordingHeader {
     std::string
         scene_text;  ///< TOML, as read, with variant and overrides of the command line appended as comments
     std::int64_t seed = 0;
+    std::string time_unit = "s";                   ///< of all its times; "load" or "path" in statics
     std::vector<std::string> sheet_names;          ///< by face_sheet
     Positions rest_position;                       ///< [3, V0] of the unbroken mesh, m
     std::vector<std::array<Index, 3>> rest_faces;  ///< [F]

@@ -60,12 +60,15 @@ template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
     static constexpr std::int64_t since = 2;
+    /// Recordings of before there were statics lack it.
+    static constexpr bool may_lack(std::string_view name) { return name == "load"; }
     template <class Visit>
     static void visit(Visit visit) {
         using R = StepReport;
         visit("step", {"1", "number of the step, from 1"}, &R::step);
         visit("time", {"s", "at the end of the step"}, &R::time);
         visit("step_size", {"s"}, &R::step_size);
+        visit("load", {"1", "factor of all loads: 1, but in statics"}, &R::load);
         visit("kinetic", {"J"}, &R::kinetic);
         visit("bending", {"J"}, &R::bending);
         visit("membrane", {"J"}, &R::membrane);

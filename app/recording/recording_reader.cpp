@@ -101,6 +101,8 @@ RecordingHeader Recording::header() const {
         header.scene_file = hdf5::read_text_attribute(opened, "scene_file");
         header.scene_text = hdf5::read_text(opened, "scene");
         header.seed = hdf5::read_integer_attribute(opened, "seed");
+        if (hdf5::has_attribute(opened, "time_unit"))
+            header.time_unit = hdf5::read_text_attribute(opened, "time_unit");
         header.sheet_names = hdf5::read_texts(opened, "rest/sheet_names");
         read_unbroken_mesh(opened, header);
         for (const std::string& path : numbered_groups(opened, reaction_group)) {

@@ -33,21 +33,32 @@ void append_table(hid_t file, std::span<const Row> rows, const std::string& grou
     });
 }
 
+/// Whether a column is one that earlier programs did not write, and is not there.
+template <class Row>
+bool lacks(hid_t file, const std::string& group, const char* name) {
+    if constexpr (requires { Table<Row>::may_lack(name); })
+        return Table<Row>::may_lack(name) && !hdf5::contains(file, column(group, name));
+    return false;
+}
+
 /// Returns the number of rows that are complete.
 template <class Row>
 std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group) {
     std::size_t rows = SIZE_MAX;
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
-        rows = std::min<std::size_t>(
-            rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
+        if (!lacks<Row>(file, group, name))
+            rows = std::min<std::size_t>(
+                rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
     });
     return rows;
 }
 
+/// Members whose column is lacking keep their default.
 template <class Row>
 std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::group) {
     std::vector<Row> rows(table_rows<Row>(file, group));
     Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+        if (lacks<Row>(file, group, name)) return;
         const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column(group, name));
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
     });

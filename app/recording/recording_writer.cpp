@@ -76,6 +76,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "sherd_version", std::string(SHERD_VERSION));
     hdf5::write_attribute(file, "scene_file", header.scene_file);
     hdf5::write_attribute(file, "seed", header.seed);
+    hdf5::write_attribute(file, "time_unit", header.time_unit);
     hdf5::write_attribute(file, "end", std::string("running"));
     hdf5::write_attribute(file, "wall_seconds", 0.0);
     hdf5::write_text(file, "scene", header.scene_text);

@@ -10,6 +10,7 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.scene_file = scene.file.string();
     header.scene_text = scene.text;
     header.seed = scene.seed;
+    header.time_unit = scene.time_unit();
     for (const SheetSpec& sheet : scene.sheets) header.sheet_names.push_back(sheet.name);
     const RestMesh rest = simulation.snapshot().rest;
     header.rest_position = rest.position;

@@ -15,6 +15,7 @@ class RunTotals : public RunObserver {
     std::size_t cracks = 0, capped = 0;
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s
+    double largest_load = 0;
     StepReport peaks;
     StepReport last;
 };

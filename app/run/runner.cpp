@@ -34,7 +34,7 @@ RunEnd Runner::run() {
         throw;
     }
     const double last = static_cast<double>(step_count(definition)) * definition.solver.step;
-    RunEnd how{stepped.time() == last ? "complete" : "interrupted", seconds()};
+    RunEnd how{stepped.time() == last || stepped.arrived() ? "complete" : "interrupted", seconds()};
     end(how);
     return how;
 }
@@ -50,7 +50,8 @@ void Runner::step_to_the_end() {
 }
 
 bool Runner::is_over() const {
-    return std::ranges::any_of(observers, [](const RunObserver& observer) { return observer.wants_end(); });
+    return stepped.arrived() ||
+           std::ranges::any_of(observers, [](const RunObserver& observer) { return observer.wants_end(); });
 }
 
 void Runner::record() {

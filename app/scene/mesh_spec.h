@@ -18,6 +18,7 @@ struct GeneratedMesh {
     bool structured = false;
     double width = 0, height = 0, radius = 0;  ///< m, those that the shape has
     std::vector<Vector2d> profile;             ///< (r, z) in m, of a plate, bowl or revolution
+    double angle = 360;                        ///< degrees, of a revolution: a sector if it is less
     Polygon polygon;                           ///< of the shape of this name
 };
 

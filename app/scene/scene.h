@@ -21,6 +21,7 @@
 #include "core/forces/damping.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
+#include "core/time/implicit_stepper.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -115,10 +116,15 @@ struct ContactSpec {
 };
 
 struct SolverSpec {
-    double step = 1e-4;       ///< s
-    BendingOptions bending;   ///< energy and Jacobian of the hinges
-    int max_iterations = 50;  ///< Newton iterations a step
-    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
+    Scheme scheme = Scheme::implicit_euler;
+    double step = 1e-4;        ///< s; in statics, of load factor, or along the path
+    double load = 1;           ///< load factor at which statics end
+    bool arc_length = false;   ///< whether statics follow the path of equilibria, past limit points
+    double longest_path = 20;  ///< of path, if they do
+    bool until_crack = false;  ///< whether statics end with the first crack
+    BendingOptions bending;    ///< energy and Jacobian of the hinges
+    int max_iterations = 50;   ///< Newton iterations a step
+    double tolerance = 1e-6;   ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< of staged breaking, a step
     Damping damping;
@@ -129,7 +135,7 @@ struct Scene {
     std::filesystem::path file;
     std::string variant;  ///< its name; empty: none
     std::string text;     ///< as read, with variant and overrides in comments at its end
-    double duration = 0;  ///< s
+    double duration = 0;  ///< s; in statics, the last load factor, or the longest path
     std::int64_t seed = 1;
     std::vector<SheetSpec> sheets;
     std::vector<ObstacleSpec> obstacles;  ///< that rest, or move by keys
@@ -141,6 +147,10 @@ struct Scene {
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
+
+    bool is_static() const { return solver.scheme == Scheme::statics; }
+    /// What its times are measured in: "s", or "load" or "path" in statics.
+    std::string time_unit() const { return !is_static() ? "s" : solver.arc_length ? "path" : "load"; }
 };
 
 /// Returns the number of steps that cover the duration. A remainder is a whole step, but one due to round-off

@@ -80,13 +80,12 @@ Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
     return of_faces;
 }
 
-std::vector<CoupledBending::MirrorGradient> CoupledBending::mirror_gradients(const Positions& x) const {
+std::vector<MirrorGradient> CoupledBending::mirror_gradients(const Positions& x) const {
     const VectorXd of_angles = moments(changes(x));
     const std::vector<Slope> all = slopes(x);
     std::vector<MirrorGradient> gradients;
     for (std::size_t m = 0; m < mirrors.size(); ++m)
-        gradients.push_back(
-            {mirrors.vertices(m), of_angles[static_cast<Eigen::Index>(m)] * all[m].gradient.leftCols<3>()});
+        gradients.push_back({all[m].vertices, of_angles[static_cast<Eigen::Index>(m)] * all[m].gradient});
     return gradients;
 }
 

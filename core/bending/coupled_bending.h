@@ -27,11 +27,6 @@ class CoupledBending : public Energy {
     /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
 
-    /// The forces of a mirror on its triangle are the negative of this.
-    struct MirrorGradient {
-        std::array<Index, 3> vertices;
-        TrianglePositions gradient;  ///< N
-    };
     /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
 

@@ -76,13 +76,20 @@ double MirrorEnergy::value(const Positions& x) const {
     return sum;
 }
 
-void MirrorEnergy::add_gradient(const Positions& x, Positions& gradient) const {
+std::vector<MirrorGradient> MirrorEnergy::gradients(const Positions& x) const {
+    std::vector<MirrorGradient> all;
     for (std::size_t i = 0; i < mirrors.size(); ++i) {
-        const HingePositions local = 0.5 * sherd::gradient(bending[i], mirrors.with_image(i, x));
-        const std::array<Index, 3> vertices = mirrors.vertices(i);
-        for (int v = 0; v < 3; ++v) gradient.col(vertices[v]) += local.col(v);
-        gradient.col(vertices[2]) += mirrors.reflection(i) * local.col(3);
+        const auto [from, to, apex] = mirrors.vertices(i);
+        HingePositions local = 0.5 * sherd::gradient(bending[i], mirrors.with_image(i, x));
+        local.col(3) = mirrors.reflection(i) * local.col(3).eval();
+        all.push_back({{from, to, apex, apex}, local});
     }
+    return all;
+}
+
+void MirrorEnergy::add_gradient(const Positions& x, Positions& gradient) const {
+    for (const auto& [vertices, local] : gradients(x))
+        for (int v = 0; v < 4; ++v) gradient.col(vertices[v]) += local.col(v);
 }
 
 void MirrorEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {

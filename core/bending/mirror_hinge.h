@@ -55,11 +55,19 @@ class Mirrors {
     std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
 };
 
+/// The derivative of a mirror hinge's energy by the vertices of its triangle, N; its forces on them are the
+/// negative. A vertex may be there twice; -1 is none.
+struct MirrorGradient {
+    std::array<Index, 4> vertices;
+    HingePositions gradient;
+};
+
 /// Bending energy of all mirror hinges, as cubic hinges.
 class MirrorEnergy : public Energy {
   public:
     /// The shell must outlive this object.
     MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges);
+    std::vector<MirrorGradient> gradients(const Positions& x) const;  ///< of each
     void begin(const StepContext& step) override { mirrors.begin(step); }
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;

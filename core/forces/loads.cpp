@@ -78,7 +78,7 @@ Eigen::Matrix<double, 9, 9> PressedTriangles::hessian(std::size_t i, const Trian
 
 void LoadEnergy::begin(const StepContext& step) {
     start = shell.position;
-    sum_loads(step.end());
+    sum_loads(step);
     if (pressed.size() > 0) complete_pressure();
 }
 
@@ -87,12 +87,12 @@ void LoadEnergy::topology_changed(const ShellChange& change, const StepContext& 
     begin(step);
 }
 
-void LoadEnergy::sum_loads(double time) {
+void LoadEnergy::sum_loads(const StepContext& step) {
     force = Positions::Zero(3, shell.position.cols());
     pressed.triangles.clear();
     turned.triangles.clear();
     for (const Load& load : loads) {
-        const double share = fraction(load, time);
+        const double share = step.load * fraction(load, step.end());
         for (const CornerForce& dead : load.dead)
             force.col(shell.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
         for (const Index triangle : load.pressed)

@@ -68,8 +68,8 @@ class LoadEnergy : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    /// Sums the loads as they are at `time` (s).
-    void sum_loads(double time);
+    /// Sums the loads as they are at the end of the step.
+    void sum_loads(const StepContext& step);
     /// Adds the dead force by which the volume's derivative falls short of the pressure's force.
     void complete_pressure();
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/shell_energies.h"
 
-#include <utility>
-
 #include "core/bending/coupled_bending.h"
 
 namespace sherd {
@@ -16,17 +14,11 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
 }  // namespace
 
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
-    : shell(shell),
-      bending(bending_energy(shell, options.bending, options.mirrors)),
+    : bending(bending_energy(shell, options.bending, options.mirrors)),
       coupled(dynamic_cast<const CoupledBending*>(bending.get())),
       membrane(shell.triangles),
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
-    for (std::size_t i = 0; i < mirror_supports.size() && coupled == nullptr; ++i) {
-        const auto support = static_cast<std::size_t>(mirror_supports[i]);
-        if (mirrors_of.size() <= support) mirrors_of.resize(support + 1);
-        mirrors_of[support].push_back(options.mirrors.at(i));
-    }
     if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
     if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
@@ -46,26 +38,14 @@ std::vector<Energy*> ShellEnergies::loads() {
     return all;
 }
 
-void ShellEnergies::add_mirror_reactions(const StepContext& step, const Positions& x,
-                                         std::span<Reaction> of_supports) const {
-    if (coupled != nullptr && !mirror_supports.empty()) {
-        const std::vector<CoupledBending::MirrorGradient> gradients = coupled->mirror_gradients(x);
-        for (std::size_t m = 0; m < gradients.size(); ++m)
-            for (int k = 0; k < 3; ++k)
-                of_supports[mirror_supports[m]].add(x.col(gradients[m].vertices[k]),
-                                                    -gradients[m].gradient.col(k));
-    }
-    for (std::size_t support = 0; support < mirrors_of.size(); ++support) {
-        if (mirrors_of[support].empty()) continue;
-        MirrorEnergy own(shell, mirrors_of[support]);
-        own.begin(step);
-        Positions gradient = Positions::Zero(3, x.cols());
-        own.add_gradient(x, gradient);
-        std::vector<char> added(x.cols(), 0);
-        for (const MirrorHinge& hinge : mirrors_of[support])
-            for (const Index v : edge_and_apex(shell, hinge.side))
-                if (!std::exchange(added[v], char(1))) of_supports[support].add(x.col(v), -gradient.col(v));
-    }
+void ShellEnergies::add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const {
+    if (mirror_supports.empty()) return;
+    const std::vector<MirrorGradient> gradients =
+        coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x);
+    for (std::size_t m = 0; m < gradients.size(); ++m)
+        for (int k = 0; k < 4; ++k)
+            if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
+                of_supports[mirror_supports[m]].add(x.col(vertex), -gradients[m].gradient.col(k));
 }
 
 }  // namespace sherd

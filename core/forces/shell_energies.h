@@ -35,9 +35,8 @@ class ShellEnergies {
     std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }
     std::vector<Energy*> loads();
 
-    /// Adds the forces of clamps and symmetry planes, at x [3, V] m in a step, to their reactions.
-    void add_mirror_reactions(const StepContext& step, const Positions& x,
-                              std::span<Reaction> of_supports) const;
+    /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
+    void add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const;
 
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
@@ -48,8 +47,6 @@ class ShellEnergies {
     double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
 
   private:
-    const Shell& shell;
-    std::vector<std::vector<MirrorHinge>> mirrors_of;  ///< of each support, if hinges are not coupled
     std::unique_ptr<Energy> bending;
     const CoupledBending* coupled;  ///< bending, if it is of coupled hinges
     MembraneEnergy membrane;

@@ -35,14 +35,15 @@ cholmod_sparse view(const BlockMatrix& matrix) {
 
 class CholeskySolver : public LinearSolver {
   public:
-    CholeskySolver() {
+    /// supernodal: L L^T, of positive definite matrices; else L D L^T.
+    explicit CholeskySolver(bool supernodal) {
         // CHOLMOD asks for OpenMP teams by number, which slows its supernodal code two to three times on
         // small machines; allowing no active parallel region is the one setting it cannot override.
         omp_set_max_active_levels(0);
         openblas_set_num_threads(1);
         cholmod_start(&common);
         common.print = 0;
-        common.supernodal = CHOLMOD_SUPERNODAL;
+        common.supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
         common.quick_return_if_not_posdef = 1;
         common.nmethods = 1;
     }
@@ -102,7 +103,11 @@ VectorXd CholeskySolver::solve(const VectorXd& right_side) {
 }  // namespace
 
 std::unique_ptr<LinearSolver> cholesky_solver() {
-    return std::make_unique<CholeskySolver>();
+    return std::make_unique<CholeskySolver>(true);
+}
+
+std::unique_ptr<LinearSolver> indefinite_solver() {
+    return std::make_unique<CholeskySolver>(false);
 }
 
 }  // namespace sherd

@@ -74,7 +74,8 @@ void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
         if (has_factor(potential)) return;
     }
     throw std::runtime_error(
-        "Newton's method: the convex Hessian is not positive definite (NaN in the positions?)");
+        "Newton's method: the convex Hessian is not positive definite (NaN in the positions, or in statics a "
+        "part that nothing holds?)");
 }
 
 Positions NewtonSystem::solve(const Potential& potential, const Positions& right_side) {

@@ -3,32 +3,60 @@
 
 #include "core/shell/supports.h"
 #include "core/time/implicit_euler.h"
+#include "core/time/statics.h"
 
 namespace sherd {
+namespace {
+
+std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
+    if (scheme == Scheme::statics) return std::make_unique<Statics>();
+    return std::make_unique<ImplicitEuler>();
+}
+
+/// In statics weight is a load like others: it grows with the load factor.
+Load weight(const Shell& shell, const Vector3d& gravity) {
+    Load load;
+    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
+        for (int corner = 0; corner < 3; ++corner)
+            load.dead.push_back({t, corner, shell.face_mass[t] / 3 * gravity});
+    return load;
+}
+
+ShellEnergyOptions shell_options(const Shell& shell, const StepperOptions& options) {
+    ShellEnergyOptions all = options.shell;
+    if (options.scheme == Scheme::statics && !options.gravity.isZero(0))
+        all.loads.push_back(weight(shell, options.gravity));
+    return all;
+}
+
+}  // namespace
 
 ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
     : position(shell.position),
       shell(shell),
       options(options),
-      scheme(std::make_unique<ImplicitEuler>()),
-      inertia(shell, options.gravity),
-      forces(shell, options.shell),
+      scheme(time_scheme(options.scheme)),
+      inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
+      forces(shell, shell_options(shell, options)),
+      loads(forces.loads()),
       contact(shell, options.contact, options.gravity),
       potential(shell, all_energies(), spent),
       minimiser(std::make_unique<Newton>(options.tolerance)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
+    if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);
 }
 
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia};
     for (const std::vector<Energy*>& some :
-         {forces.elastic(), contact.energies(), forces.loads(), contact.frictions()})
+         {forces.elastic(), contact.energies(), loads, contact.frictions()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
 
 bool ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
+    if (path) path->begin(length, step);
     potential.begin(step);
     require_apart();
     return predict();
@@ -73,6 +101,7 @@ Positions ImplicitStepper::pushed_along() const {
 
 MinimiserResult ImplicitStepper::solve(int max_iterations) {
     const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
+    if (path) return path->solve(potential, loads, step, max_iterations, position);
     return minimiser->minimise(potential, max_iterations, position);
 }
 
@@ -80,11 +109,15 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
     append(position, change.vertices);
     scheme->topology_changed(shell, change, step);
     potential.topology_changed(change, step);
-    minimiser->topology_changed(change, potential, position);
+    if (path)
+        path->topology_changed(change, potential, position);
+    else
+        minimiser->topology_changed(change, potential, position);
 }
 
 void ImplicitStepper::finish() {
     contact.finish(position);
+    if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     time = step.end();
 }
@@ -94,11 +127,13 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
     if (options.supports > 0) {
         // The inertial prediction is where supports leave it, so that inertia has no force against them.
         Positions blocked = potential.gradient_with_blocked(position);
-        Positions acceleration = step.acceleration(position);
-        acceleration.colwise() -= options.gravity;
-        blocked += acceleration * shell.mass.asDiagonal();
+        if (step.inertia > 0) {  // else weight is one of the loads
+            Positions acceleration = step.acceleration(position);
+            acceleration.colwise() -= options.gravity;
+            blocked += acceleration * shell.mass.asDiagonal();
+        }
         add_reactions(shell, position, blocked, all);
-        forces.add_mirror_reactions(step, position, all);
+        forces.add_mirror_reactions(position, all);
     }
     const Stopwatch watch(spent, Task::contact);
     const std::vector<Reaction> of_obstacles = contact.reactions(position);
@@ -110,7 +145,7 @@ PotentialEnergies ImplicitStepper::energies() const {
     PotentialEnergies sum;
     sum.bending = forces.bending_value(position);
     sum.membrane = forces.membrane_value(position);
-    sum.gravity = -options.gravity.dot(position * shell.mass);
+    sum.gravity = -step.load * options.gravity.dot(position * shell.mass);
     for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
     sum.contact = contact.stored_energy(position);
     return sum;

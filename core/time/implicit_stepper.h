@@ -6,16 +6,24 @@
 #include "core/contact/contact.h"
 #include "core/forces/shell_energies.h"
 #include "core/solver/newton.h"
+#include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
 #include "core/time/time_scheme.h"
 
 namespace sherd {
 
+enum class Scheme { implicit_euler, statics };
+
 struct StepperOptions {
-    double step = 1e-4;             ///< s
+    Scheme scheme = Scheme::implicit_euler;
+    double step = 1e-4;             ///< s; in statics, of load factor
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction
     Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::holds
+    /// In statics: find the load factor, too, and end at last_load (EquilibriumPath). Else the load factor is
+    /// the time.
+    bool arc_length = false;
+    double last_load = 1;
     ShellEnergyOptions shell = {};
     ContactOptions contact = {};
 };
@@ -25,8 +33,9 @@ struct PotentialEnergies {
     double bending = 0, membrane = 0, gravity = 0, contact = 0;
 };
 
-/// Advances a shell in time: each step ends at the minimum of a potential. Between begin() and finish() the
-/// step is open: it can be solved, the shell changed, and the step solved again.
+/// Advances a shell in time, or in load: each step ends at the minimum of a potential, or at an equilibrium.
+/// Between begin() and finish() the step is open: it can be solved, the shell changed, and the step solved
+/// again.
 class ImplicitStepper {
   public:
     /// The shell must outlive this object.
@@ -46,6 +55,10 @@ class ImplicitStepper {
     /// Ends the step: the shell gets `position` as positions, and the velocities of the time scheme.
     void finish();
 
+    /// The factor of all loads in the open step, or in the last one: 1, but in statics.
+    double load() const { return step.load; }
+    /// Whether an equilibrium path has arrived at StepperOptions::last_load.
+    bool arrived() const { return path && path->arrived(); }
     PotentialEnergies energies() const;  ///< at `position`
     /// ShellEnergies::face_curvatures() at `position`.
     std::optional<Eigen::Matrix3Xd> face_curvatures() const { return forces.face_curvatures(position); }
@@ -82,9 +95,11 @@ class ImplicitStepper {
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;
     ShellEnergies forces;
+    std::vector<Energy*> loads;  ///< of `forces`
     Contact contact;
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
+    std::optional<EquilibriumPath> path;  ///< instead of the minimiser
 };
 
 }  // namespace sherd

@@ -10,7 +10,7 @@ void Inertia::begin(const StepContext& step) {
     displacement.colwise() += step.lag * step.lag * gravity;
     displacement += step.origin - shell.position;
     constrain(shell, displacement);
-    elements.stiffness = shell.mass / (step.lag * step.lag);
+    elements.stiffness = step.inertia * shell.mass / (step.lag * step.lag);
     elements.anchor = shell.position + displacement;
     place_scripted(shell, step.end(), elements.anchor);
 }

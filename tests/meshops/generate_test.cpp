@@ -63,6 +63,13 @@ Shape revolution(const char* name, const std::vector<Vector2d>& profile, int cha
             [profile](const Vector3d& p) { return gap_from_profile(profile, p); }};
 }
 
+/// The sector between the x axis and an angle (degrees); its gap is the distance from the whole surface.
+Shape sector(const char* name, const std::vector<Vector2d>& profile, double angle) {
+    return {name, [profile, angle](const auto& o) { return generate_revolution(profile, o, angle); },
+            area_of_revolution(profile) * angle / 360, 1,
+            [profile](const Vector3d& p) { return gap_from_profile(profile, p); }};
+}
+
 std::vector<Shape> shapes() {
     const auto height = [](const Vector3d& p) { return std::abs(p.z()); };
     const auto from_tube = [](const Vector3d& p) { return std::abs(std::hypot(p.x(), p.y()) - 0.5); };
@@ -77,6 +84,9 @@ std::vector<Shape> shapes() {
         revolution("vase", {{0, 0}, {0.3, 0}, {0.5, 0.5}, {0.3, 1}, {0.25, 1.3}, {0.4, 1.5}}, 1),
         revolution("can", {{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, 2),
         revolution("ring", {{0.3, 0}, {0.6, 0}}, 0),
+        sector("panel", {{1, 0.8}, {1, 0}}, 40),
+        sector("slit_ring", {{0.3, 0}, {0.9, 0}}, 359.9),
+        sector("half_vase", {{0.3, 0}, {0.5, 0.5}, {0.3, 1}, {0.4, 1.5}}, 180),
     };
 }
 
@@ -208,6 +218,26 @@ TEST(Generate, SharpCornersOfTheProfileHaveVertices) {
     EXPECT_EQ(corner, 63);  // 2 pi 0.5 / 0.05
 }
 
+// Supports and loads of a part of a shell stand on its corners and sides.
+TEST(Generate, SectorsHaveTheirCornersAndStraightSides) {
+    for (const Layout layout : {Layout::delaunay, Layout::structured}) {
+        const Mesh mesh =
+            generate_revolution(std::array{Vector2d(0.5, 1), Vector2d(0.8, 0)}, {0.1, layout, 1}, 90);
+        int corners = 0, on_first = 0, on_last = 0;
+        for (const Vertex v : mesh.vertices()) {
+            const Vector3d p = vector(mesh.point(v));
+            const bool first = p.y() == 0, last = std::abs(p.x()) < 1e-15;
+            on_first += first;
+            on_last += last;
+            corners += (first || last) && (std::abs(p.z()) < 1e-15 || p.z() == 1);
+            EXPECT_TRUE(mesh.is_border(v) || !(first || last));
+        }
+        EXPECT_EQ(corners, 4);
+        EXPECT_EQ(on_first, 11);  // hypot(0.3, 1) / 0.1 edges
+        EXPECT_EQ(on_last, 11);
+    }
+}
+
 TEST(Generate, StructuredLayoutsAreGridsOfRightTriangles) {
     const GenerateOptions structured{0.1, Layout::structured, 1};
     const Mesh rectangle = generate_rectangle(1, 0.5, structured);
@@ -245,6 +275,12 @@ TEST(Generate, RefusesSizesThatMakeNoMesh) {
     EXPECT_THROW(revolve({{1, 0}, {nan, 1}}), Error);
     EXPECT_THROW(revolve({{1, 0}, {0.01, 1}, {1, 2}}), Error);  // a neck narrower than an edge
     EXPECT_THROW(revolve({{0.2, 0}, {0.2, 100}}), Error);       // 500 radii long
+    const auto sector = [](std::vector<Vector2d> profile, double degrees) {
+        return generate_revolution(profile, options(0.1), degrees);
+    };
+    EXPECT_THROW(sector({{0, 0}, {1, 0}}, 90), Error);
+    EXPECT_THROW(sector({{1, 0}, {1, 1}}, 0), Error);
+    EXPECT_THROW(sector({{1, 0}, {1, 1}}, 361), Error);
 }
 
 // The smallest meshes a person may ask for.

@@ -38,7 +38,11 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
 
 SimulationOptions plain_options(const Scene& scene) {
     SimulationOptions options;
+    options.stepper.scheme = scene.solver.scheme;
     options.stepper.step = scene.solver.step;
+    options.stepper.arc_length = scene.solver.arc_length;
+    options.stepper.last_load = scene.solver.load;
+    options.until_crack = scene.solver.until_crack;
     options.stepper.gravity = scene.gravity;
     options.stepper.shell.bending = scene.solver.bending;
     options.stepper.shell.damping = scene.solver.damping;

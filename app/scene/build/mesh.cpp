@@ -29,7 +29,7 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
     if (spec.shape == "cylinder") return generate_cylinder(spec.radius, spec.height, options);
     if (spec.shape == "sphere") return generate_sphere(spec.radius, options);
     if (spec.shape == "polygon") return generate_polygon(spec.polygon, options);
-    return generate_revolution(spec.profile, options);
+    return generate_revolution(spec.profile, options, spec.angle);
 }
 
 Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {

@@ -85,7 +85,7 @@ double slowest_period(const Material& m, double area) {
 void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
                        std::vector<std::string>& warnings) {
     const double period = slowest_period(input.material, measure(input.mesh).area);
-    if (!sheet.fracture || scene.solver.step <= period / steps_a_period) return;
+    if (!sheet.fracture || scene.is_static() || scene.solver.step <= period / steps_a_period) return;
     warnings.push_back(
         fmt::format("{}: solver.step of {:.2g} s is long even for the slowest vibration of sheet.{}, whose "
                     "period is {:.2g} s: use "

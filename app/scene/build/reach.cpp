@@ -184,7 +184,7 @@ std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t she
 
 void warn_of_unreachable(const Scene& scene, const std::vector<SheetInput>& inputs,
                          const SimulationOptions& options, std::vector<std::string>& warnings) {
-    if (!scene.loads.empty()) return;
+    if (!scene.loads.empty() || scene.is_static()) return;
     std::vector<Mover> movers;
     for (std::size_t s = 0; s < inputs.size(); ++s)
         movers.push_back(mover_of(inputs[s], scene.sheets[s], scene));

@@ -24,6 +24,9 @@ constexpr double plate_height = 0.18, plate_foot = 0.6;
 constexpr double bowl_cap = 60;  // degrees
 constexpr Range cap_degrees{[](double x) { return x > 0 && x < 180; }, "a number between 0 and 180"};
 
+constexpr Range sector_degrees{[](double x) { return x > 0 && x <= 360; },
+                               "a number above 0, and 360 at most"};
+
 double length_of(TomlTable& table, std::string_view key, std::optional<double> fallback = {}) {
     return table.number(key, "m", positive, fallback);
 }
@@ -62,6 +65,10 @@ void read_profile(TomlTable& table, GeneratedMesh& mesh) {
     if (std::all_of(mesh.profile.begin(), mesh.profile.end(), [](const auto& p) { return p.x() == 0; }) &&
         !mesh.profile.empty())
         table.report("profile", "lies on the axis: give a point with r > 0");
+    mesh.angle = table.number("angle", "degrees", sector_degrees, mesh.angle);
+    if (mesh.angle < 360 && !mesh.profile.empty() &&
+        (mesh.profile.front().x() == 0 || mesh.profile.back().x() == 0))
+        table.report("angle", "is for a profile that does not touch the axis (r > 0 everywhere)");
 }
 
 Polyline polyline(const std::vector<Eigen::VectorXd>& rows) {
@@ -100,7 +107,7 @@ std::pair<double, double> area_and_size(const GeneratedMesh& mesh) {
     if (mesh.shape == "polygon" && mesh.polygon.outline.empty())
         return {0, std::numeric_limits<double>::infinity()};
     if (mesh.shape == "polygon") return {area(mesh.polygon), smaller_side(mesh.polygon.outline)};
-    return {revolved_area(mesh.profile), length(mesh.profile)};
+    return {revolved_area(mesh.profile) * mesh.angle / 360, length(mesh.profile)};
 }
 
 void check_edge_length(TomlTable& table, const GeneratedMesh& mesh) {

@@ -13,6 +13,7 @@
 #include "app/scene/read/gauges.h"
 #include "app/scene/read/obstacle.h"
 #include "app/scene/read/sheet.h"
+#include "app/scene/read/statics.h"
 #include "app/scene/read/variants.h"
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/toml_file.h"
@@ -62,7 +63,7 @@ ContactSpec read_contact(TomlTable& table) {
 SolverSpec read_solver(TomlTable& table) {
     SolverSpec solver;
     constexpr int most = std::numeric_limits<int>::max();
-    solver.step = table.number("step", "s", positive, solver.step);
+    read_scheme(table, solver);
     solver.bending = read_bending(table);
     solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
     solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
@@ -80,17 +81,29 @@ SolverSpec read_solver(TomlTable& table) {
     return solver;
 }
 
-void read_times(TomlTable& root, Scene& scene) {
-    scene.duration = root.number("duration", "s", positive);
-    if (auto solver = root.table("solver")) {
-        scene.solver = read_solver(*solver);
-        if (scene.solver.step > scene.duration)
-            solver->report("step", fmt::format("is longer than duration ({} s)", scene.duration));
-        if (scene.duration / scene.solver.step > most_steps)
-            solver->report("step", fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one",
-                                               scene.duration / scene.solver.step, most_steps));
+void read_duration(TomlTable& root, Scene& scene) {
+    if (!scene.is_static()) {
+        scene.duration = root.number("duration", "s", positive);
+        return;
     }
-    scene.frame_interval = std::max(scene.duration / 100, scene.solver.step);
+    if (root.has("duration")) root.report("duration", "is not for statics, which end at solver.load");
+    scene.duration = scene.solver.arc_length ? scene.solver.longest_path : scene.solver.load;
+}
+
+void read_times(TomlTable& root, Scene& scene) {
+    auto solver = root.table("solver");
+    if (solver) scene.solver = read_solver(*solver);
+    read_duration(root, scene);
+    if (solver && scene.solver.step > scene.duration)
+        solver->report("step", fmt::format("is longer than {} ({} {})",
+                                           !scene.is_static()        ? "duration"
+                                           : scene.solver.arc_length ? "longest_path"
+                                                                     : "load",
+                                           scene.duration, scene.time_unit()));
+    if (solver && scene.duration / scene.solver.step > most_steps)
+        solver->report("step", fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one",
+                                           scene.duration / scene.solver.step, most_steps));
+    scene.frame_interval = std::max(scene.is_static() ? 0 : scene.duration / 100, scene.solver.step);
     if (auto output = root.table("output")) {
         scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
         if (output->has("every") && scene.frame_interval < scene.solver.step)
@@ -129,6 +142,7 @@ void read_root(TomlTable& root, Scene& scene) {
     if (auto contact = root.table("contact")) scene.contact = read_contact(*contact);
     if (auto force = root.table("force")) read_forces(*force, scene);
     read_gauges(root, scene);
+    if (scene.is_static()) require_statics(root, scene);
     if (root.has("variant"))
         root.report("variant",
                     "has its place in the scene itself only: a variant has none, and --set cannot make one");

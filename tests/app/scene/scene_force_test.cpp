@@ -5,12 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/build/built_scene.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/forces.h"
-#include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/built_text.h"
 #include "tests/support/thrown_by.h"
 
 namespace sherd::test {
@@ -30,14 +28,8 @@ struct Prepared {
 };
 
 Prepared prepare(const std::string& text) {
-    const TemporaryDirectory directory;
-    Prepared result;
-    result.scene = read_scene(directory.write("scene.toml", text));
-    std::vector<std::string> warnings;
-    const BuiltScene built = build_scene(result.scene, warnings);
-    result.inputs = built.inputs;
-    result.options = built.options;
-    return result;
+    BuiltText all = built_from(text);
+    return {std::move(all.scene), std::move(all.built.inputs), std::move(all.built.options)};
 }
 
 std::string force_message(const std::string& text) {

@@ -2,10 +2,8 @@
 // A gauge at the wrong place would be believed.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/built_scene.h"
-#include "app/scene/read/scene.h"
 #include "meshops/error.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/built_text.h"
 #include "tests/support/thrown_by.h"
 
 namespace sherd::test {
@@ -24,19 +22,6 @@ place = { translate = [0, 0, 1] }
 [force]
 gravity = [0, 0, 0]
 )";
-
-struct BuiltText {
-    Scene scene;
-    BuiltScene built;
-};
-
-BuiltText built_from(const std::string& text) {
-    const TemporaryDirectory directory;
-    Scene scene = read_scene(directory.write("scene.toml", text));
-    std::vector<std::string> warnings;
-    BuiltScene built = build_scene(scene, warnings);
-    return {std::move(scene), std::move(built)};
-}
 
 TEST(SceneGauge, ShowsTheDisplacementOfItsPoint) {
     BuiltText prepared = built_from(squares + R"(

@@ -3,10 +3,8 @@
 // momentum, in each step and whatever holds, moves, touches or breaks.
 #include <gtest/gtest.h>
 
-#include "app/scene/build/built_scene.h"
 #include "app/scene/build/supports.h"
-#include "app/scene/read/scene.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/support/built_text.h"
 
 namespace sherd::test {
 namespace {
@@ -22,10 +20,8 @@ constexpr double weight = 98.1;
 class Motion {
   public:
     explicit Motion(const std::string& text) {
-        const TemporaryDirectory directory;
-        scene = read_scene(directory.write("scene.toml", text));
-        std::vector<std::string> warnings;
-        BuiltScene built = build_scene(scene, warnings);
+        auto [read, built] = built_from(text);
+        scene = std::move(read);
         names = support_names(scene);
         simulation = std::make_unique<Simulation>(std::move(built.sheets), built.options);
     }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands.h"
+#include "app/converge/observed_order.h"
+#include "app/converge/outcome.h"
+#include "app/json/json.h"
+#include "app/scene/scene.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+struct ConvergeOptions {
+    SceneOptions scene;
+    bool json = false;
+};
+
+/// What was halved, and what the three runs came to.
+struct Series {
+    std::string of;
+    std::array<Outcome, 3> runs;
+
+    Convergence at(std::size_t quantity) const {
+        return convergence({runs[0].quantities[quantity].value, runs[1].quantities[quantity].value,
+                            runs[2].quantities[quantity].value});
+    }
+    bool breaks() const { return runs[0].cracks + runs[1].cracks + runs[2].cracks > 0; }
+};
+
+Outcome told(const Scene& scene, const char* what) {
+    fmt::print(stderr, "{}: ", what);
+    const Outcome result = outcome(scene);
+    fmt::print(stderr, "{} faces, {} steps of {:g}, {} cracks, {:.1f} s\n", result.faces, result.steps,
+               scene.solver.step, result.cracks, result.seconds);
+    return result;
+}
+
+std::string cell(const std::optional<double>& value, const char* format) {
+    return value ? fmt::format(fmt::runtime(format), *value) : "-";
+}
+
+std::string text_of(const Series& series) {
+    std::string text = fmt::format("\n{}\n{:<28} {:>12} {:>12} {:>12} {:>6} {:>12} {:>8}\n", series.of, "",
+                                   "4 times", "twice", "as it is", "order", "limit", "error");
+    for (std::size_t q = 0; q < series.runs[2].quantities.size(); ++q) {
+        const Quantity& quantity = series.runs[2].quantities[q];
+        const Convergence found = series.at(q);
+        const std::string name =
+            quantity.unit.empty() ? quantity.name : fmt::format("{}, {}", quantity.name, quantity.unit);
+        text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>12.6g} {:>6} {:>12} {:>8}\n", name,
+                            found.values[0], found.values[1], found.values[2], cell(found.order, "{:.2f}"),
+                            cell(found.limit, "{:.6g}"), cell(found.error, "{:+.2%}"));
+    }
+    if (series.breaks())
+        text += "The scene breaks: what comes after the first crack hangs on the mesh and on the step.\n";
+    return text;
+}
+
+Json json_of(const Series& series) {
+    Json rows = Json::array();
+    for (std::size_t q = 0; q < series.runs[2].quantities.size(); ++q) {
+        const Convergence found = series.at(q);
+        Json row{{"name", series.runs[2].quantities[q].name},
+                 {"unit", series.runs[2].quantities[q].unit},
+                 {"values", found.values},
+                 {"order", nullptr},
+                 {"limit", nullptr},
+                 {"error", nullptr}};
+        if (found.order) row["order"] = *found.order;
+        if (found.limit) row["limit"] = *found.limit;
+        if (found.error) row["error"] = *found.error;
+        rows.push_back(row);
+    }
+    Json faces = Json::array(), steps = Json::array(), cracks = Json::array();
+    for (const Outcome& run : series.runs) {
+        faces.push_back(run.faces);
+        steps.push_back(run.steps);
+        cracks.push_back(run.cracks);
+    }
+    return {{"faces", faces}, {"steps", steps}, {"cracks", cracks}, {"quantities", rows}};
+}
+
+int converge(const ConvergeOptions& options) {
+    const std::vector<Scene> scenes = read_scenes(options.scene);
+    if (scenes.size() > 1)
+        throw Error(fmt::format("{} has variants: choose one with --variant", scenes[0].file.string()));
+    const Scene& scene = scenes.front();
+    const Scene coarse = with_edges(scene, 4), middle = with_edges(scene, 2);
+    const Scene longest = with_steps(scene, 4), longer = with_steps(scene, 2);
+    Series meshes{"edges", {told(coarse, "edges 4 times as long"), told(middle, "edges twice as long"), {}}};
+    Series steps{"steps", {told(longest, "steps 4 times as long"), told(longer, "steps twice as long"), {}}};
+    meshes.runs[2] = steps.runs[2] = told(scene, "as it is");
+    if (options.json)
+        fmt::print("{}\n", Json{{"edges", json_of(meshes)}, {"steps", json_of(steps)}}.dump(2));
+    else
+        fmt::print("{}{}", text_of(meshes), text_of(steps));
+    return 0;
+}
+
+}  // namespace
+
+void add_converge(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand(
+        "converge", "Say how far a scene's results are from those of finer meshes and shorter steps");
+    auto options = std::make_shared<ConvergeOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_flag("--json", options->json, "For scripts: one JSON object");
+    command->footer("Example:\n  sherd converge hinged_roof --variant thick");
+    command->callback([&chosen, options] { chosen = [options] { return converge(*options); }; });
+}
+
+}  // namespace sherd

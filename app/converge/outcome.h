@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.h"
+
+namespace sherd {
+
+/// A number that a run ends with.
+struct Quantity {
+    std::string name, unit;
+    double value = 0;
+};
+
+/// What a run of a scene comes to, without a recording.
+struct Outcome {
+    std::size_t faces = 0;
+    std::int64_t steps = 0, cracks = 0;
+    double seconds = 0;  ///< of wall time
+    /// Of every gauge the displacement at the end and the largest one, of every support and obstacle the
+    /// largest force, the elastic energy at the end, the peaks of hinges, and in statics the largest load.
+    std::vector<Quantity> quantities;
+};
+
+/// Runs the scene. Throws what a run throws.
+Outcome outcome(const Scene& scene);
+
+/// The scene with the edges of all its meshes `times` as long. Throws Error where a mesh comes from a file
+/// and is not remeshed.
+Scene with_edges(Scene scene, double times);
+/// The scene with steps `times` as long.
+Scene with_steps(Scene scene, double times);
+
+}  // namespace sherd

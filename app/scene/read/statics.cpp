@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/read/statics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sherd {
+namespace {
+
+constexpr double static_step = 0.05;  // of load factor: a step should turn a shell by some degrees only
+
+bool has_keys(const std::vector<PinSpec>& pins) {
+    return std::ranges::any_of(pins, [](const PinSpec& pin) { return !pin.motion.keys.empty(); });
+}
+
+void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
+    if (!sheet.velocity.isZero(0) || !sheet.spin.isZero(0))
+        root.report("sheet", fmt::format("{}: velocity and spin are not for statics", sheet.name));
+    if (!sheet.is_supported())
+        root.report("sheet", fmt::format("{}: nothing holds it, and in statics it has no inertia: give it a "
+                                         "pin, clamp or symmetry",
+                                         sheet.name));
+}
+
+}  // namespace
+
+void read_scheme(TomlTable& table, SolverSpec& solver) {
+    constexpr std::array<std::string_view, 2> schemes{"implicit-euler", "static"};
+    if (table.has("scheme") && table.choice("scheme", schemes) == "static") solver.scheme = Scheme::statics;
+    if (solver.scheme != Scheme::statics) {
+        solver.step = table.number("step", "s", positive, solver.step);
+        for (const char* key : {"load", "arc_length", "longest_path", "until_crack"})
+            if (table.has(key)) table.report(key, "is for scheme = \"static\"");
+        return;
+    }
+    solver.load = table.number("load", "times the loads", positive, solver.load);
+    solver.step = table.number("step", "times the loads", positive, std::min(static_step, solver.load));
+    solver.arc_length = table.flag("arc_length", solver.arc_length);
+    if (solver.arc_length)
+        solver.longest_path = table.number("longest_path", "times the loads", positive, solver.longest_path);
+    else if (table.has("longest_path"))
+        table.report("longest_path", "is for arc_length = true");
+    solver.until_crack = table.flag("until_crack", solver.until_crack);
+}
+
+void require_statics(TomlTable& root, const Scene& scene) {
+    for (const SheetSpec& sheet : scene.sheets) require_static_sheet(root, sheet);
+    if (!scene.bodies.empty())
+        root.report("obstacle", fmt::format("{}: free obstacles are not for statics", scene.bodies[0].name));
+    if (!scene.winds.empty()) root.report("force", "wind is not for statics");
+    for (const LoadSpec& load : scene.loads)
+        if (load.ramp > 0)
+            root.report("force", "load.ramp is not for statics: all loads grow with the load factor");
+    if (scene.solver.damping.stiffness > 0 || scene.solver.damping.mass > 0)
+        root.report("solver", "damping is not for statics");
+    if (scene.loads.empty() && scene.gravity.isZero(0) && scene.solver.arc_length)
+        root.report("solver", "arc_length needs a load");
+    const bool moves =
+        std::ranges::any_of(
+            scene.sheets,
+            [](const SheetSpec& sheet) { return has_keys(sheet.pins) || has_keys(sheet.clamps); }) ||
+        std::ranges::any_of(scene.obstacles,
+                            [](const ObstacleSpec& obstacle) { return !obstacle.motion.keys.empty(); });
+    if (moves && scene.solver.arc_length)
+        root.report("solver",
+                    "arc_length is for loads: pins and obstacles that move need a load factor that "
+                    "grows");
+}
+
+}  // namespace sherd

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/solver/newton.h"
+
+namespace sherd {
+
+/// The path of equilibria of a shell under a load factor that is unknown itself, so that the path goes on
+/// past limit points, where the load falls (arc length: Riks 1979, Crisfield 1981). Each step ends at an
+/// equilibrium at a given distance from the last one: the root mean square of the displacement, weighted
+/// with masses, over what the first loads move it for a load factor of 1. Lengths along the path therefore
+/// begin as load factors. Equilibria need not be stable.
+class EquilibriumPath {
+  public:
+    /// The shell must outlive this object. tolerance: m, see Newton. last_load: the load factor at which the
+    /// path ends.
+    EquilibriumPath(const Shell& shell, double tolerance, double last_load)
+        : shell(shell), tolerance(tolerance), last_load(last_load) {}
+
+    /// Starts a step of this length from the shell's positions, with the load factor of the last step's end.
+    void begin(double length, StepContext& step);
+    /// Advances x [3, V] m and step.load towards the step's equilibrium. loads: the energies that follow
+    /// step.load.
+    MinimiserResult solve(Potential& potential, std::span<Energy* const> loads, StepContext& step,
+                          int max_iterations, Positions& x);
+    /// Must be called when the shell has changed; the same step goes on.
+    void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
+    /// Ends the step at x.
+    void finish(const StepContext& step, const Positions& x);
+
+    bool arrived() const { return start_load == last_load; }
+
+  private:
+    /// A change of positions and load that Newton's method proposes.
+    struct Correction {
+        Positions motion;
+        double load = 0;
+    };
+
+    double distance(const Positions& displacement) const;
+    double product(const Positions& a, const Positions& b) const;
+    /// The change of positions with the load factor, m, at x: by the tangent of the path.
+    Positions tangent(Potential& potential, std::span<Energy* const> loads, StepContext& step,
+                      const Positions& x);
+    void predict(Potential& potential, std::span<Energy* const> loads, StepContext& step, Positions& x);
+    /// The correction that keeps the distance from the step's beginning; false: there is none.
+    bool correct(const Positions& moved, const Positions& to_equilibrium, const Positions& tangent,
+                 Correction& correction) const;
+    /// Turns back to the last load if the step has passed it.
+    bool passed(StepContext& step, std::span<Energy* const> loads, Positions& x);
+
+    const Shell& shell;
+    double tolerance, last_load;
+    NewtonSystem system{indefinite_solver()};
+    double start_load = 0;
+    double length = 0;       ///< of the open step
+    double scale = 0;        ///< m, distance of a path of length 1; 0 before the first step
+    bool predicted = false;  ///< whether the open step has left its beginning
+    bool at_last_load = false;
+    Positions direction;  ///< [3, V] m, displacement of the last step; empty before
+};
+
+}  // namespace sherd
