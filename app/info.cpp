@@ -157,6 +157,15 @@ void add_reactions(std::string& text, const RunInfo& info) {
                        g.displacement.z(), g.largest);
 }
 
+/// What there is to say of a recording of modes instead of a run.
+void add_mode_list(std::string& text, const RunInfo& info) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "modes        {} of vibration; the times of the frames are not physical\n",
+                   info.modes.size());
+    for (std::size_t i = 0; i < info.modes.size(); ++i)
+        fmt::format_to(out, "  {:>4}  {}\n", i + 1, info.modes[i].words());
+}
+
 struct InfoOptions {
     std::filesystem::path recording;
     bool json = false;
@@ -187,6 +196,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     info.supports = header.supports;
     add_gauges(info, header, steps);
     add_events(info, recording.events());
+    info.modes = recording.modes();
     return info;
 } catch (const std::out_of_range&) {
     throw Error(fmt::format("the recording '{}' is damaged: a face belongs to a sheet that has no name",
@@ -231,6 +241,9 @@ std::string run_info_json(const RunInfo& info) {
                                   {"sheet", g.gauge.sheet},
                                   {"displacement", vector_json(g.displacement)},
                                   {"largest", g.largest}});
+    json["modes"] = Json::array();
+    for (const RecordedMode& mode : info.modes)
+        json["modes"].push_back({{"frequency", mode.frequency}, {"growth", mode.growth}});
     json["peak_strain"] = info.peaks.peak_strain;
     json["peak_bending_strain"] = info.peaks.peak_bending_strain;
     json["peak_stress"] = info.peaks.peak_stress;
@@ -256,10 +269,18 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "scene        {}, seed {}\n", info.scene_file, info.seed);
     fmt::format_to(out, "end          {}", info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
-    fmt::format_to(out, "\nrun          {} steps, {:.6g} s, {} frames\n", last.step, last.time, info.frames);
+    if (info.modes.empty())
+        fmt::format_to(out, "\nrun          {} steps, {:.6g} s, {} frames\n", last.step, last.time,
+                       info.frames);
+    else
+        fmt::format_to(out, "\nframes       {}\n", info.frames);
     fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);
+    if (!info.modes.empty()) {
+        add_mode_list(text, info);
+        return text;
+    }
     fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split", info.failures,
                    info.openings, info.splits);
     if (info.vertex_births + info.face_births > 0)

@@ -10,6 +10,7 @@
 #include "tests/support/materials.h"
 #include "tests/support/plates.h"
 #include "tests/support/small_sheet.h"
+#include "tests/support/steps.h"
 
 namespace sherd {
 namespace {
@@ -185,6 +186,33 @@ TEST(Vibration, ASheetUnderTooMuchPressureIsUnstable) {
     EXPECT_EQ(pressed.modes[0].frequency(), 0);
     EXPECT_NEAR(pressed.modes[0].growth_rate(), std::sqrt(-dense[0]), 1e-6 * std::sqrt(-dense[0]));
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(pressed.modes[i].eigenvalue / dense[i], 1, 1e-6) << i;
+}
+
+// The frequency must be the one at which a run vibrates: from rest in a mode's shape the sheet is back in its
+// plane after a quarter of the period.
+TEST(Vibration, IsThatOfARun) {
+    Shell shell = plate(4);
+    for (Index v = 0; v <= 4; ++v) shell.fixed[v] = 1;
+    const VibrationMode mode = vibration(shell, {}, 2).modes[1];
+    constexpr int steps_of_quarter = 100;
+    StepperOptions options;
+    options.gravity.setZero();
+    options.tolerance = 1e-12;
+    options.step = 0.25 / (mode.frequency() * steps_of_quarter);
+    shell.position += 1e-5 / mode.shape.maxCoeff() * mode.shape;
+    ImplicitStepper stepper(shell, options);
+    const auto deflection = [&] {
+        const Positions moved = (shell.position - shell.rest) * shell.mass.asDiagonal();
+        return moved.cwiseProduct(mode.shape).sum();
+    };
+    double before = deflection();
+    int steps = 0;
+    for (; deflection() > 0 && steps < 2 * steps_of_quarter; ++steps) {
+        before = deflection();
+        test::advance(stepper);
+    }
+    const double crossing = steps - deflection() / (deflection() - before);
+    EXPECT_NEAR(crossing, steps_of_quarter, 0.2);
 }
 
 // Whoever compares two scenes compares bits.
