@@ -19,6 +19,7 @@ using Command = std::function<int()>;
 /// Each adds its subcommand to `program`; parsing it sets `chosen`, which must outlive the parsing.
 void add_run(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
+void add_modes(CLI::App& program, Command& chosen);
 void add_info(CLI::App& program, Command& chosen);
 void add_export(CLI::App& program, Command& chosen);
 void add_cut(CLI::App& program, Command& chosen);

@@ -158,6 +158,15 @@ void add_reactions(std::string& text, const RunInfo& info) {
                        g.displacement.z(), g.largest);
 }
 
+/// What there is to say of a recording of modes instead of a run.
+void add_mode_list(std::string& text, const RunInfo& info) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "modes        {} of vibration; the times of the frames are not physical\n",
+                   info.modes.size());
+    for (std::size_t i = 0; i < info.modes.size(); ++i)
+        fmt::format_to(out, "  {:>4}  {}\n", i + 1, info.modes[i].words());
+}
+
 struct InfoOptions {
     std::filesystem::path recording;
     bool json = false;
@@ -189,6 +198,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     info.supports = header.supports;
     add_gauges(info, header, steps);
     add_events(info, recording.events());
+    info.modes = recording.modes();
     return info;
 } catch (const std::out_of_range&) {
     throw Error(fmt::format("the recording '{}' is damaged: a face belongs to a sheet that has no name",
@@ -236,6 +246,9 @@ std::string run_info_json(const RunInfo& info) {
                                   {"sheet", g.gauge.sheet},
                                   {"displacement", vector_json(g.displacement)},
                                   {"largest", g.largest}});
+    json["modes"] = Json::array();
+    for (const RecordedMode& mode : info.modes)
+        json["modes"].push_back({{"frequency", mode.frequency}, {"growth", mode.growth}});
     json["peak_strain"] = info.peaks.peak_strain;
     json["peak_bending_strain"] = info.peaks.peak_bending_strain;
     json["peak_stress"] = info.peaks.peak_stress;
@@ -262,14 +275,21 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "end          {}", info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
     const bool in_time = info.time_unit == "s";
-    fmt::format_to(out, "\nrun          {} steps, {}{:.6g}{}, {} frames\n", last.step,
-                   in_time ? "" : info.time_unit + " ", last.time, in_time ? " s" : "", info.frames);
+    if (info.modes.empty())
+        fmt::format_to(out, "\nrun          {} steps, {}{:.6g}{}, {} frames\n", last.step,
+                       in_time ? "" : info.time_unit + " ", last.time, in_time ? " s" : "", info.frames);
+    else
+        fmt::format_to(out, "\nframes       {}\n", info.frames);
     if (!in_time && info.last)
         fmt::format_to(out, "load         {:.6g} times the loads at the end, {:.6g} at most\n", last.load,
                        info.largest_load);
     fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);
+    if (!info.modes.empty()) {
+        add_mode_list(text, info);
+        return text;
+    }
     fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split", info.failures,
                    info.openings, info.splits);
     if (info.vertex_births + info.face_births > 0)

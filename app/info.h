@@ -52,6 +52,7 @@ struct RunInfo {
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
     std::vector<RecordedSupport> supports;              ///< whose reactions `last` has
     std::vector<GaugeInfo> gauges;
+    std::vector<RecordedMode> modes;     ///< of vibration, if it is these that the frames show
     std::optional<StepReport> last;      ///< the last step, if there was one
     std::int64_t newton_iterations = 0;  ///< of all steps
     std::size_t capped_steps = 0;

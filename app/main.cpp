@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     sherd::Command chosen;
     sherd::add_run(program, chosen);
     sherd::add_check(program, chosen);
+    sherd::add_modes(program, chosen);
     sherd::add_info(program, chosen);
     sherd::add_export(program, chosen);
     sherd::add_cut(program, chosen);

@@ -167,6 +167,9 @@ std::string plot_svg(const Recording& recording) {
     const RecordingHeader header = recording.header();
     const std::vector<StepReport> steps = recording.steps();
     const std::size_t frames = recording.frame_count();
+    if (!recording.modes().empty())
+        throw Error(
+            "the recording shows modes of vibration, which have no time to plot over; sherd info lists them");
     if (steps.empty() || frames == 0)
         throw Error("nothing has been recorded yet, so there is nothing to plot");
     const Snapshot last = recording.frame(frames - 1);

@@ -310,21 +310,25 @@ std::vector<std::string> read_texts(hid_t where, const std::string& name) {
     return texts;
 }
 
-void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+void create_array(hid_t where, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                   const void* values, const Meaning& meaning) {
     const std::string what = "cannot write dataset '" + name + "'";
-    const std::array<hsize_t, 2> shape{rows, width};
-    const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), nullptr), what));
+    const int rank = static_cast<int>(shape.size());
+    const Handle space(checked(H5Screate_simple(rank, shape.data(), nullptr), what));
     const Handle layout = timeless();
-    if (rows > 0) {
+    const bool empty = H5Sget_simple_extent_npoints(space) == 0;
+    if (!empty) {
         // Large enough that a frame of an ordinary plate is one chunk, small enough for HDF5's chunk cache.
-        const std::array<hsize_t, 2> chunk{std::min<hsize_t>(rows, 32768), width};
-        checked(H5Pset_chunk(layout, rank_of(width), chunk.data()), what);
+        std::vector<hsize_t> chunk(shape.begin(), shape.end());
+        hsize_t& rows = chunk[rank == 1 ? 0 : rank - 2];
+        rows = std::min<hsize_t>(rows, 32768);
+        if (rank > 2) chunk[0] = 1;
+        checked(H5Pset_chunk(layout, rank, chunk.data()), what);
         checked(H5Pset_shuffle(layout), what);
         checked(H5Pset_deflate(layout, 4), what);
     }
     const Handle dataset = create_dataset(where, name, type, space, layout);
-    if (rows > 0) checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+    if (!empty) checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
     describe(dataset, meaning);
 }
 
@@ -352,20 +356,28 @@ void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows
     checked(H5Dwrite(dataset, type, source, target, H5P_DEFAULT, values), what);
 }
 
-void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values) {
-    if (row_count(where, name, width) == 0) return;
+void read_array(hid_t where, const std::string& name, hid_t type, void* values) {
     const Handle dataset = open_dataset(where, name);
     checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
             "cannot read dataset '" + name + "'");
 }
 
-hsize_t row_count(hid_t where, const std::string& name, hsize_t width) {
+void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values) {
+    if (row_count(where, name, width) > 0) read_array(where, name, type, values);
+}
+
+std::vector<hsize_t> shape_of(hid_t where, const std::string& name) {
     const Handle dataset = open_dataset(where, name);
     const Handle space(checked(H5Dget_space(dataset), "cannot read dataset '" + name + "'"));
-    std::array<hsize_t, 2> shape{};
-    const int rank = H5Sget_simple_extent_ndims(space);
-    if (rank == rank_of(width)) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-    if (rank != rank_of(width) || (rank == 2 && shape[1] != width))
+    std::vector<hsize_t> shape(std::max(0, H5Sget_simple_extent_ndims(space)));
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    return shape;
+}
+
+hsize_t row_count(hid_t where, const std::string& name, hsize_t width) {
+    const std::vector<hsize_t> shape = shape_of(where, name);
+    const bool fits = shape.size() == static_cast<std::size_t>(rank_of(width));
+    if (!fits || (shape.size() == 2 && shape[1] != width))
         throw Error("dataset '" + name + "' does not have " + std::to_string(width) + " value(s) a row",
                     Fault::run);
     return shape[0];

@@ -110,12 +110,21 @@ void write_texts(hid_t where, const std::string& name, const std::vector<std::st
 std::vector<std::string> read_texts(hid_t where, const std::string& name);
 
 /// These are the untyped cores of the functions below; `type` is the type in memory.
-void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+void create_array(hid_t where, const std::string& name, hid_t type, std::span<const hsize_t> shape,
                   const void* values, const Meaning& meaning);
+inline void create_array(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
+                         const void* values, const Meaning& meaning) {
+    const std::array<hsize_t, 2> shape{rows, width};
+    create_array(where, name, type, std::span(shape).first(width == 1 ? 1 : 2), values, meaning);
+}
 void create_table(hid_t where, const std::string& name, hid_t type, hsize_t width, const Meaning& meaning);
 void append_table(hid_t where, const std::string& name, hid_t type, hsize_t rows, hsize_t width,
                   const void* values);
+/// Reads a whole dataset; with `width` one that has so many values a row, or no rows.
+void read_array(hid_t where, const std::string& name, hid_t type, void* values);
 void read_array(hid_t where, const std::string& name, hid_t type, hsize_t width, void* values);
+/// The lengths of a dataset along its dimensions.
+std::vector<hsize_t> shape_of(hid_t where, const std::string& name);
 /// Returns the number of rows of a dataset; throws when its other dimension is not `width`.
 hsize_t row_count(hid_t where, const std::string& name, hsize_t width);
 void resize_table(hid_t where, const std::string& name, hsize_t rows);

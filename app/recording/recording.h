@@ -48,6 +48,16 @@ struct RecordingHeader {
     std::vector<RecordedGauge> gauges = {};        ///< in the order of StepReport::gauges
 };
 
+/// A natural mode of vibration of the sheets.
+struct RecordedMode {
+    double frequency = 0;  ///< Hz; 0: the mode is unstable
+    double growth = 0;     ///< 1/s, rate at which an unstable mode grows; 0: it is stable
+    Positions shape;       ///< [3, V] 1/sqrt(kg), of which the sum of m |u|^2 is 1
+
+    /// "12.345 Hz", or what an unstable one does.
+    std::string words() const;
+};
+
 /// An obstacle that can be drawn.
 struct RecordedObstacle {
     std::string name;
@@ -83,6 +93,10 @@ class RecordingWriter {
     void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
                 std::span<const Eigen::Isometry3d> poses = {});
 
+    /// Adds the modes that the frames show, whose times then are none of physics: `times` says what they are.
+    /// Frames of the first mode have the step 1, and so on. Throws Error (run) as append() does.
+    void add_modes(std::span<const RecordedMode> modes, const std::string& times);
+
     /// Stores how the run ended: its wall time and whether it was complete, interrupted or failed.
     void finish(double wall_seconds, const std::string& end);
 
@@ -113,8 +127,9 @@ class Recording {
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
     std::vector<StepReport> steps() const;  ///< with reactions and gauges as header() has them
     CrackEvents events() const;
-    double wall_seconds() const;  ///< 0 while the run goes on
-    std::string end() const;      ///< "running", "complete", "interrupted" or "failed: ..."
+    std::vector<RecordedMode> modes() const;  ///< none in the recording of a run
+    double wall_seconds() const;              ///< 0 while the run goes on
+    std::string end() const;                  ///< "running", "complete", "interrupted" or "failed: ..."
 
   private:
     /// Opens the file and returns read(opened), with errors that name the file.

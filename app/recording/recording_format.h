@@ -215,6 +215,9 @@ struct Table<FaceBirth> {
 /// The groups of the tables beside Table<StepReport>, which have a row for each step, too.
 inline constexpr const char *reaction_group = "steps/reaction", *gauge_group = "gauges";
 
+/// The group of natural modes, in recordings of these.
+inline constexpr const char* mode_group = "modes";
+
 /// Calls visit(member of StepReport, group) for each kind of them: a list with an entry for each table of the
 /// group, in the order of their attribute `number`.
 template <class Visit>

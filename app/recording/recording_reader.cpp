@@ -95,6 +95,11 @@ Recording::Recording(const std::filesystem::path& file) : file(file), identity(i
             file.string(), version, oldest_version, recording_format::version));
 }
 
+std::string RecordedMode::words() const {
+    return growth > 0 ? fmt::format("unstable, grows e-fold in {:.5g} s", 1 / growth)
+                      : fmt::format("{:.5g} Hz", frequency);
+}
+
 RecordingHeader Recording::header() const {
     return read_with([](hid_t opened) {
         RecordingHeader header;
@@ -202,6 +207,27 @@ CrackEvents Recording::events() const {
             if (version >= Table<Event>::since) events.*kind = read_table<Event>(opened);
         });
         return events;
+    });
+}
+
+std::vector<RecordedMode> Recording::modes() const {
+    return read_with([](hid_t opened) {
+        std::vector<RecordedMode> modes;
+        if (!hdf5::contains(opened, mode_group)) return modes;
+        const hdf5::Handle group = hdf5::open_group(opened, mode_group);
+        const auto frequency = hdf5::read<double>(group, "frequency"),
+                   growth = hdf5::read<double>(group, "growth");
+        const std::vector<hsize_t> shape = hdf5::shape_of(group, "shape");
+        const hsize_t vertices = hdf5::row_count(opened, "rest/position", 3);
+        if (shape != std::vector<hsize_t>{frequency.size(), vertices, 3} || growth.size() != frequency.size())
+            throw Error("frequency, growth and shape of modes differ in length");
+        std::vector<double> values(3 * vertices * frequency.size());
+        if (!values.empty()) hdf5::read_array(group, "shape", H5T_NATIVE_DOUBLE, values.data());
+        for (std::size_t i = 0; i < frequency.size(); ++i)
+            modes.push_back({frequency[i], growth[i],
+                             Eigen::Map<const Positions>(values.data() + 3 * vertices * i, 3,
+                                                         static_cast<Eigen::Index>(vertices))});
+        return modes;
     });
 }
 

@@ -193,6 +193,23 @@ bool same_bits(const RestMesh& a, const RestMesh& b) {
            same_bits(a.vertex_weights, b.vertex_weights) && same_bits(a.face_parent, b.face_parent);
 }
 
+void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::string& times) {
+    const hdf5::Handle group = hdf5::create_group(file, mode_group);
+    std::vector<double> frequency, growth, shape;
+    for (const RecordedMode& mode : modes) {
+        frequency.push_back(mode.frequency);
+        growth.push_back(mode.growth);
+        shape.insert(shape.end(), mode.shape.data(), mode.shape.data() + mode.shape.size());
+    }
+    hdf5::write<double>(group, "frequency", frequency, {"Hz", "0: the mode is unstable"});
+    hdf5::write<double>(group, "growth", growth, {"1/s", "rate of an unstable mode; 0: it is stable"});
+    const hsize_t vertices = modes.empty() ? 0 : modes.front().shape.cols();
+    hdf5::create_array(
+        group, "shape", H5T_NATIVE_DOUBLE, std::array<hsize_t, 3>{modes.size(), vertices, 3}, shape.data(),
+        {"kg^-1/2", "displacement of each vertex, of which the sum of mass times square is 1"});
+    hdf5::write_attribute(file, "times", times);
+}
+
 /// What HDF5 itself takes for a head, an append or an attribute at most, measured and doubled.
 constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, attribute_overhead = 16 << 10;
 
@@ -299,6 +316,19 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
         fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",
                     frames.size(), snapshot.time, error.what(), file().string()),
         Fault::run);
+}
+
+void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::string& times) try {
+    std::size_t bytes = append_overhead + times.size();
+    for (const RecordedMode& mode : modes) {
+        if (mode.shape.cols() != rest.position.cols())
+            throw Error("a mode's shape has another number of vertices than the sheets");
+        bytes += 2 * sizeof(double) * (mode.shape.size() + 2);
+    }
+    change(file(), bytes, [&](hid_t opened) { write_modes(opened, modes, times); });
+} catch (const Error& error) {
+    throw Error(fmt::format("cannot record the modes in '{}': {}", file().string(), error.what()),
+                Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {

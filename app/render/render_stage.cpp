@@ -32,6 +32,8 @@ Scene recorded_scene(const RecordingHeader& header) {
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
                          std::vector<std::string>& warnings)
     : options(options), header(recording.header()), obstacles(recording.obstacles()) {
+    for (const RecordedMode& mode : recording.modes())
+        modes.push_back(fmt::format("mode {}: {}", modes.size() + 1, mode.words()));
     read_scene(warnings);
     find_thickness(warnings);
     measure(recording);
@@ -189,6 +191,8 @@ std::optional<ColourBar> RenderStage::colour_bar() const {
 }
 
 std::string RenderStage::caption(const Snapshot& frame) const {
+    if (frame.step >= 1 && frame.step <= static_cast<std::int64_t>(modes.size()))
+        return modes[frame.step - 1];
     return moment_caption(frame.time, frame.step, end);
 }
 

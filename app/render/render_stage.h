@@ -45,7 +45,7 @@ class RenderStage {
     std::string legend() const;
     /// What the colours mean, when they are those of numbers.
     std::optional<ColourBar> colour_bar() const;
-    std::string caption(const Snapshot& frame) const;  ///< its time and step
+    std::string caption(const Snapshot& frame) const;  ///< its time and step, or its mode of vibration
 
   private:
     void read_scene(std::vector<std::string>& warnings);
@@ -60,6 +60,7 @@ class RenderStage {
     StageOptions options;
     RecordingHeader header;
     std::vector<RecordedObstacle> obstacles;
+    std::vector<std::string> modes;           ///< words of each, if the frames show modes of vibration
     std::optional<Scene> scene_spec;          ///< none: it cannot be read any more
     std::optional<double> guessed_thickness;  ///< m; none: the recording says it
     std::vector<Eigen::AlignedBox3d> boxes;   ///< m, that the camera shows: in each frame, and obstacles

@@ -25,18 +25,18 @@ int count(const std::string& text, const std::string& word) {
     return found;
 }
 
-void expect_near(const Numbers& found, const Numbers& expected) {
+void expect_numbers_near(const Numbers& found, const Numbers& expected) {
     ASSERT_EQ(found.size(), expected.size()) << ::testing::PrintToString(found);
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9 * expected.back());
 }
 
 TEST(PlotTicks, AreRound) {
-    expect_near(round_ticks(0, 10, 6, false), {0, 2, 4, 6, 8, 10});
-    expect_near(round_ticks(0.0013, 0.0041, 6, false), {0.0015, 0.002, 0.0025, 0.003, 0.0035, 0.004});
-    expect_near(round_ticks(0, 2, 6, true), {0, 1, 2});
-    expect_near(round_ticks(-30, 70, 6, false), {-20, 0, 20, 40, 60});
-    expect_near(logarithmic_ticks(1e-3, 10), {1e-3, 1e-2, 1e-1, 1, 10});
-    expect_near(logarithmic_ticks(1, 20), {1, 2, 5, 10, 20});
+    expect_numbers_near(round_ticks(0, 10, 6, false), {0, 2, 4, 6, 8, 10});
+    expect_numbers_near(round_ticks(0.0013, 0.0041, 6, false), {0.0015, 0.002, 0.0025, 0.003, 0.0035, 0.004});
+    expect_numbers_near(round_ticks(0, 2, 6, true), {0, 1, 2});
+    expect_numbers_near(round_ticks(-30, 70, 6, false), {-20, 0, 20, 40, 60});
+    expect_numbers_near(logarithmic_ticks(1e-3, 10), {1e-3, 1e-2, 1e-1, 1, 10});
+    expect_numbers_near(logarithmic_ticks(1, 20), {1, 2, 5, 10, 20});
 }
 
 // A peak of one step among a million is what a researcher looks for.

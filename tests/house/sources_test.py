@@ -9,7 +9,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 # Floors a folder may include from, besides itself. tests/NAME may use what NAME may, and tests/support.
 BELOW = {"meshops": [], "core": [], "fracture": ["core", "meshops"], "app": ["fracture", "core", "meshops"]}
 # Libraries that are kept on one floor.
-KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core",
+KEPT_ON = {"CGAL": "meshops", "openvdb": "meshops", "suitesparse": "core", "cholmod.h": "core", "Spectra": "core",
            "hdf5.h": "app", "toml++": "app", "CLI": "app"}
 # Floors whose rooms (folders) must not include from each other in a circle.
 WITHOUT_CIRCLES = ("meshops", "core", "fracture", "app")

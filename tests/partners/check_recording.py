@@ -51,6 +51,28 @@ def check_tables(file):
         assert np.all(np.diff(file[f"events/{group}/time"][:]) >= 0)
 
 
+def check_modes(file):
+    """Shapes are orthonormal by mass, and each frame shows the one that its step names, as a sine."""
+    assert "not physical" in file.attrs["times"]
+    frequency, growth, shape = (file["modes"][name][:] for name in ("frequency", "growth", "shape"))
+    assert shape.shape == (len(frequency), len(file["rest/position"]), 3) and growth.shape == frequency.shape
+    assert np.all(np.diff(frequency) >= 0) and not np.any((frequency > 0) & (growth > 0))
+    frames = [file["frames"][name] for name in sorted(file["frames"])]
+    mass = frames[0]["vertex/mass"][:]
+    assert np.allclose(np.einsum("v,ivx,jvx->ij", mass, shape, shape), np.eye(len(shape)), atol=1e-7)
+    largest = np.linalg.norm(shape, axis=2).max(axis=1)
+    box = np.ptp(file["rest/position"][:], axis=0)
+    for frame in frames:
+        mode, time = frame.attrs["step"], frame.attrs["time"]
+        assert mode - 1 <= time <= mode
+        shown = 0.05 * np.linalg.norm(box) / largest[mode - 1] * shape[mode - 1]
+        angle = 2 * np.pi * time
+        moved = frame["vertex/position"][:] - file["rest/position"][:]
+        assert np.allclose(moved, np.sin(angle) * shown, rtol=0, atol=1e-9 * np.abs(shown).max())
+        assert np.allclose(frame["vertex/velocity"][:], 2 * np.pi * np.cos(angle) * shown, rtol=0, atol=1e-9)
+    assert [frame.attrs["step"] for frame in frames] == sorted(frame.attrs["step"] for frame in frames)
+
+
 def edge_face_counts(faces):
     sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     return dict(zip(map(tuple, *np.unique(sides, axis=0)[None]), np.unique(sides, axis=0, return_counts=True)[1]))
@@ -130,7 +152,7 @@ def summary(frame):
 def main():
     with h5py.File(sys.argv[1], "r") as file:
         check_head(file)
-        check_tables(file)
+        (check_modes if "modes" in file else check_tables)(file)
         check_links(file)
         frames = [file["frames"][name] for name in sorted(file["frames"])]
         for frame in frames:

@@ -30,12 +30,30 @@ std::string python_with_h5py() {
     return "";
 }
 
+void record_copies(const fs::path& file) {
+    record(synthetic_run(), file);
+}
+
+void record_births(const fs::path& file) {
+    record(split_run(), file);
+}
+
+void record_modes(const fs::path& file) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml",
+                    "duration = 1\n[sheet.disc]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = "
+                    "0.03 }\nmaterial = { preset = \"steel\" }\n");
+    const ProgramResult result =
+        run_sherd({"modes", "scene.toml", "-n", "3", "--frames", "8", "-o", file.string()}, directory.path);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+}
+
 /// A recording, with a name that has all that could confuse a reader, and what h5py finds in it; of runs in
-/// which vertices are copied, or faces split.
-class RecordingPartners : public ::testing::TestWithParam<SyntheticRun (*)()> {
+/// which vertices are copied, or faces split, and of modes of vibration.
+class RecordingPartners : public ::testing::TestWithParam<void (*)(const fs::path&)> {
   protected:
     void SetUp() override {
-        record(GetParam()(), recording);
+        GetParam()(recording);
         python = python_with_h5py();
         ASSERT_FALSE(python.empty()) << "h5py is missing: install python3-h5py";
         ASSERT_TRUE(passes("check_recording.py", quoted(recording) + " " + quoted(summary)));
@@ -68,8 +86,9 @@ TEST_P(RecordingPartners, ParaViewStepsThroughAllFrames) {
               0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(synthetic_run));
-INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(split_run));
+INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(record_copies));
+INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(record_births));
+INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
 
 // The player needs Blender only to show what it reads.
 class SplitPartners : public RecordingPartners {};
@@ -86,7 +105,7 @@ TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
     EXPECT_TRUE(passes("check_view_births.py", quoted(page) + " " + quoted(recording)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(split_run));
+INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(record_births));
 
 }  // namespace
 }  // namespace sherd::test

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/modes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/commands.h"
+#include "app/scene/build/built_scene.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+/// The command line of `sherd modes`.
+struct ModesOptions {
+    SceneOptions scene;
+    int count = 12;
+    std::filesystem::path output;  ///< empty: no recording
+    ModeFrames frames;
+    bool json = false, force = false;
+};
+
+std::vector<std::string> left_out_of_modes(const Scene& scene) {
+    std::vector<std::string> touched, all;
+    for (const std::vector<ObstacleSpec>* some : {&scene.obstacles, &scene.bodies})
+        for (const ObstacleSpec& obstacle : *some) touched.push_back(obstacle.name);
+    if (!touched.empty()) all.push_back(fmt::format("contact with {}", fmt::join(touched, ", ")));
+    if (scene.sheets.size() > 1) all.emplace_back("contact of the sheets with each other");
+    if (!scene.winds.empty()) all.emplace_back("wind");
+    if (scene.solver.damping.stiffness > 0 || scene.solver.damping.mass > 0) all.emplace_back("damping");
+    return all;
+}
+
+void warn_of_modes(const Scene& scene, const SceneModes& modes) {
+    const auto warn = [](const std::string& words) { fmt::print(stderr, "sherd: warning: {}\n", words); };
+    if (scene.solver.bending.model == BendingModel::cubic_2007)
+        warn(
+            "with bending = \"cubic-2007\" curved sheets are not in equilibrium where they start: these are "
+            "modes about a shape that they leave");
+    if (modes.vibration.modes.front().unstable())
+        warn(
+            "the state in which the scene starts is unstable: what is marked in the table grows by itself "
+            "instead of vibrating");
+}
+
+/// One scene, or one variant. Returns false after an interruption.
+bool print_modes(const Scene& scene, const ModesOptions& options, Json& json) {
+    std::optional<RecordingOutput> output;
+    if (!options.output.empty()) {
+        const std::filesystem::path file = part_file(options.output, scene.variant);
+        require_no_input(file, scene);
+        output.emplace(file, options.force);
+    }
+    std::vector<std::string> warnings;
+    BuiltScene built = build_scene(scene, warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    const Simulation simulation(std::move(built.sheets), built.options);
+    const SceneModes modes = scene_modes(scene, simulation, built.options.stepper.shell, options.count);
+    if (options.json)
+        json.push_back(modes_json(scene, modes));
+    else
+        fmt::print("{}", modes_text(scene, modes));
+    std::fflush(stdout);  // before what goes to stderr
+    warn_of_modes(scene, modes);
+    if (!output) return true;
+    const std::filesystem::path file = output->recording.output();
+    const bool complete = record_modes(std::move(*output), scene, simulation, modes, options.frames);
+    if (!options.json && complete)
+        fmt::print("recording    {}: mode i from i - 1 to i s, largest in frame {} (i - 1) + {}\n",
+                   file.string(), options.frames.a_mode, options.frames.a_mode / 4);
+    return complete;
+}
+
+int print_all_modes(const ModesOptions& options) {
+    const std::vector<Scene> scenes = read_scenes(options.scene);
+    if (!options.output.empty())  // of any of them, before the first is looked at
+        for (const Scene& scene : scenes)
+            const RecordingOutput free(part_file(options.output, scene.variant), options.force);
+    Json json = Json::array();
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        if (i > 0 && !options.json) fmt::print("\n");
+        if (!print_modes(scenes[i], options, json)) {
+            fmt::print(stderr, "sherd: interrupted; the recording has the frames up to there\n");
+            return 1;
+        }
+    }
+    const bool several = options.scene.choice.variant.empty() && !scenes.front().variant.empty();
+    if (options.json)
+        fmt::print("{}\n",
+                   (several ? json : json.front()).dump(2, ' ', false, Json::error_handler_t::replace));
+    return 0;
+}
+
+}  // namespace
+
+SceneModes scene_modes(const Scene& scene, const Simulation& simulation, const ShellEnergyOptions& energies,
+                       Index count) {
+    const Shell& shell = simulation.shell().mechanics();
+    SceneModes modes;
+    modes.vertices = shell.mass.size();
+    modes.faces = shell.triangles.size();
+    modes.left_out = left_out_of_modes(scene);
+    modes.vibration = vibration(shell, energies, count);
+    if (modes.vibration.modes.empty())
+        throw Error(fmt::format(
+            "{}: nothing can vibrate: pins, clamps and symmetry planes leave {} of {} coordinates free, {} "
+            "of them for rigid motions; hold fewer vertices",
+            scene.file.string(), modes.vibration.freedoms, 3 * modes.vertices, modes.vibration.rigid));
+    for (const VibrationMode& mode : modes.vibration.modes)
+        modes.out_of_plane.push_back(share_along_normals(shell, shell.position, mode.shape));
+    return modes;
+}
+
+void add_modes(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand(
+        "modes", "Natural frequencies and shapes of the sheets of a scene, as they start");
+    auto options = std::make_shared<ModesOptions>();
+    add_scene_options(*command, options->scene);
+    command->add_option("-n,--count", options->count, "How many modes, from the slowest on (default 12)")
+        ->check(CLI::Range(1, 1000))
+        ->option_text("N");
+    command
+        ->add_option("-o,--output", options->output,
+                     "Recording to write (.h5), which plays each mode for a second; of variants NAME.h5 "
+                     "becomes NAME-VARIANT.h5")
+        ->option_text("MODES.h5");
+    command
+        ->add_option("--amplitude", options->frames.amplitude,
+                     "Largest displacement in the recording, over the size of the sheets (default 0.05)")
+        ->check(CLI::Range(1e-6, 10.0))
+        ->option_text("SHARE");
+    command
+        ->add_option("--frames", options->frames.a_mode,
+                     "Of each mode in the recording, a multiple of 4 (default 24)")
+        ->check(CLI::Range(4, 1000))
+        ->check([](const std::string& given) {
+            return std::stoi(given) % 4 == 0 ? std::string() : "is no multiple of 4: " + given;
+        })
+        ->option_text("N");
+    command->add_flag("--json", options->json,
+                      "For scripts: one JSON object, of several variants an array of them");
+    command->add_flag("--force", options->force, "Replace a recording that exists");
+    command->footer("Example:\n  sherd modes sheet_hang -n 6 -o modes.h5");
+    command->callback([&chosen, options] { chosen = [options] { return print_all_modes(*options); }; });
+}
+
+}  // namespace sherd
