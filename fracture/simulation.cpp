@@ -109,7 +109,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper.time_spent(), Task::breaking);
-    const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+    const HingeMeasures measures = measured();
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
     if (options.rule == BreakingRule::staged) newton = break_in_stages(report, newton, measures);
@@ -134,8 +134,12 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         } else {
             return newton;
         }
-        measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+        measures = measured();
     }
+}
+
+HingeMeasures Simulation::measured() const {
+    return hinge_measures(breakable, stepper.position, stepper.face_curvatures(), stepper.face_stretches());
 }
 
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {

@@ -21,6 +21,7 @@
 #include "core/forces/damping.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
+#include "core/membrane/membrane.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -115,8 +116,9 @@ struct ContactSpec {
 };
 
 struct SolverSpec {
-    double step = 1e-4;       ///< s
-    BendingOptions bending;   ///< energy and Jacobian of the hinges
+    double step = 1e-4;      ///< s
+    BendingOptions bending;  ///< energy and Jacobian of the hinges
+    MembraneModel membrane = MembraneModel::constant_strain;
     int max_iterations = 50;  ///< Newton iterations a step
     double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;

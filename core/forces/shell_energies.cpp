@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/bending/coupled_bending.h"
+#include "core/membrane/arc_membrane.h"
 
 namespace sherd {
 namespace {
@@ -19,7 +20,8 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
     : shell(shell),
       bending(bending_energy(shell, options.bending, options.mirrors)),
       coupled(dynamic_cast<const CoupledBending*>(bending.get())),
-      membrane(shell.triangles),
+      membrane(membrane_energy(shell, options.membrane, options.mirrors)),
+      arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
     for (std::size_t i = 0; i < mirror_supports.size() && coupled == nullptr; ++i) {
@@ -30,8 +32,8 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
     if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
     if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
-        outer.push_back(
-            std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model));
+        outer.push_back(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness,
+                                                           options.bending.model, options.membrane));
     if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
@@ -40,21 +42,31 @@ std::optional<Eigen::Matrix3Xd> ShellEnergies::face_curvatures(const Positions& 
     return coupled->curvatures(x);
 }
 
+std::optional<Eigen::Matrix3Xd> ShellEnergies::face_stretches(const Positions& x) const {
+    if (arcs == nullptr) return std::nullopt;
+    return arcs->strains(x);
+}
+
 std::vector<Energy*> ShellEnergies::loads() {
     std::vector<Energy*> all;
     for (const std::unique_ptr<Energy>& energy : outer) all.push_back(energy.get());
     return all;
 }
 
-void ShellEnergies::add_mirror_reactions(const StepContext& step, const Positions& x,
-                                         std::span<Reaction> of_supports) const {
-    if (coupled != nullptr && !mirror_supports.empty()) {
-        const std::vector<CoupledBending::MirrorGradient> gradients = coupled->mirror_gradients(x);
+void ShellEnergies::add_fold_reactions(const Positions& x, std::span<Reaction> of_supports) const {
+    const auto add = [&](const std::vector<Folds::MirrorGradient>& gradients) {
         for (std::size_t m = 0; m < gradients.size(); ++m)
             for (int k = 0; k < 3; ++k)
                 of_supports[mirror_supports[m]].add(x.col(gradients[m].vertices[k]),
                                                     -gradients[m].gradient.col(k));
-    }
+    };
+    if (coupled != nullptr) add(coupled->mirror_gradients(x));
+    if (arcs != nullptr) add(arcs->mirror_gradients(x));
+}
+
+void ShellEnergies::add_mirror_reactions(const StepContext& step, const Positions& x,
+                                         std::span<Reaction> of_supports) const {
+    if (!mirror_supports.empty()) add_fold_reactions(x, of_supports);
     for (std::size_t support = 0; support < mirrors_of.size(); ++support) {
         if (mirrors_of[support].empty()) continue;
         MirrorEnergy own(shell, mirrors_of[support]);
