@@ -17,7 +17,7 @@ namespace {
 /// The command line of `sherd bench`.
 struct BenchOptions {
     std::string name, only;
-    std::vector<std::string> bending{"cubic", "coupled"};
+    std::vector<std::string> models{"cubic", "coupled", "coupled+arc"};
     bool quick = false, json = false;
 };
 

@@ -12,6 +12,7 @@
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
 #include "core/elements/principal_strain.h"
+#include "core/membrane/arc_membrane.h"
 #include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_shell.h"
 #include "meshops/error.h"
@@ -59,11 +60,10 @@ ProbedEnergy sum(const std::string& name, const Elements& elements, const Positi
     return total;
 }
 
-/// The energy of coupled hinges; a hinge without an angle has been found before.
-ProbedEnergy coupled_energy(const Shell& sheet, const Positions& x) {
-    const CoupledBending bending(sheet, {});
-    ProbedEnergy total{"bending_coupled", bending.value(x), Positions::Zero(3, x.cols())};
-    bending.add_gradient(x, total.force);
+/// An energy whose elements know their neighbours; a hinge without an angle has been found before.
+ProbedEnergy whole(const std::string& name, const Energy& energy, const Positions& x) {
+    ProbedEnergy total{name, energy.value(x), Positions::Zero(3, x.cols())};
+    energy.add_gradient(x, total.force);
     total.force = -total.force;
     return total;
 }
@@ -118,9 +118,11 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
     result.energies = {sum("bending_nonlinear", NonlinearHinges(sheet.hinges, sheet.rest), x),
                        sum("bending_cubic", CubicHinges(sheet.hinges, sheet.rest), x),
                        sum("bending_cubic_2007", CubicHinges2007(sheet.hinges, sheet.rest), x),
-                       sum("membrane", MembraneElements{&sheet.triangles}, x)};
+                       sum("membrane", MembraneElements{&sheet.triangles}, x),
+                       whole("membrane_arc", ArcMembrane(sheet, {}), x)};
     // The rigidity of coupled hinges is the material's, which a given stiffness of hinges is not.
-    if (!material.bending_stiffness) result.energies.push_back(coupled_energy(sheet, x));
+    if (!material.bending_stiffness)
+        result.energies.push_back(whole("bending_coupled", CoupledBending(sheet, {}), x));
     for (const HingeStencil& hinge : sheet.hinges) {
         const HingePositions local = columns(x, hinge.vertices);
         result.hinges.push_back({hinge.vertices, hinge_angle(local), hinge.rest.angle,

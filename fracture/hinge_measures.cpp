@@ -46,11 +46,13 @@ Vector3d curvature_of(double turn, const Vector2d& normal) {
 
 std::vector<FaceStrain> face_strains(const Shell& mechanics, const std::vector<HingeSides>& sides,
                                      const VectorXd& bending, const Positions& x,
-                                     const std::optional<Eigen::Matrix3Xd>& curvatures) {
+                                     const std::optional<Eigen::Matrix3Xd>& curvatures,
+                                     const std::optional<Eigen::Matrix3Xd>& stretches) {
     std::vector<FaceStrain> strains(mechanics.triangles.size());
     for (std::size_t f = 0; f < strains.size(); ++f) {
         const TriangleStencil& triangle = mechanics.triangles[f];
-        strains[f].green = green_strain(triangle.membrane, columns(x, triangle.vertices));
+        strains[f].green = stretches ? Vector3d(stretches->col(static_cast<Eigen::Index>(f)))
+                                     : green_strain(triangle.membrane, columns(x, triangle.vertices));
         if (curvatures) strains[f].curvature = curvatures->col(static_cast<Eigen::Index>(f));
     }
     if (curvatures) return strains;
@@ -85,12 +87,13 @@ double HingeMeasures::of(Measure measure, Index hinge) const {
 }
 
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
-                             const std::optional<Eigen::Matrix3Xd>& curvatures) {
+                             const std::optional<Eigen::Matrix3Xd>& curvatures,
+                             const std::optional<Eigen::Matrix3Xd>& stretches) {
     const Shell& mechanics = shell.mechanics();
     std::vector<HingeSides> sides;
     for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(shell, i));
     const VectorXd bending = hinge_strains(shell, x);
-    const std::vector<FaceStrain> faces = face_strains(mechanics, sides, bending, x, curvatures);
+    const std::vector<FaceStrain> faces = face_strains(mechanics, sides, bending, x, curvatures, stretches);
 
     HingeMeasures measures;
     measures.bending = bending.cwiseAbs();

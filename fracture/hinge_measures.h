@@ -27,8 +27,10 @@ struct HingeMeasures {
 /// (00, 11, 2 * 01) in their rest frames (ShellEnergies::face_curvatures()); without them they follow from
 /// the changes of each face's own hinges' angles, which is all that uncoupled hinges know. In pure bending
 /// `strain` is a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and
-/// the bending of a face as a whole. x: [3, V] m.
+/// the bending of a face as a whole. stretches: the faces' Green strain, [3, F], likewise
+/// (ShellEnergies::face_stretches()); without them it is that of their corners. x: [3, V] m.
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
-                             const std::optional<Eigen::Matrix3Xd>& curvatures = {});
+                             const std::optional<Eigen::Matrix3Xd>& curvatures = {},
+                             const std::optional<Eigen::Matrix3Xd>& stretches = {});
 
 }  // namespace sherd

@@ -117,7 +117,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper.time_spent(), Task::breaking);
-    const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+    const HingeMeasures measures = measured();
     ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
     report_peaks(report, measures);
@@ -145,8 +145,12 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         } else {
             return newton;
         }
-        measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+        measures = measured();
     }
+}
+
+HingeMeasures Simulation::measured() const {
+    return hinge_measures(breakable, stepper.position, stepper.face_curvatures(), stepper.face_stretches());
 }
 
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {

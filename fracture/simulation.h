@@ -76,6 +76,7 @@ class Simulation {
     bool attempt(StepReport& report);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, HingeMeasures measures);
+    HingeMeasures measured() const;  ///< at the stepper's position
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);

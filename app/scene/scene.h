@@ -21,6 +21,7 @@
 #include "core/forces/damping.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
+#include "core/membrane/membrane.h"
 #include "core/time/implicit_stepper.h"
 #include "fracture/breaking.h"
 
@@ -123,6 +124,7 @@ struct SolverSpec {
     double longest_path = 20;  ///< of path, if they do
     bool until_crack = false;  ///< whether statics end with the first crack
     BendingOptions bending;    ///< energy and Jacobian of the hinges
+    MembraneModel membrane = MembraneModel::constant_strain;
     int max_iterations = 50;   ///< Newton iterations a step
     double tolerance = 1e-6;   ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;

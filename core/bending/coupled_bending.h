@@ -2,8 +2,6 @@
 #pragma once
 
 #include "core/bending/face_curvature.h"
-#include "core/bending/mirror_hinge.h"
-#include "core/energy.h"
 
 namespace sherd {
 
@@ -22,15 +20,15 @@ class CoupledBending : public Energy {
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
     void start_from(const Positions& x, double scale);
 
-    /// Changes of the angles of all folds (FaceCurvature::Term), rad.
+    /// Changes of the angles of all folds, rad.
     VectorXd changes(const Positions& x) const;
     /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
 
-    /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
+    /// See Folds::mirror_gradients().
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
 
-    void begin(const StepContext& step) override { mirrors.begin(step); }
+    void begin(const StepContext& step) override { folds.begin(step); }
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;
     double round_off() const override;
@@ -39,20 +37,11 @@ class CoupledBending : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    /// A fold as the sheet sees it; a mirror's image is no vertex of its own.
-    struct Slope {
-        std::array<Index, 4> vertices;  ///< -1: no vertex
-        HingePositions gradient;        ///< of the angle, 1/m
-    };
-
     Matrix3d rigidity(std::size_t face) const;
-    VectorXd angles(const Positions& x) const;
     VectorXd moments(const VectorXd& changes) const;
-    std::array<Index, 4> vertices_of(Index fold) const;
-    std::vector<Slope> slopes(const Positions& x) const;
 
     const Shell& shell;
-    Mirrors mirrors;
+    Folds folds;
     FaceCurvature curvature;
     VectorXd start;  ///< angles of all folds, rad, from which changes are measured
     double scale = 1;

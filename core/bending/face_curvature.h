@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/elements/mid_edge.h"
-#include "core/shell/triangle_edge.h"
+#include "core/bending/patches.h"
 
 namespace sherd {
 
@@ -20,21 +19,19 @@ namespace sherd {
 /// the face the least energy, so that it carries no moment.
 class FaceCurvature {
   public:
-    /// The share of a fold in a face's curvature. Folds are numbered: mirrors from 0 in their order, then the
-    /// shell's edges from folds_of_edges().
+    /// The share of a fold in a face's curvature.
     struct Term {
         Index fold;
         Vector3d per_angle;  ///< (00, 11, 2 * 01) in the face's rest frame, 1/(m rad)
     };
 
-    /// The shell at rest must outlive this object. mirrors: sides with a mirror image behind them.
-    FaceCurvature(const Shell& shell, std::span<const TriangleEdge> mirrors);
+    /// Shell and folds must outlive this object.
+    FaceCurvature(const Shell& shell, const Folds& folds);
 
     /// Must be called when the shell has changed. Only the faces around removed hinges are computed anew,
     /// unless faces were born.
     void follow(const ShellChange& change);
 
-    Index folds_of_edges() const { return mirror_count; }  ///< number of the fold of edge 0
     /// What the change of curvature of a face consists of.
     std::span<const Term> terms(std::size_t face) const { return faces[face]; }
     /// The change of curvature of a face, (00, 11, 2 * 01), 1/m. changes: of all folds' angles, rad.
@@ -45,41 +42,17 @@ class FaceCurvature {
     }
 
   private:
-    struct Share {
-        Index fold;
-        double weight;
-    };
-    /// A triangle of a patch, and the angle (rad) of its rest frame once it is unfolded into that of the
-    /// patch's first triangle.
-    struct Unfolded {
-        Index triangle;
-        double angle;
-    };
-    /// What a curvature means for the angle of a fold, as a tensor in the frame of a patch.
-    struct FoldAngle {
-        Index fold;
-        Vector3d angle;
-        int views;  ///< number of the patch's triangles that it is the mean of
-    };
-
     void build();
-    Unfolded across(const Unfolded& from, int side) const;
-    std::vector<Unfolded> grown(const std::vector<Unfolded>& patch) const;
-    /// What a curvature means for the angle of the fold at a side that has one.
-    Vector3d angle_of(const Unfolded& at, int side) const;
-    std::vector<FoldAngle> folds_of(const std::vector<Unfolded>& patch) const;
-    std::vector<Share> shares_of(Index edge) const;
+    Index folds_of_edges() const { return folds.folds_of_edges(); }
+    std::vector<Patches::Share> shares_of(Index edge) const;
     void update_face(Index face);
 
     const Shell& shell;
-    Index mirror_count;
-    std::vector<TriangleEdge> mirrors;
-    std::vector<PlaneTriangle> triangles;                    ///< [F] at rest
-    std::vector<std::array<Index, 3>> fold_of_side;          ///< [F] -1: free
-    std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] that its hinge joins
+    const Folds& folds;
+    Patches patches;
     /// [E] How the angle between T0's facet and the tangent at the edge follows from the angles of folds
     /// around; empty without a hinge.
-    std::vector<std::vector<Share>> shares;
+    std::vector<std::vector<Patches::Share>> shares;
     std::vector<std::vector<Term>> faces;  ///< [F]
 };
 

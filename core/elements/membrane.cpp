@@ -53,6 +53,11 @@ Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions&
     return strain_of(deformation_gradient(triangle, x));
 }
 
+Matrix3d geometric_stiffness(const MembraneTriangle& triangle, const Vector3d& stress, bool convex) {
+    const Eigen::Matrix2d full = convex ? tensile_part(tensor(stress)) : tensor(stress);
+    return triangle.derivatives * full * triangle.derivatives.transpose();
+}
+
 double value(const MembraneTriangle& triangle, const TrianglePositions& x) {
     const Vector3d strain = green_strain(triangle, x);
     return 0.5 * triangle.area * strain.dot(triangle.elasticity * strain);
@@ -74,9 +79,7 @@ Eigen::Matrix<double, 9, 9> hessian(const MembraneTriangle& triangle, const Tria
         B.block<1, 3>(1, 3 * i) = d1 * F.col(1).transpose();
         B.block<1, 3>(2, 3 * i) = d1 * F.col(0).transpose() + d0 * F.col(1).transpose();
     }
-    Eigen::Matrix2d stress = tensor(triangle.elasticity * strain_of(F));
-    if (convex) stress = tensile_part(stress);
-    const Eigen::Matrix3d geometric = triangle.derivatives * stress * triangle.derivatives.transpose();
+    const Matrix3d geometric = geometric_stiffness(triangle, triangle.elasticity * strain_of(F), convex);
     Eigen::Matrix<double, 9, 9> h = B.transpose() * triangle.elasticity * B;
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) h.block<3, 3>(3 * a, 3 * b).diagonal().array() += geometric(a, b);

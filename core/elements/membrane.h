@@ -25,6 +25,10 @@ MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d
 /// Green strain (E00, E11, 2 E01) in the rest frame.
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);
 
+/// How a stress (00, 11, 01), N/m, in the rest frame stiffens the triangle against rotation: what the Hessian
+/// over the area has for each two corners, N/m^3, times the identity. `convex` drops the compressive part.
+Matrix3d geometric_stiffness(const MembraneTriangle& triangle, const Vector3d& stress, bool convex);
+
 /// Energy, J.
 double value(const MembraneTriangle& triangle, const TrianglePositions& x);
 /// dE/dx, N, [3, 3].

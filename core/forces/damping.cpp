@@ -3,34 +3,48 @@
 
 #include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
+#include "core/membrane/arc_membrane.h"
+#include "core/membrane/membrane_energy.h"
 
 namespace sherd {
 
-StiffnessDamping::StiffnessDamping(const Shell& shell, double coefficient, BendingModel model)
+StiffnessDamping::StiffnessDamping(const Shell& shell, double coefficient, BendingModel model,
+                                   MembraneModel membrane_model)
     : shell(shell), coefficient(coefficient) {
-    if (model == BendingModel::coupled)
-        coupled = std::make_unique<CoupledBending>(shell, std::vector<MirrorHinge>());
+    const std::vector<MirrorHinge> no_mirrors;
+    if (model == BendingModel::coupled) coupled = std::make_unique<CoupledBending>(shell, no_mirrors);
+    if (membrane_model == MembraneModel::arc) arcs = std::make_unique<ArcMembrane>(shell, no_mirrors);
 }
 
 StiffnessDamping::~StiffnessDamping() = default;
 
 void StiffnessDamping::topology_changed(const ShellChange& change, const StepContext& step) {
     if (coupled) coupled->topology_changed(change, step);
+    if (arcs) arcs->topology_changed(change, step);
     begin(step);
 }
 
 void StiffnessDamping::begin(const StepContext& step) {
     const double scale = coefficient / step.lag;
-    triangles.clear();
-    for (const TriangleStencil& triangle : shell.triangles)
-        triangles.push_back({triangle.vertices, membrane_triangle(columns(step.origin, triangle.vertices),
-                                                                  scale * triangle.membrane.elasticity)});
     if (coupled)
         coupled->start_from(step.origin, scale);
     else
         uncoupled = std::make_unique<CubicBending>(CubicHinges(shell.hinges, step.origin, scale));
     bending = coupled ? coupled.get() : uncoupled.get();
-    membrane = std::make_unique<MembraneEnergy>(triangles);
+    begin_membrane(step.origin, scale);
+}
+
+void StiffnessDamping::begin_membrane(const Positions& origin, double scale) {
+    if (arcs) {
+        arcs->start_from(origin, scale);
+    } else {
+        triangles.clear();
+        for (const TriangleStencil& triangle : shell.triangles)
+            triangles.push_back({triangle.vertices, membrane_triangle(columns(origin, triangle.vertices),
+                                                                      scale * triangle.membrane.elasticity)});
+        flat = std::make_unique<MembraneEnergy>(triangles);
+    }
+    membrane = arcs ? arcs.get() : flat.get();
 }
 
 double StiffnessDamping::value(const Positions& x) const {

@@ -5,10 +5,11 @@
 
 #include "core/bending/bending.h"
 #include "core/forces/vertex_springs.h"
-#include "core/membrane/membrane_energy.h"
+#include "core/membrane/membrane.h"
 
 namespace sherd {
 
+class ArcMembrane;
 class CoupledBending;
 
 /// Rayleigh damping, proportional to stiffness and to mass. A mode of angular frequency w has the damping
@@ -27,7 +28,8 @@ struct Damping {
 class StiffnessDamping : public Energy {
   public:
     /// The shell must outlive this object. coefficient: s.
-    StiffnessDamping(const Shell& shell, double coefficient, BendingModel model = BendingModel::cubic);
+    StiffnessDamping(const Shell& shell, double coefficient, BendingModel model = BendingModel::cubic,
+                     MembraneModel membrane = MembraneModel::constant_strain);
     StiffnessDamping(const StiffnessDamping&) = delete;  // its energies refer to its triangles
     ~StiffnessDamping() override;
     void begin(const StepContext& step) override;
@@ -40,12 +42,15 @@ class StiffnessDamping : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
+    void begin_membrane(const Positions& origin, double scale);
+
     const Shell& shell;
     double coefficient;
     std::vector<TriangleStencil> triangles;
     std::unique_ptr<CoupledBending> coupled;  ///< of the coupled model
-    std::unique_ptr<Energy> uncoupled, membrane;
-    const Energy* bending = nullptr;  ///< whichever there is
+    std::unique_ptr<ArcMembrane> arcs;        ///< of the membrane with arcs
+    std::unique_ptr<Energy> uncoupled, flat;
+    const Energy *bending = nullptr, *membrane = nullptr;  ///< whichever there is
 };
 
 /// Mass-proportional damping in one implicit step: coefficient / (2 lag) (x - origin)^T M (x - origin).

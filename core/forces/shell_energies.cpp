@@ -2,6 +2,7 @@
 #include "core/forces/shell_energies.h"
 
 #include "core/bending/coupled_bending.h"
+#include "core/membrane/arc_membrane.h"
 
 namespace sherd {
 namespace {
@@ -16,20 +17,26 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
     : bending(bending_energy(shell, options.bending, options.mirrors)),
       coupled(dynamic_cast<const CoupledBending*>(bending.get())),
-      membrane(shell.triangles),
+      membrane(membrane_energy(shell, options.membrane, options.mirrors)),
+      arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
     if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
     if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
     if (options.damping.stiffness > 0)
-        outer.push_back(
-            std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model));
+        outer.push_back(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness,
+                                                           options.bending.model, options.membrane));
     if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
 std::optional<Eigen::Matrix3Xd> ShellEnergies::face_curvatures(const Positions& x) const {
     if (coupled == nullptr) return std::nullopt;
     return coupled->curvatures(x);
+}
+
+std::optional<Eigen::Matrix3Xd> ShellEnergies::face_stretches(const Positions& x) const {
+    if (arcs == nullptr) return std::nullopt;
+    return arcs->strains(x);
 }
 
 std::vector<Energy*> ShellEnergies::loads() {
@@ -40,12 +47,14 @@ std::vector<Energy*> ShellEnergies::loads() {
 
 void ShellEnergies::add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const {
     if (mirror_supports.empty()) return;
-    const std::vector<MirrorGradient> gradients =
-        coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x);
-    for (std::size_t m = 0; m < gradients.size(); ++m)
-        for (int k = 0; k < 4; ++k)
-            if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
-                of_supports[mirror_supports[m]].add(x.col(vertex), -gradients[m].gradient.col(k));
+    const auto add = [&](const std::vector<MirrorGradient>& gradients) {
+        for (std::size_t m = 0; m < gradients.size(); ++m)
+            for (int k = 0; k < 4; ++k)
+                if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
+                    of_supports[mirror_supports[m]].add(x.col(vertex), -gradients[m].gradient.col(k));
+    };
+    add(coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x));
+    if (arcs != nullptr) add(arcs->mirror_gradients(x));
 }
 
 }  // namespace sherd

@@ -9,15 +9,17 @@
 #include "core/forces/damping.h"
 #include "core/forces/loads.h"
 #include "core/forces/wind.h"
-#include "core/membrane/membrane_energy.h"
+#include "core/membrane/membrane.h"
 #include "core/reaction.h"
 
 namespace sherd {
 
+class ArcMembrane;
 class CoupledBending;
 
 struct ShellEnergyOptions {
-    BendingOptions bending = {};              ///< energy and Jacobian of the hinges
+    BendingOptions bending = {};  ///< energy and Jacobian of the hinges
+    MembraneModel membrane = MembraneModel::constant_strain;
     std::vector<MirrorHinge> mirrors = {};    ///< clamps and symmetry planes
     std::vector<Index> mirror_supports = {};  ///< of each mirror; empty: its forces are no support's reaction
     std::vector<Load> loads = {};
@@ -32,7 +34,7 @@ class ShellEnergies {
     ShellEnergies(const Shell& shell, const ShellEnergyOptions& options);
 
     /// The elastic energies, in the order in which they are summed.
-    std::vector<Energy*> elastic() { return {bending.get(), &membrane, &mirrors}; }
+    std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
     std::vector<Energy*> loads();
 
     /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
@@ -44,12 +46,16 @@ class ShellEnergies {
     /// Changes of curvature of all faces, as the bending model sees them (CoupledBending::curvatures());
     /// none: it knows of single hinges only.
     std::optional<Eigen::Matrix3Xd> face_curvatures(const Positions& x) const;
-    double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
+    /// Green strain of all faces as the membrane sees it (ArcMembrane::strains()); none: that of their
+    /// corners.
+    std::optional<Eigen::Matrix3Xd> face_stretches(const Positions& x) const;
+    double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
   private:
     std::unique_ptr<Energy> bending;
     const CoupledBending* coupled;  ///< bending, if it is of coupled hinges
-    MembraneEnergy membrane;
+    std::unique_ptr<Energy> membrane;
+    const ArcMembrane* arcs;  ///< membrane, if its sides are arcs
     MirrorEnergy mirrors;
     std::vector<Index> mirror_supports;          ///< ShellEnergyOptions::mirror_supports
     std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind and damping, as far as there are any

@@ -62,6 +62,8 @@ class ImplicitStepper {
     PotentialEnergies energies() const;  ///< at `position`
     /// ShellEnergies::face_curvatures() at `position`.
     std::optional<Eigen::Matrix3Xd> face_curvatures() const { return forces.face_curvatures(position); }
+    /// ShellEnergies::face_stretches() at `position`.
+    std::optional<Eigen::Matrix3Xd> face_stretches() const { return forces.face_stretches(position); }
     /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
     /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
     /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/bending/bending.h"
+#include "core/membrane/membrane.h"
 
 namespace sherd {
 
@@ -12,6 +13,7 @@ namespace sherd {
 /// tenth of a second to grow are tolerated. The 2007 model is judged by the cubic hinge in equilibrium: its
 /// own rest shape is no equilibrium, and where it comes to rest membrane forces provide the correction that
 /// cubic_hinge() contains.
-bool stable_at_rest(const Shell& shell, BendingModel model = BendingModel::cubic);
+bool stable_at_rest(const Shell& shell, BendingModel model = BendingModel::cubic,
+                    MembraneModel membrane = MembraneModel::constant_strain);
 
 }  // namespace sherd

@@ -153,6 +153,25 @@ TEST(Plausibility, ObstaclesOutOfReachAreTold) {
         with({"sheet.disc.velocity=[0,0,0]", "force.gravity=[0,0,0]", "force.wind={velocity=[0,0,-9]}"}), "");
 }
 
+// A membrane that locks makes a curved sheet too stiff and its stress wrong, and nothing else tells.
+TEST(Plausibility, CoarseCurvedSheetsThatLockAreTold) {
+    const auto tube = [](const std::vector<std::string>& overrides) {
+        std::vector<std::string> all{
+            "sheet.disc.mesh={generate='cylinder',radius=0.1,height=0.2,edge_length=0.03}",
+            "sheet.disc.material.thickness=0.001"};
+        all.insert(all.end(), overrides.begin(), overrides.end());
+        return with(all);
+    };
+    const std::string locks = tube({});
+    EXPECT_TRUE(contains(locks, "scene.toml:3: sheet.disc.mesh: ")) << locks;
+    EXPECT_TRUE(contains(locks, " faces of sheet.disc have edges so long for its radius and thickness"))
+        << locks;
+    EXPECT_TRUE(contains(locks, "use solver.membrane = \"arc\", or edges of 0.01")) << locks;
+    EXPECT_EQ(tube({"solver.membrane=arc"}), "");
+    EXPECT_EQ(tube({"sheet.disc.mesh.edge_length=0.012"}), "");
+    EXPECT_EQ(tube({"sheet.disc.material.thickness=0.005"}), "");
+}
+
 // A warning that is wrong teaches people to read none.
 class ShippedScene : public testing::TestWithParam<std::string> {};
 

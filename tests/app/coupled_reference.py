@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The energy of coupled hinges a second time, sharing no code and no formulas with the program: patches of triangles
-are unfolded into the plane point by point, quadratic surfaces are laid over them, and what their facets do is measured.
-"""
+"""The energies of coupled hinges and of arcs a second time, sharing no code and no formulas with the program: patches of
+triangles are unfolded into the plane point by point, quadratic surfaces are laid over them, and what their facets do is
+measured."""
 import numpy as np
 
 SEES_WELL, SEES_HARDLY = 0.2, 0.05  # documented in core/bending/README.md
@@ -28,10 +28,11 @@ def outward(points, a, b):
     return np.array([t[1], -t[0]])
 
 
-class CoupledHinges:
-    """rest: [V, 3]; faces: [F][3]; stencils: of the hinges, x0, x1, x2, x3; angle: of stencils' positions."""
+class Patches:
+    """rest: [V, 3]; faces: [F][3]; stencils: of the hinges, x0, x1, x2, x3; angle: of stencils' positions. Hinges that
+    are turned by more than `sharpest` at rest are none."""
 
-    def __init__(self, rest, faces, stencils, axes, constants, angle):
+    def __init__(self, rest, faces, stencils, angle, sharpest=np.inf):
         self.rest, self.faces, self.stencils, self.angle_of = rest, [tuple(f) for f in faces.tolist()], stencils, angle
         self.rest_angle = angle(rest[stencils])
         self.face_at, self.hinge_at = {}, {}
@@ -39,11 +40,8 @@ class CoupledHinges:
             for a, b in self.sides(corners):
                 self.face_at[a, b] = face
         for hinge, (a, b, _, _) in enumerate(stencils.tolist()):
-            self.hinge_at[a, b] = self.hinge_at[b, a] = hinge
-        self.shares = [self.shares_of(hinge) for hinge in range(len(stencils))]
-        self.terms = [self.terms_of(face, axes[face], constants) for face in range(len(faces))]
-        h = constants.thickness**2 / 12
-        self.energy_of = lambda curvature: h * constants.membrane(curvature)
+            if abs(self.rest_angle[hinge]) <= sharpest:
+                self.hinge_at[a, b] = self.hinge_at[b, a] = hinge
 
     @staticmethod
     def sides(corners):
@@ -67,7 +65,7 @@ class CoupledHinges:
 
     def grown(self, patch):
         around = [self.unfolded(points, a, b) for face, points in patch
-                  for a, b in self.sides(self.faces[face]) if (b, a) in self.face_at]
+                  for a, b in self.sides(self.faces[face]) if (a, b) in self.hinge_at]
         inner = {face for face, _ in patch}
         return patch + [(face, points) for face, points in around if face not in inner]
 
@@ -76,7 +74,7 @@ class CoupledHinges:
         found = {}
         for face, points in patch:
             for a, b in self.sides(self.faces[face]):
-                if (b, a) not in self.face_at:
+                if (a, b) not in self.hinge_at:
                     continue
                 other, there = self.unfolded(points, a, b)
                 normal = outward(points, a, b)
@@ -85,6 +83,35 @@ class CoupledHinges:
                     for w in SURFACES])
         return {hinge: np.mean(views, axis=0) for hinge, views in found.items()}
 
+    @staticmethod
+    def square(bends):
+        """[3, n] with n at least 3: columns of zeros stand for hinges that are missing."""
+        columns = np.array(list(bends.values())).T
+        return np.hstack([columns, np.zeros((3, max(0, 3 - columns.shape[1])))])
+
+    def seen(self, patch, length):
+        """bends() of a patch that tells curvatures from each other, grown if it has to."""
+        bends = self.bends(patch)
+        if not bends or np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < SEES_WELL:
+            bends = self.bends(self.grown(patch))
+        return bends
+
+    def corrected(self, bends, weights, target, length):
+        """{hinge: weight}: the smallest change of weights that makes their sum of bends the target, as far as seen."""
+        u, s, v = np.linalg.svd(self.square(bends) / length, full_matrices=False)
+        missing = u.T @ (target / length - self.square(bends)[:, :len(bends)] / length @ weights)
+        inverse = np.array([1 / x if x > SEES_HARDLY else 0.0 for x in s])
+        return dict(zip(bends, weights + (v.T @ (inverse * missing))[:len(bends)]))
+
+
+class CoupledHinges(Patches):
+    def __init__(self, rest, faces, stencils, axes, constants, angle):
+        super().__init__(rest, faces, stencils, angle)
+        self.shares = [self.shares_of(hinge) for hinge in range(len(stencils))]
+        self.terms = [self.terms_of(face, axes[face], constants) for face in range(len(faces))]
+        h = constants.thickness**2 / 12
+        self.energy_of = lambda curvature: h * constants.membrane(curvature)
+
     def shares_of(self, hinge):
         """{hinge: weight} of the angle between the facet on the left of x0 -> x1 and the tangent at the edge."""
         a, b, c, d = self.stencils[hinge].tolist()
@@ -92,24 +119,13 @@ class CoupledHinges:
         length = np.linalg.norm(points[b] - points[a])
         other, there = self.unfolded(points, a, b)
         patch = [(self.face_at[a, b], points), (other, there)]
-        bends = self.bends(patch)
-        if np.linalg.svd(self.square(bends) / length, compute_uv=False)[2] < SEES_WELL:
-            bends = self.bends(self.grown(patch))
+        bends = self.seen(patch, length)
         middle, normal = (points[a] + points[b]) / 2, outward(points, a, b)
         target = np.array([normal @ (slope(middle) - facet_slope(points, self.faces[self.face_at[a, b]], w))
                            for w, slope in zip(SURFACES, SLOPES)])
         near, far = (abs(normal @ (p[v] - points[a])) for p, v in ((points, c), (there, d)))
         weights = np.array([near / (near + far) if other == hinge else 0.0 for other in bends])
-        u, s, v = np.linalg.svd(self.square(bends) / length, full_matrices=False)
-        missing = u.T @ (target / length - self.square(bends)[:, :len(bends)] / length @ weights)
-        inverse = np.array([1 / x if x > SEES_HARDLY else 0.0 for x in s])
-        return dict(zip(bends, weights + (v.T @ (inverse * missing))[:len(bends)]))
-
-    @staticmethod
-    def square(bends):
-        """[3, n] with n at least 3: columns of zeros stand for hinges that are missing."""
-        columns = np.array(list(bends.values())).T
-        return np.hstack([columns, np.zeros((3, max(0, 3 - columns.shape[1])))])
+        return self.corrected(bends, weights, target, length)
 
     def terms_of(self, face, axis, constants):
         """{hinge: curvature [2, 2] in the material axes for a radian of its angle}."""
@@ -165,3 +181,61 @@ class CoupledHinges:
                 moments[hinge] += area * float(both[0] - both[1]) / 2
                 sizes[hinge] += area * abs(float(both[0] - both[1])) / 2
         return energies, moments, sizes
+
+
+class Arcs(Patches):
+    """Membrane triangles whose sides are arcs. Unknowns of a face are its corners and, as a fourth row, the curvature
+    along the sides opposite to them: [F, 4, 3], which may be complex."""
+
+    def __init__(self, rest, faces, stencils, axes, constants, angle):
+        super().__init__(rest, faces, stencils, angle, sharpest=np.pi / 4)
+        self.corners, self.constants = faces, constants
+        self.weights = [[self.weights_of(face, a, b) for a, b in ((q, r), (r, p), (p, q))]
+                        for face, (p, q, r) in enumerate(self.faces)]
+        sides, others = self.sides_of(rest[faces]), np.cross(axes, np.cross(axes, self.sides_of(rest[faces])[:, 0]))
+        others = -others / np.linalg.norm(others, axis=1)[:, None]
+        u, v = (np.sum(sides * frame[:, None], axis=-1) for frame in (axes, others))
+        self.squares_of_strain = 2 * np.stack([u * u, v * v, 2 * u * v], axis=-1)  # of E00, E11, E01
+        self.areas = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+        self.rest_squares = np.sum(sides**2, axis=-1)
+        self.at_rest = self.unknowns(rest)
+
+    @staticmethod
+    def sides_of(x):
+        return np.stack([x[:, 2] - x[:, 1], x[:, 0] - x[:, 2], x[:, 1] - x[:, 0]], axis=1)
+
+    def weights_of(self, face, a, b):
+        """{hinge: weight} of the curvature along a side."""
+        points = self.laid(face)
+        length = np.linalg.norm(points[b] - points[a])
+        patch = [(face, points)] + ([self.unfolded(points, a, b)] if (a, b) in self.hinge_at else [])
+        bends = self.seen(patch, length)
+        t = (points[b] - points[a]) / length
+        target = np.array([t[0] ** 2, t[1] ** 2, np.sqrt(2) * t[0] * t[1]])
+        return self.corrected(bends, np.zeros(len(bends)), target, length) if bends else {}
+
+    def unknowns(self, x):
+        angles = self.angle_of(x[self.stencils])
+        bent = np.array([[sum(w * angles[hinge] for hinge, w in side.items()) for side in sides]
+                         for sides in self.weights], dtype=float)
+        return np.concatenate([x[self.corners], bent[:, None]], axis=1)
+
+    def squares(self, y):
+        return np.sum(self.sides_of(y[:, :3]) ** 2, axis=-1) * (1 + self.rest_squares * y[:, 3] ** 2 / 12)
+
+    def energy(self, y):
+        """Of each face."""
+        strain = np.linalg.solve(self.squares_of_strain, (self.squares(y) - self.squares(self.at_rest))[..., None])
+        e00, e11, e01 = np.moveaxis(strain[..., 0], 1, 0)
+        tensor = np.stack([np.stack([e00, e01], axis=-1), np.stack([e01, e11], axis=-1)], axis=1)
+        return self.areas * self.constants.membrane(tensor)
+
+    def moments(self, by_curvature):
+        """Of each hinge the derivative by its angle, and the sum of its parts' sizes."""
+        moments, sizes = np.zeros(len(self.stencils)), np.zeros(len(self.stencils))
+        for slopes, sides in zip(by_curvature, self.weights):
+            for slope, weights in zip(slopes, sides):
+                for hinge, weight in weights.items():
+                    moments[hinge] += slope * weight
+                    sizes[hinge] += abs(slope * weight)
+        return moments, sizes

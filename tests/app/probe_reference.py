@@ -17,7 +17,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from coupled_reference import CoupledHinges
+from coupled_reference import Arcs, CoupledHinges
 
 TOLERANCE = 1e-10
 
@@ -281,6 +281,20 @@ def check_coupled(coupled, x, probed, forces):
     agree("force/bending_coupled", forces[:], force, size)
 
 
+def check_arcs(arcs, x, probed, forces):
+    y = arcs.unknowns(x)
+    energy, slopes = math.fsum(arcs.energy(y)), gradient(arcs.energy, y).reshape(-1, 4, 3)
+    agree("energy.membrane_arc", probed["energy"]["membrane_arc"], energy, energy)
+    moments, sizes = arcs.moments(slopes[:, 3])
+    turns = gradient(angle, x[arcs.stencils]).reshape(len(moments), -1, 3)
+    force, size = np.zeros_like(x), np.full((len(x), 1), np.finfo(float).tiny)
+    np.subtract.at(force, arcs.corners, slopes[:, :3])
+    np.add.at(size, arcs.corners, norm(slopes[:, :3])[..., None])
+    np.subtract.at(force, arcs.stencils, moments[:, None, None] * turns)
+    np.add.at(size, arcs.stencils, sizes[:, None, None] * norm(turns)[..., None])
+    agree("force/membrane_arc", forces[:], force, size)
+
+
 def matched(vertices, stencils):
     """Row of `stencils` for each of `vertices`, which may name a hinge from either end of its edge."""
     row = {tuple(stencil): i for i, stencil in enumerate(stencils.tolist())}
@@ -344,9 +358,11 @@ def check(sherd, rest, x, faces, material):
         with h5py.File(folder / "probe.h5", "r") as file:
             assert (probed["vertices"], probed["faces"], probed["hinges"]) == (len(rest), len(faces), len(stencils))
             # A given stiffness of hinges says nothing of the plate that coupled hinges stand for.
-            others = set() if "bending_stiffness" in material else {"bending_coupled"}
+            coupled = "bending_stiffness" not in material
+            others = {"membrane_arc"} | ({"bending_coupled"} if coupled else set())
             assert set(file["force"]) == set(probed["energy"]) == set(energies) | others
-            if others:
+            check_arcs(Arcs(rest, faces, stencils, axes, constants, angle), x, probed, file["force/membrane_arc"])
+            if coupled:
                 coupled = CoupledHinges(rest, faces, stencils, axes, constants, angle)
                 check_coupled(coupled, x, probed, file["force/bending_coupled"])
             for key, (energy, elements) in energies.items():

@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/membrane/membrane_energy.h"
 #include "core/time/implicit_stepper.h"
 #include "tests/support/materials.h"
 #include "tests/support/small_sheet.h"
@@ -73,6 +74,10 @@ TEST(Damping, GradientAndHessianAreDerivatives) {
     StiffnessDamping stiffness(shell, 0.01);
     stiffness.begin(test::step_of(shell, 0, 1e-3));
     test::expect_derivatives(stiffness, x, 1e-4, 1e-7);
+    StiffnessDamping arcs(shell, 0.01, BendingModel::coupled, MembraneModel::arc);
+    arcs.begin(test::step_of(shell, 0, 1e-3));
+    EXPECT_LT(arcs.value(shell.position), 1e-12 * arcs.value(x)) << "rest itself was damped";
+    test::expect_derivatives(arcs, x, 1e-4, 1e-7);
     test::expect_derivatives(test::begun(MassDamping(shell, 3), shell, 0, 1e-3), x, 1e-4, 1e-7);
 }
 

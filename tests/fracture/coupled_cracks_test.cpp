@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coupled hinges follow cracks. Only the faces around a crack may be computed anew, and what comes out must
-// be what a shell would have that was made with these edges free.
+// Coupled hinges and arcs follow cracks. Only the faces around a crack may be computed anew, and what comes
+// out must be what a shell would have that was made with these edges free.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/bending/coupled_bending.h"
+#include "core/membrane/arc_membrane.h"
+#include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_shell.h"
 #include "meshops/generate.h"
 #include "tests/support/random_edges.h"
 #include "tests/support/steps.h"
+#include "tests/support/theory.h"
 
 namespace sherd {
 namespace {
@@ -37,11 +41,22 @@ std::vector<MirrorHinge> symmetry(const Shell& shell) {
     return hinges;
 }
 
+void expect_same(const Energy& followed, const Energy& anew, const Positions& x) {
+    const double energy = anew.value(x);
+    RC_ASSERT(std::isfinite(energy));
+    RC_ASSERT(std::abs(followed.value(x) - energy) <= 1e-12 * energy);
+    Positions one = Positions::Zero(3, x.cols()), other = one;
+    followed.add_gradient(x, one);
+    anew.add_gradient(x, other);
+    RC_ASSERT((one - other).norm() <= 1e-12 * other.norm());
+}
+
 RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
     BreakableShell sheet = dome();
     const Shell& shell = sheet.mechanics();
     const std::vector<MirrorHinge> mirrors = symmetry(shell);
     CoupledBending followed(shell, mirrors);
+    ArcMembrane arcs(shell, mirrors);
     const StepContext step = test::step_of(shell, 0, 1e-3);
     for (int batch = 0; batch < 3; ++batch) {
         const test::EdgeRecipe recipe{*rc::gen::inRange(0, test::pattern_count), *rc::gen::inRange(0, 101),
@@ -50,20 +65,18 @@ RC_GTEST_PROP(CoupledCracks, LeaveWhatAShellMadeWithTheseEdgesFreeHas, ()) {
         for (const Edge edge : test::random_edges(sheet.mesh(), recipe))
             if (sheet.cracks().state(edge) == EdgeState::interior) edges.push_back(edge);
         if (edges.empty()) continue;
-        followed.topology_changed(sheet.fail(edges).shell, step);
+        const ShellChange change = sheet.fail(edges).shell;
+        followed.topology_changed(change, step);
+        arcs.topology_changed(change, step);
 
         const CoupledBending anew(shell, mirrors);
         test::Random random(recipe.seed);
         Positions x = shell.rest;
         for (double& coordinate : x.reshaped()) coordinate += random.uniform(-0.02, 0.02);
-        const double energy = anew.value(x);
-        RC_ASSERT(std::abs(followed.value(x) - energy) <= 1e-12 * energy);
+        expect_same(followed, anew, x);
+        expect_same(arcs, ArcMembrane(shell, mirrors), x);
+        RC_ASSERT(arcs.value(shell.rest) <= 1e-20 * arcs.value(x));
         RC_ASSERT((followed.curvatures(x) - anew.curvatures(x)).norm() <= 1e-12 * anew.curvatures(x).norm());
-        Positions one = Positions::Zero(3, x.cols()), other = one;
-        followed.add_gradient(x, one);
-        anew.add_gradient(x, other);
-        RC_ASSERT((one - other).norm() <= 1e-12 * other.norm());
-        RC_ASSERT(std::isfinite(energy));
     }
 }
 
@@ -92,6 +105,42 @@ TEST(CoupledCracks, NarrowPiecesStayAsStiffAsTheyWere) {
     }
     EXPECT_EQ(bending.value(x), 0) << "without hinges nothing bends";
     EXPECT_LT(most, 1.5 * whole);
+}
+
+// When a hinge breaks, the sides around are measured from fewer angles, or none. That must neither load what
+// was not loaded, nor give a sheet that is bent without stretch more energy than flat triangles have, to
+// which it comes down when all hinges are broken.
+TEST(CoupledCracks, ArcsOfABentSheetTurnIntoChordsAtLast) {
+    BreakableShell sheet = test::flat_plate(1, 0.8, 0.12, {1000, 0.02, 1e9, 0.3});
+    const Shell& shell = sheet.mechanics();
+    ArcMembrane arcs(shell, {});
+    const MembraneEnergy flat(shell.triangles);
+    test::Random random(7);
+    double largest = 0, most = 0, before = 0;
+    const auto bent = [&] {
+        Positions x = shell.rest;
+        for (Index v = 0; v < x.cols(); ++v)
+            x.col(v) << std::sin(shell.rest(0, v)), shell.rest(1, v), std::cos(shell.rest(0, v)) - 1;
+        return x;
+    };
+    const double chords = flat.value(bent());
+    EXPECT_LT(arcs.value(bent()), 1e-3 * chords);
+    const std::size_t count = shell.hinges.size();
+    while (!shell.hinges.empty()) {
+        const std::vector<Edge> edges{Edge(shell.hinge_edge[random.below(shell.hinges.size())])};
+        arcs.topology_changed(sheet.fail(edges).shell, test::step_of(shell, 0, 1e-3));
+        const double energy = arcs.value(bent());
+        largest = std::max(largest, std::abs(energy - std::exchange(before, energy)));
+        most = std::max(most, energy);
+        EXPECT_LT(arcs.value(shell.rest), 1e-20 * chords);
+        if (shell.hinges.size() % 20 == 0)
+            std::printf("%3zu of %zu hinges: %.4f of the energy of chords\n", shell.hinges.size(), count,
+                        energy / chords);
+    }
+    std::printf("largest change at a hinge: %.4f, %.2f of a face's share\n", largest / chords,
+                largest / chords * static_cast<double>(shell.triangles.size()));
+    EXPECT_NEAR(arcs.value(bent()), chords, 1e-10 * chords);
+    EXPECT_LT(most, 1.2 * chords);
 }
 
 }  // namespace

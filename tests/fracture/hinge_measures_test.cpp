@@ -73,6 +73,23 @@ TEST_F(HingeMeasuresOfASquare, SeeTheStretchedSurfaceOfABend) {
     }
 }
 
+// A membrane that measures along the curved sheet knows better than the corners.
+TEST_F(HingeMeasuresOfASquare, TakeTheStretchThatTheyAreGiven) {
+    const double stretch = 2e-4;
+    Positions x = flat;
+    x.row(0) *= 1 + stretch;
+    const HingeMeasures own = hinge_measures(*sheet, x);
+    Eigen::Matrix3Xd stretches(3, sheet->mechanics().triangles.size());
+    for (std::size_t f = 0; f < sheet->mechanics().triangles.size(); ++f) {
+        const TriangleStencil& triangle = sheet->mechanics().triangles[f];
+        stretches.col(static_cast<Eigen::Index>(f)) =
+            green_strain(triangle.membrane, columns(x, triangle.vertices));
+    }
+    const HingeMeasures given = hinge_measures(*sheet, flat, {}, stretches);
+    EXPECT_LT((given.strain - own.strain).norm(), 1e-9 * own.strain.norm());
+    EXPECT_LT((given.stress - own.stress).norm(), 1e-9 * own.stress.norm());
+}
+
 // Bending and stretch add up at the surface; a stretch that undoes the bending's leaves nothing.
 TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
     Positions both = rolled(flat, 0.5);

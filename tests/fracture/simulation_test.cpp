@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/membrane/membrane_energy.h"
 #include "fracture/breaking.h"
 #include "fracture/hinge_measures.h"
 #include "meshops/error.h"

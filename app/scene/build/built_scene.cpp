@@ -22,12 +22,14 @@ namespace sherd {
 namespace {
 
 void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs, const BreakableShell& all) {
-    const BendingModel model = scene.solver.bending.model;
-    if (stable_at_rest(all.mechanics(), model)) return;
+    const auto stable = [&](const BreakableShell& sheets) {
+        return stable_at_rest(sheets.mechanics(), scene.solver.bending.model, scene.solver.membrane);
+    };
+    if (stable(all)) return;
     std::vector<std::string> mistakes;
     // Which one it is only a sheet alone can tell.
     for (std::size_t s = 0; s < inputs.size(); ++s)
-        if (!stable_at_rest(BreakableShell({inputs[s]}).mechanics(), model))
+        if (!stable(BreakableShell({inputs[s]})))
             mistakes.push_back(fmt::format(
                 "{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
                 "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
@@ -45,6 +47,7 @@ SimulationOptions plain_options(const Scene& scene) {
     options.until_crack = scene.solver.until_crack;
     options.stepper.gravity = scene.gravity;
     options.stepper.shell.bending = scene.solver.bending;
+    options.stepper.shell.membrane = scene.solver.membrane;
     options.stepper.shell.damping = scene.solver.damping;
     options.stepper.contact.sheets = scene.contact.sheets;
     options.stepper.contact.friction = scene.contact.friction;

@@ -18,6 +18,8 @@ constexpr double most_of_plates = 2000, most_of_foils = 20000, least = 5;
 constexpr double foil = 1e-3;              // m
 constexpr double most_short_edges = 0.05;  // share of the edges that may be shorter than the thickness
 
+constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
+
 constexpr double smallest_edge = 0.02;  // of the mean
 constexpr double steps_a_period = 10;   // of the slowest vibration, whose first peak then is 39 % low
 
@@ -72,6 +74,27 @@ void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
     warnings.push_back(
         fmt::format("{}: the shortest edge of sheet.{}, {:.3g} m, is far below the mean, {:.3g} m: remesh",
                     sheet.where, sheet.name, mesh.smallest_edge, mesh.mean_edge));
+}
+
+void warn_of_locking(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
+                     std::vector<std::string>& warnings) {
+    const bool is_held = input.pinned.size() == input.mesh.number_of_vertices();
+    if (scene.solver.membrane == MembraneModel::arc || is_held) return;
+    const BreakableShell alone({input});
+    const VectorXd measures = locking(alone.mechanics());
+    Eigen::Index worst = 0;
+    const double most = measures.maxCoeff(&worst);
+    const Eigen::Index count = (measures.array() > locking_limit).count();
+    if (static_cast<double>(count) <= most_locked_faces * static_cast<double>(measures.size())) return;
+    const auto corners = columns(alone.mechanics().rest, alone.mechanics().triangles[worst].vertices);
+    const Vector3d middle = corners.rowwise().mean();
+    warnings.push_back(
+        fmt::format("{}: {} of the {} faces of sheet.{} have edges so long for its radius and thickness that "
+                    "they resist bending by stretching: (edge)^2 / (radius thickness) is up to {:.3g}, at "
+                    "({:.3g}, {:.3g}, {:.3g}) m, and should be below {:g}; use solver.membrane = \"arc\", or "
+                    "edges of {:.2g} m or less",
+                    sheet.where, count, measures.size(), sheet.name, most, middle.x(), middle.y(), middle.z(),
+                    locking_limit, measure(input.mesh).mean_edge * std::sqrt(locking_limit / most)));
 }
 
 /// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
@@ -187,6 +210,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
         warn_of_size(inputs[s], scene.sheets[s], warnings);
         warn_of_short_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_tiny_edges(inputs[s], scene.sheets[s], warnings);
+        warn_of_locking(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_long_step(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_threshold(inputs[s], scene.sheets[s], warnings);
     }

@@ -11,8 +11,8 @@ namespace sherd {
 
 /// Warns of what can be computed but is hardly meant: sheets that are far too large or small for their
 /// thickness, as of a mesh that was never scaled; thresholds that no material has; edges that are shorter
-/// than the sheet is thick; what goes farther in a step than it should; and obstacles that nothing can reach.
-/// Inputs and options are those of the scene, in its order.
+/// than the sheet is thick, or so long that a curved sheet locks; what goes farther in a step than it should;
+/// and obstacles that nothing can reach. Inputs and options are those of the scene, in its order.
 void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
                          const SimulationOptions& options, std::vector<std::string>& warnings);
 

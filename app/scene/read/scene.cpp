@@ -65,6 +65,10 @@ SolverSpec read_solver(TomlTable& table) {
     constexpr int most = std::numeric_limits<int>::max();
     read_scheme(table, solver);
     solver.bending = read_bending(table);
+    if (table.has("membrane")) {
+        constexpr std::array<std::string_view, 2> models{"constant-strain", "arc"};
+        if (table.choice("membrane", models) == "arc") solver.membrane = MembraneModel::arc;
+    }
     solver.max_iterations = static_cast<int>(table.integer("max_iterations", 1, most, solver.max_iterations));
     solver.tolerance = table.number("tolerance", "mean edge lengths", positive, solver.tolerance);
     if (table.has("rule")) {

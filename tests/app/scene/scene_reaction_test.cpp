@@ -123,7 +123,10 @@ gravity = [0, 0, -1e-3]
     EXPECT_NEAR(report.reactions[0].moment.y() + report.reactions[1].moment.y(), -load, 1e-4 * load);
 }
 
-TEST(Reaction, BalancesEveryStepOfAMotion) {
+class ReactionOf : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Membrane, ReactionOf, testing::Values("constant-strain", "arc"));
+
+TEST_P(ReactionOf, EveryStepBalances) {
     Motion run(held_plate + R"(pin = { box = [[-1, -1, -1], [1e-6, 0.3, 1]], free = ["y"] }
 clamp = { box = [[1.999, -1, -1], [3, 0.6, 1]], keys = [
     { time = 0 }, { time = 0.1, translate = [0.01, 0, 0.05], rotate = { axis = [1, 2, 0], degrees = 20 } } ] }
@@ -135,7 +138,8 @@ load = { area = [0, 0, 50] }
 [solver]
 step = 5e-3
 tolerance = 1e-9
-)");
+membrane = ")" +
+               GetParam() + "\"\n");
     for (int i = 0; i < 20; ++i) {
         const auto [force, moment] = run.imbalance({0, 0, 50 / 5.0});
         EXPECT_LT(force, 1e-9) << i;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/scene/build/built_scene.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/profile.h"
@@ -135,6 +136,22 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
     EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
               std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
     EXPECT_EQ(chosen({"solver.bending=coupled"}).first, BendingModel::coupled);
+}
+
+TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
+    const auto chosen = [](const std::vector<std::string>& keys) {
+        const Scene scene = scene_of(small_scene, {keys, ""});
+        std::vector<std::string> warnings;
+        const MembraneModel built = build_scene(scene, warnings).options.stepper.shell.membrane;
+        EXPECT_EQ(scene.solver.membrane, built);
+        return built;
+    };
+    EXPECT_EQ(chosen({}), MembraneModel::constant_strain);
+    EXPECT_EQ(chosen({"solver.membrane=constant-strain"}), MembraneModel::constant_strain);
+    EXPECT_EQ(chosen({"solver.membrane=arc"}), MembraneModel::arc);
+    const std::string error = thrown_by([] { scene_of(small_scene, {{"solver.membrane=arcs"}, ""}); });
+    EXPECT_NE(error.find("membrane"), std::string::npos) << error;
+    EXPECT_NE(error.find("constant-strain"), std::string::npos) << error;
 }
 
 // Neither would have any effect, and whoever gave it would believe that it has.

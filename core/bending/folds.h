@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/bending/mirror_hinge.h"
+#include "core/elements/dihedral_angle.h"
+
+namespace sherd {
+
+/// The folds of a shell and their true dihedral angles: mirrors (clamps and symmetry planes), numbered from 0
+/// in their order, then the shell's edges from folds_of_edges(). Where an edge has no hinge, its angle is
+/// zero.
+class Folds {
+  public:
+    /// A fold's angle as the sheet sees it; a mirror's image is no vertex of its own.
+    struct Slope {
+        std::array<Index, 4> vertices;  ///< -1: no vertex
+        HingePositions gradient;        ///< of the angle, 1/m
+    };
+
+    /// The shell must outlive this object.
+    Folds(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
+        : shell(shell), mirrors(shell, mirrors) {}
+    void begin(const StepContext& step) { mirrors.begin(step); }
+
+    Index folds_of_edges() const { return static_cast<Index>(mirrors.size()); }  ///< number of edge 0
+    Eigen::Index size() const {
+        return folds_of_edges() + static_cast<Eigen::Index>(shell.edge_hinge.size());
+    }
+    /// The side that has the mirror behind it.
+    const TriangleEdge& mirror_side(Index mirror) const { return mirrors[mirror].side; }
+    std::array<Index, 4> vertices(Index fold) const;  ///< -1: no vertex
+
+    double rest_angle(Index fold) const;                  ///< rad
+    VectorXd rest_angles() const;                         ///< of all folds, rad
+    VectorXd angles(const Positions& x) const;            ///< of all folds, rad
+    std::vector<Slope> slopes(const Positions& x) const;  ///< of all folds
+    /// Appends the rest angles of new edges to angles of all folds.
+    void follow(const ShellChange& change, VectorXd& angles) const;
+
+    /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
+    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient) const;
+    /// Adds what the angles' own second derivatives give to its Hessian.
+    void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const;
+    /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
+    std::vector<MirrorGradient> mirror_gradients(const Positions& x, const VectorXd& of_angles) const;
+
+  private:
+    const Shell& shell;
+    Mirrors mirrors;
+};
+
+}  // namespace sherd

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "core/bending/folds.h"
+#include "core/elements/mid_edge.h"
+
+namespace sherd {
+
+/// The triangles around a side, unfolded into a plane, and what the angles of their folds say of the sheet's
+/// curvature there. A patch has the triangles on either side, and those around them where these alone tell
+/// curvatures badly from each other. What comes out depends on the rest shape and on which hinges are left,
+/// and on nothing else.
+class Patches {
+  public:
+    /// What a fold's angle counts in a sum over a patch.
+    struct Share {
+        Index fold;
+        double weight;
+    };
+    /// An edge whose hinge was removed, and the sides that it joined.
+    struct Removed {
+        Index edge;
+        std::array<TriangleEdge, 2> sides;
+    };
+
+    /// Shell and folds must outlive this object. Patches end at folds that are turned by more than `sharpest`
+    /// (rad) at rest, as at free sides.
+    Patches(const Shell& shell, const Folds& folds, double sharpest = std::numeric_limits<double>::infinity())
+        : shell(shell), folds(folds), sharpest(sharpest) {
+        build();
+    }
+
+    /// Reads all triangles and folds of the shell anew.
+    void build();
+    /// Must be called when hinges were removed, and no face was born. Returns them by ascending edge.
+    std::vector<Removed> forget_removed();
+
+    const PlaneTriangle& triangle(Index face) const { return triangles[face]; }     ///< at rest
+    Index fold_at(Index face, int side) const { return fold_of_side[face][side]; }  ///< -1: free
+    /// The sides that an edge's hinge joins, of T0, then of T1; nothing without a hinge.
+    std::optional<std::array<TriangleEdge, 2>> sides_of(Index edge) const;
+    double side_length(const TriangleEdge& side) const;  ///< m
+
+    /// Shares with which the patch of a side sums the angles of its folds to target . k on every surface of
+    /// constant curvature k (of small angles): the smallest change of `start` alone that does, as far as the
+    /// patch sees curvatures. target: components 00, 11, 01 in the frame of the side's triangle.
+    std::vector<Share> shares(const TriangleEdge& side, const Vector3d& target,
+                              std::optional<Share> start = {}) const;
+
+  private:
+    /// A triangle of a patch, and the angle (rad) of its rest frame once it is unfolded into that of the
+    /// patch's first triangle.
+    struct Unfolded {
+        Index triangle;
+        double angle;
+    };
+    /// What a curvature means for the angle of a fold, as a tensor in the frame of a patch.
+    struct FoldAngle {
+        Index fold;
+        Vector3d angle;
+        int views;  ///< number of the patch's triangles that it is the mean of
+    };
+
+    Unfolded across(const Unfolded& from, int side) const;
+    std::vector<Unfolded> grown(const std::vector<Unfolded>& patch) const;
+    /// What a curvature means for the angle of the fold at a side that has one.
+    Vector3d angle_of(const Unfolded& at, int side) const;
+    std::vector<FoldAngle> folds_of(const std::vector<Unfolded>& patch) const;
+
+    const Shell& shell;
+    const Folds& folds;
+    double sharpest;
+    std::vector<PlaneTriangle> triangles;                    ///< [F]
+    std::vector<std::array<Index, 3>> fold_of_side;          ///< [F] -1: free
+    std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] that its hinge joins
+};
+
+}  // namespace sherd

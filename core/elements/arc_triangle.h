@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/elements/membrane.h"
+
+namespace sherd {
+
+// A membrane triangle whose sides are arcs of the curved sheet instead of chords through it. To third order
+// in its length, the square of a side's arc is
+//     d = |x_i - x_j|^2 (1 + l^2 k^2 / 12)
+// with the sheet's curvature k along the side and the side's length l at rest. The triangle has the Green
+// strain of a flat one whose sides have these lengths. Where k is zero it is the constant-strain triangle
+// (membrane.h). Side c is opposite to corner c.
+
+/// A triangle with the sides' curvature as further unknowns, [3] 1/m.
+struct ArcTriangle {
+    MembraneTriangle membrane;
+    Vector3d rest_squares;  ///< m^2, l^2 of the sides
+    Vector3d start;  ///< m^2, what curvature added to the squares of the sides where the energy is zero
+};
+
+/// The squares of the sides' lengths, m^2.
+Vector3d side_squares(const TrianglePositions& x);
+/// What the sides' curvature, [3] 1/m, adds to the squares of their lengths at x, m^2.
+Vector3d bows(const Vector3d& rest_squares, const TrianglePositions& x, const Vector3d& curvature);
+
+/// Green strain (00, 11, 2 * 01) in the rest frame.
+Vector3d green_strain(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature);
+/// Energy, J.
+double value(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature);
+
+struct ArcGradient {
+    TrianglePositions by_positions;  ///< N
+    Vector3d by_curvature;           ///< J m
+};
+ArcGradient gradient(const ArcTriangle& triangle, const TrianglePositions& x, const Vector3d& curvature);
+
+/// Second derivatives by the positions, coordinate fastest, then by the three curvatures. `convex` drops the
+/// compressive part of the geometric stiffness and what couples it with curvature, which makes the matrix
+/// positive semidefinite.
+Eigen::Matrix<double, 12, 12> hessian(const ArcTriangle& triangle, const TrianglePositions& x,
+                                      const Vector3d& curvature, bool convex);
+
+}  // namespace sherd

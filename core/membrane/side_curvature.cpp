@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/membrane/side_curvature.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sherd {
+
+SideCurvature::SideCurvature(const Shell& shell, const Folds& folds)
+    : shell(shell), folds(folds), patches(shell, folds, std::numbers::pi / 4) {
+    build();
+}
+
+void SideCurvature::build() {
+    sides.assign(shell.triangles.size(), {});
+    for (Index face = 0; face < static_cast<Index>(sides.size()); ++face)
+        for (int side = 0; side < 3; ++side) update(face, side);
+}
+
+void SideCurvature::update(Index face, int side) {
+    const Index fold = patches.fold_at(face, side);
+    const TriangleEdge first = fold < folds.folds_of_edges()
+                                   ? TriangleEdge{face, side}
+                                   : patches.sides_of(fold - folds.folds_of_edges())->front();
+    const double angle = direction_of_side(patches.triangle(first.triangle), first.corner);
+    const double c = std::cos(angle), s = std::sin(angle);
+    sides[face][side] = patches.shares(first, {c * c, s * s, c * s});
+}
+
+void SideCurvature::follow(const ShellChange& change) {
+    if (!change.faces.empty()) {
+        patches.build();
+        return build();
+    }
+    std::vector<char> gone(folds.size(), 0);
+    for (const Patches::Removed& removed : patches.forget_removed())
+        gone[folds.folds_of_edges() + removed.edge] = 1;
+    for (Index face = 0; face < static_cast<Index>(sides.size()); ++face)
+        for (int side = 0; side < 3; ++side)
+            if (std::ranges::any_of(sides[face][side],
+                                    [&](const Patches::Share& share) { return gone[share.fold] != 0; }))
+                update(face, side);
+}
+
+Vector3d SideCurvature::of(std::size_t face, const VectorXd& angles) const {
+    Vector3d sums = Vector3d::Zero();
+    for (int side = 0; side < 3; ++side)
+        for (const auto& [fold, weight] : sides[face][side]) sums[side] += weight * angles[fold];
+    return sums;
+}
+
+}  // namespace sherd
