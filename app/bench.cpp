@@ -31,26 +31,36 @@ std::vector<ShellCase> chosen_cases(const BenchOptions& options) {
     throw Error(fmt::format("--only {}: no case has this in its name; there are:{}", options.only, names));
 }
 
+/// BENDING or BENDING+MEMBRANE, as solver.bending and solver.membrane have them.
+ShellVariant variant_of(const std::string& model, double edge, bool structured) {
+    const std::size_t plus = model.find('+');
+    return {edge, structured, model.substr(0, plus), plus == std::string::npos ? "" : model.substr(plus + 1)};
+}
+
 /// Quickly: the two coarser meshes, unstructured, of coupled hinges.
 std::vector<ShellVariant> variants_of(const ShellCase& one, const BenchOptions& options) {
     std::vector<ShellVariant> variants;
     if (options.quick) return {{one.edges[0]}, {one.edges[1]}};
-    for (const std::string& bending : options.bending)
+    for (const std::string& model : options.models)
         for (const bool structured : {false, true})
-            for (const double edge : one.edges) variants.push_back({edge, structured, bending});
+            for (const double edge : one.edges) variants.push_back(variant_of(model, edge, structured));
     return variants;
 }
 
+std::string model_words(const ShellVariant& variant) {
+    return variant.bending + (variant.membrane.empty() ? "" : "+" + variant.membrane);
+}
+
 void print_row(const ShellVariant& variant, const ShellRun& run) {
-    fmt::print("| {} | {} | {} | {} |", variant.bending, variant.structured ? "structured" : "unstructured",
-               variant.edge, run.faces);
+    fmt::print("| {} | {} | {} | {} |", model_words(variant),
+               variant.structured ? "structured" : "unstructured", variant.edge, run.faces);
     for (const ShellResult& result : run.results) fmt::print(" {:.1f}", result.error());
     fmt::print(" | {} | {:.1f} |{}\n", run.iterations, run.seconds, run.failure.empty() ? "" : " (1)");
     std::fflush(stdout);
 }
 
 Json row_json(const ShellCase& one, const ShellVariant& variant, const ShellRun& run) {
-    Json row{{"case", one.name},        {"bending", variant.bending},
+    Json row{{"case", one.name},        {"model", model_words(variant)},
              {"edge", variant.edge},    {"structured", variant.structured},
              {"faces", run.faces},      {"iterations", run.iterations},
              {"seconds", run.seconds},  {"failure", run.failure},
@@ -70,7 +80,7 @@ void print_head(const ShellCase& one) {
     }
     if (!one.limits.empty()) fmt::print(" highest load, -W there, lowest load, -W there");
     fmt::print(
-        "\n\n| bending | mesh | edges | faces | errors | iterations | s |\n"
+        "\n\n| model | mesh | edges | faces | errors | iterations | s |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n");
 }
 
@@ -86,8 +96,8 @@ int bench_shells(const BenchOptions& options) {
             else
                 print_row(variant, run);
             if (!run.failure.empty())
-                failures +=
-                    fmt::format("{}, {}, {}: {}\n", one.name, variant.bending, variant.edge, run.failure);
+                failures += fmt::format("{}, {}, {}: {}\n", one.name, model_words(variant), variant.edge,
+                                        run.failure);
         }
     }
     if (options.json) fmt::print("{}\n", rows.dump(2));
@@ -111,7 +121,9 @@ void add_bench(CLI::App& program, Command& chosen) {
     command->add_option("--only", options->only, "Take the cases with this in their names")
         ->option_text("TEXT");
     command
-        ->add_option("--bending", options->bending, "Bending models (solver.bending); default: two of them")
+        ->add_option("--models", options->models,
+                     "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
+                     "coupled coupled+arc)")
         ->option_text("MODEL ...");
     command->add_flag("--json", options->json, "For scripts: one JSON array");
     command->footer("Example:\n  sherd bench shells --quick --only hemisphere");

@@ -106,6 +106,22 @@ Chart gauge_chart(const RecordingHeader& header, const std::vector<StepReport>& 
         [](const StepReport& step, std::size_t i) { return step.gauges.at(i).displacement; });
 }
 
+/// Of statics: the load over the displacement of each gauge.
+Chart load_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
+    constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
+    Chart chart{"Load factor over displacement",
+                {.name = "displacement", .unit = "m", .from_zero = true},
+                {.name = "load factor"},
+                {}};
+    for (std::size_t i = 0; i < std::min(header.gauges.size(), std::size(colours)); ++i) {
+        ChartSeries series{.name = header.gauges[i].name, .colour = colours[i], .points = {Vector2d::Zero()}};
+        for (const StepReport& step : steps)
+            series.points.emplace_back(step.gauges.at(i).displacement.norm(), step.load);
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
 Chart size_chart(std::vector<Vector2d> sizes) {
     return {"Fragment sizes, last frame",
             {.name = "area at rest", .unit = "m\xc2\xb2", .logarithmic = true},

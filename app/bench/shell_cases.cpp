@@ -85,7 +85,7 @@ ShellCase end_moment() {
                      "clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }\n"
                      "symmetry = { point = [0, 0, 0], normal = [0, 1, 0] }\n",
             .rest = fmt::format("[[force.load]]\nmoment = {}\nbox = [[11.99999, -1, -1], [13, 2, 1]]\n",
-                                50 * std::numbers::pi / 3) +
+                                -50 * std::numbers::pi / 3) +
                     gauge_at("tip", {12, 0.25, 0}),
             .references = {{0.25, "tip", 0, -4.361, "-U"},
                            {0.25, "tip", 2, 7.639, "W"},

@@ -125,7 +125,8 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
     return bar;
 }
 
-std::string moment_caption(double time, std::int64_t step, double end) {
+std::string moment_caption(double time, std::int64_t step, double end, const std::string& unit) {
+    if (unit != "s") return fmt::format("{} {:.3f}, step {}", unit, time, step);
     const UnitPrefix prefix = prefixed("s", end);
     const double shown = end * prefix.factor;
     const int decimals = shown >= 100 ? 1 : shown >= 10 ? 2 : 3;

@@ -29,7 +29,8 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
                           const std::pair<double, double>& range, const std::pair<double, double>& extent);
 
 /// A moment of a run that ends at `end` (s), such as `t = 12.50 ms, step 125`: as many digits in all of them.
-std::string moment_caption(double time, std::int64_t step, double end);
+/// unit: of the times, RecordingHeader::time_unit.
+std::string moment_caption(double time, std::int64_t step, double end, const std::string& unit = "s");
 
 /// Rectangle of pixels.
 struct PixelBox {

@@ -193,7 +193,7 @@ std::optional<ColourBar> RenderStage::colour_bar() const {
 std::string RenderStage::caption(const Snapshot& frame) const {
     if (frame.step >= 1 && frame.step <= static_cast<std::int64_t>(modes.size()))
         return modes[frame.step - 1];
-    return moment_caption(frame.time, frame.step, end);
+    return moment_caption(frame.time, frame.step, end, header.time_unit);
 }
 
 }  // namespace sherd

@@ -45,6 +45,7 @@ class RenderStage {
     std::string legend() const;
     /// What the colours mean, when they are those of numbers.
     std::optional<ColourBar> colour_bar() const;
+    const std::string& time_unit() const { return header.time_unit; }
     std::string caption(const Snapshot& frame) const;  ///< its time and step, or its mode of vibration
 
   private:

@@ -248,6 +248,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
     if (const std::optional<ColourBar> bar = stage.colour_bar()) data["bar"] = bar_json(*bar);
     data["captions"] = captions;
     data["time"] = times;
+    data["time_unit"] = stage.time_unit();
     data["number"] = frames;
     data["frames"] = packed;
     return data;

@@ -68,6 +68,7 @@ TEST(ColourBar, CaptionsOfARunHaveTheSameForm) {
     EXPECT_EQ(moment_caption(0.25, 2500, 2), "t = 0.250 s, step 2500");
     EXPECT_EQ(moment_caption(0.25, 2500, 0.5), "t = 250.0 ms, step 2500");
     EXPECT_EQ(moment_caption(0, 0, 0), "t = 0.000 s, step 0");
+    EXPECT_EQ(moment_caption(0.25, 5, 1, "load"), "load 0.250, step 5");
 }
 
 // Legible in small pictures and in large ones, before black and before white; and nothing else is touched.
