@@ -11,7 +11,7 @@
 #include "app/commands.h"
 #include "app/json/json.h"
 #include "core/elements/membrane.h"
-#include "core/elements/principal_strain.h"
+#include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
 namespace sherd {

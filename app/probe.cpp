@@ -11,7 +11,7 @@
 #include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
-#include "core/elements/principal_strain.h"
+#include "core/elements/principal_values.h"
 #include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_shell.h"
 #include "meshops/error.h"

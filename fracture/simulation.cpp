@@ -109,7 +109,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper.time_spent(), Task::breaking);
-    const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+    const HingeMeasures measures = hinge_measures(breakable, stepper.position, stepper.coupled_curvatures());
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
     if (options.rule == BreakingRule::staged) newton = break_in_stages(report, newton, measures);
@@ -134,7 +134,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         } else {
             return newton;
         }
-        measures = hinge_measures(breakable, stepper.position, stepper.face_curvatures());
+        measures = hinge_measures(breakable, stepper.position, stepper.coupled_curvatures());
     }
 }
 
@@ -240,13 +240,22 @@ void Simulation::add_touch(StepReport& report) {
 }
 
 void Simulation::read_gauges(StepReport& report) const {
-    for (const Gauge& gauge : options.gauges) report.gauges.push_back(reading(breakable.mechanics(), gauge));
+    Eigen::Matrix3Xd curvatures;
+    if (std::ranges::any_of(options.gauges, [](const Gauge& gauge) { return gauge.fields.any(); }))
+        curvatures = stepper.face_curvatures();
+    for (const Gauge& gauge : options.gauges)
+        report.gauges.push_back(gauge.fields.any()
+                                    ? reading(breakable.mechanics(), gauge, curvatures.col(gauge.face))
+                                    : reading(breakable.mechanics(), gauge));
 }
 
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;
     snapshot.time = time();
+    if (options.fields.any())
+        snapshot.fields =
+            face_fields(breakable.mechanics(), stepper.position, stepper.face_curvatures(), options.fields);
     return snapshot;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/bending/coupled_bending.h"
+#include "core/bending/hinge_curvature.h"
 
 namespace sherd {
 namespace {
@@ -35,9 +36,21 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
     if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
-std::optional<Eigen::Matrix3Xd> ShellEnergies::face_curvatures(const Positions& x) const {
+std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
     if (coupled == nullptr) return std::nullopt;
     return coupled->curvatures(x);
+}
+
+Eigen::Matrix3Xd ShellEnergies::face_curvatures(const Positions& x) const {
+    if (coupled != nullptr) return coupled->curvatures(x);
+    VectorXd strains(shell.hinges.size());
+    for (std::size_t i = 0; i < shell.hinges.size(); ++i)
+        strains[static_cast<Eigen::Index>(i)] =
+            hinge_strain(shell.hinges[i].rest, columns(x, shell.hinges[i].vertices));
+    Eigen::Matrix3Xd curvatures =
+        curvatures_of_hinges(shell, sides_of_hinges(shell), strains, AngleShare::by_height);
+    add_mirror_curvatures(shell, mirrors.all(), x, curvatures);
+    return curvatures;
 }
 
 std::vector<Energy*> ShellEnergies::loads() {

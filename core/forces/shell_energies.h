@@ -42,9 +42,10 @@ class ShellEnergies {
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
     }
-    /// Changes of curvature of all faces, as the bending model sees them (CoupledBending::curvatures());
-    /// none: it knows of single hinges only.
-    std::optional<Eigen::Matrix3Xd> face_curvatures(const Positions& x) const;
+    /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
+    /// The same, or as single hinges have them (curvatures_of_hinges(), by height).
+    Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane.value(x); }  ///< J
 
   private:
