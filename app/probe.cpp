@@ -130,6 +130,7 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
         const Vector3d strain = green_strain(triangle.membrane, columns(x, triangle.vertices));
         result.faces.push_back({triangle.vertices, principal_strain(strain)});
     }
+    result.fields = face_fields(sheet, x, CoupledBending(sheet, {}).curvatures(x), {true, true, true});
     return result;
 }
 

@@ -17,16 +17,32 @@ inline std::string column(const std::string& group, const char* name) {
     return fmt::format("{}/{}", group, name);
 }
 
+/// Creates the columns whose names `wanted` takes.
+template <class Row, class Wanted>
+void create_table(hid_t file, const std::string& group, Wanted wanted) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
+        if (wanted(name)) hdf5::create_column<Stored<T>>(file, column(group, name), meaning);
+    });
+}
+
 template <class Row>
 void create_table(hid_t file, const std::string& group = Table<Row>::group) {
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
-        hdf5::create_column<Stored<T>>(file, column(group, name), meaning);
+    create_table<Row>(file, group, [](const char*) { return true; });
+}
+
+/// Calls visit(column name, member) for every column that has to be in the file.
+template <class Row, class Visit>
+void visit_columns(hid_t file, const std::string& group, Visit visit) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+        if constexpr (requires { Table<Row>::has_choice; })
+            if (!hdf5::contains(file, column(group, name))) return;
+        visit(name, member);
     });
 }
 
 template <class Row>
 void append_table(hid_t file, std::span<const Row> rows, const std::string& group = Table<Row>::group) {
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         std::vector<Stored<T>> values;
         for (const Row& row : rows) values.push_back(row.*member);
         hdf5::append<Stored<T>>(file, column(group, name), values);
@@ -37,17 +53,18 @@ void append_table(hid_t file, std::span<const Row> rows, const std::string& grou
 template <class Row>
 std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group) {
     std::size_t rows = SIZE_MAX;
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*) {
         rows = std::min<std::size_t>(
             rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
     });
+    if (rows == SIZE_MAX) throw Error(group + " has no columns");
     return rows;
 }
 
 template <class Row>
 std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::group) {
     std::vector<Row> rows(table_rows<Row>(file, group));
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column(group, name));
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
     });

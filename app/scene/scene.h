@@ -21,6 +21,7 @@
 #include "core/forces/damping.h"
 #include "core/forces/wind.h"
 #include "core/material/material.h"
+#include "core/shell/face_fields.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -67,6 +68,8 @@ struct GaugeSpec {
     std::string name;                ///< letters, digits, _ and -
     std::string sheet;               ///< its name; empty: the one that is nearest
     Vector3d at = Vector3d::Zero();  ///< m, placed
+    bool displacement = true;        ///< whether it is recorded
+    FaceFieldChoice fields = {};     ///< of its face, that are recorded, too
     std::string where;               ///< "FILE:LINE: dotted.key", for errors
 };
 
@@ -141,6 +144,7 @@ struct Scene {
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
+    FaceFieldChoice fields;     ///< output.fields: that frames have
 };
 
 /// Returns the number of steps that cover the duration. A remainder is a whole step, but one due to round-off
