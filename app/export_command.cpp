@@ -37,9 +37,11 @@ void add_form_options(CLI::App& command, ExportOptions& options) {
                      "vdb always has the thickness");
     command.add_option("--thickness", options.thickness, "m, instead of the recording's")->option_text("T");
     command
-        .add_option("--quality", options.quality,
-                    "Main scalar of ply: strain (default; 1/m, largest of a face's edges), speed or fragment")
-        ->option_text("strain|speed|fragment");
+        .add_option(
+            "--quality", options.quality,
+            "Main scalar of ply: strain (default; 1/m, largest of a face's edges), speed, fragment, or the "
+            "largest stress (Pa) or curvature (1/m)")
+        ->option_text("strain|speed|fragment|stress|curvature");
     command
         .add_option("--animate", options.animate,
                     "How the fragments of glb move: rigid (default) or morph (their shapes, too)")

@@ -11,7 +11,7 @@
 #include "app/commands.h"
 #include "app/json/json.h"
 #include "core/elements/membrane.h"
-#include "core/elements/principal_strain.h"
+#include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -85,13 +85,42 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     }
 }
 
+/// Takes a principal value when it is the first one, or larger in magnitude.
+void raise_magnitude(std::optional<double>& largest, const Vector3d& strain) {
+    const double value = principal_strain(strain);
+    if (!largest || std::abs(value) > std::abs(*largest)) largest = value;
+}
+
+void add_reading(GaugeInfo& info, const GaugeReading& reading) {
+    const FaceFieldChoice& fields = info.gauge.fields;
+    info.last = reading;
+    info.displacement = std::max(info.displacement, reading.displacement.norm());
+    if (fields.curvature) raise_magnitude(info.curvature, reading.curvature);
+    if (fields.membrane_strain) raise_magnitude(info.membrane_strain, reading.membrane_strain);
+    if (fields.stress)
+        info.stress = std::max(info.stress.value_or(largest_stress(reading)), largest_stress(reading));
+}
+
 void add_gauges(RunInfo& info, const RecordingHeader& header, const std::vector<StepReport>& steps) {
     for (std::size_t i = 0; i < header.gauges.size(); ++i) {
         info.gauges.push_back({.gauge = header.gauges[i]});
-        for (const StepReport& step : steps) {
-            info.gauges[i].displacement = step.gauges[i].displacement;
-            info.gauges[i].largest = std::max(info.gauges[i].largest, step.gauges[i].displacement.norm());
-        }
+        for (const StepReport& step : steps) add_reading(info.gauges[i], step.gauges[i]);
+    }
+}
+
+/// The frames that have such a field, one after the other.
+void add_fields(RunInfo& info, const Recording& recording) {
+    const auto raise = [](std::optional<FieldPeakInfo>& largest, const FieldPeak& peak, double time) {
+        if (!largest || std::abs(peak.value) > std::abs(largest->peak.value)) largest = {peak, time};
+    };
+    for (std::size_t i = 0; i < info.frames; ++i) {
+        const FaceFields fields = recording.fields(i);
+        if (!choice_of(fields).any()) return;
+        const double time = recording.time(i);
+        if (choice_of(fields).curvature) raise(info.curvature, curvature_peak(fields), time);
+        if (!choice_of(fields).stress) continue;
+        const FieldPeak peak = stress_peak(fields);
+        if (!info.stress || peak.value > info.stress->peak.value) info.stress = {peak, time};
     }
 }
 
@@ -144,6 +173,32 @@ void add_last_step(std::string& text, const RunInfo& info) {
     text += "\n";
 }
 
+void add_gauge(std::string& text, const GaugeInfo& g) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "gauge        {} on {}:", g.gauge.name, g.gauge.sheet);
+    const auto add_tensor = [&](const char* name, const Vector3d& tensor, const char* end) {
+        fmt::format_to(out, " {} {:.5g} {:.5g} {:.5g}{}", name, tensor[0], tensor[1], tensor[2], end);
+    };
+    if (g.gauge.displacement) {
+        add_tensor("moved by", g.last.displacement, " m");
+        fmt::format_to(out, ", by {:.5g} m at most", g.displacement);
+    }
+    text += "\n";
+    if (g.stress) {
+        add_tensor("              stress: top", g.last.stress_top, ",");
+        add_tensor("bottom", g.last.stress_bottom, " Pa");
+        fmt::format_to(out, "; principal {:.5g} Pa at most\n", *g.stress);
+    }
+    if (g.curvature) {
+        add_tensor("              curvature:", g.last.curvature, " 1/m");
+        fmt::format_to(out, "; principal {:.5g} 1/m at most\n", *g.curvature);
+    }
+    if (g.membrane_strain) {
+        add_tensor("              membrane strain:", g.last.membrane_strain, "");
+        fmt::format_to(out, "; principal {:.5g} at most\n", *g.membrane_strain);
+    }
+}
+
 void add_reactions(std::string& text, const RunInfo& info) {
     auto out = std::back_inserter(text);
     for (std::size_t i = 0; i < info.last->reactions.size(); ++i) {
@@ -152,10 +207,40 @@ void add_reactions(std::string& text, const RunInfo& info) {
             out, "reaction     {}: force {:.5g} {:.5g} {:.5g} N, moment {:.4g} {:.4g} {:.4g} N m\n",
             info.supports[i].name, force.x(), force.y(), force.z(), moment.x(), moment.y(), moment.z());
     }
-    for (const GaugeInfo& g : info.gauges)
-        fmt::format_to(out, "gauge        {} on {}: moved by {:.5g} {:.5g} {:.5g} m, by {:.5g} m at most\n",
-                       g.gauge.name, g.gauge.sheet, g.displacement.x(), g.displacement.y(),
-                       g.displacement.z(), g.largest);
+    for (const GaugeInfo& g : info.gauges) add_gauge(text, g);
+}
+
+void add_field_peaks(std::string& text, const RunInfo& info) {
+    auto out = std::back_inserter(text);
+    if (const auto& stress = info.stress)
+        fmt::format_to(out, "stress       {:.5g} Pa at most, at the {} of face {} at {:.5g} s\n",
+                       stress->peak.value, stress->peak.top ? "top" : "bottom", stress->peak.face,
+                       stress->time);
+    if (const auto& curvature = info.curvature)
+        fmt::format_to(out, "curvature    changed by {:.5g} 1/m at most, of face {} at {:.5g} s\n",
+                       curvature->peak.value, curvature->peak.face, curvature->time);
+}
+
+Json gauge_json(const GaugeInfo& g) {
+    Json json{{"name", g.gauge.name}, {"sheet", g.gauge.sheet}};
+    if (g.gauge.displacement) {
+        json["displacement"] = vector_json(g.last.displacement);
+        json["largest"] = g.displacement;
+    }
+    if (g.gauge.fields.stress) {
+        json["stress_top"] = vector_json(g.last.stress_top);
+        json["stress_bottom"] = vector_json(g.last.stress_bottom);
+        json["largest_stress"] = g.stress ? Json(*g.stress) : Json();
+    }
+    if (g.gauge.fields.curvature) {
+        json["curvature"] = vector_json(g.last.curvature);
+        json["largest_curvature"] = g.curvature ? Json(*g.curvature) : Json();
+    }
+    if (g.gauge.fields.membrane_strain) {
+        json["membrane_strain"] = vector_json(g.last.membrane_strain);
+        json["largest_membrane_strain"] = g.membrane_strain ? Json(*g.membrane_strain) : Json();
+    }
+    return json;
 }
 
 /// What there is to say of a recording of modes instead of a run.
@@ -197,6 +282,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     add_steps(info, steps);
     info.supports = header.supports;
     add_gauges(info, header, steps);
+    add_fields(info, recording);
     add_events(info, recording.events());
     info.modes = recording.modes();
     return info;
@@ -241,11 +327,7 @@ std::string run_info_json(const RunInfo& info) {
                                      {"force", vector_json(last.reactions[i].force)},
                                      {"moment", vector_json(last.reactions[i].moment)}});
     json["gauges"] = Json::array();
-    for (const GaugeInfo& g : info.gauges)
-        json["gauges"].push_back({{"name", g.gauge.name},
-                                  {"sheet", g.gauge.sheet},
-                                  {"displacement", vector_json(g.displacement)},
-                                  {"largest", g.largest}});
+    for (const GaugeInfo& g : info.gauges) json["gauges"].push_back(gauge_json(g));
     json["modes"] = Json::array();
     for (const RecordedMode& mode : info.modes)
         json["modes"].push_back({{"frequency", mode.frequency}, {"growth", mode.growth}});
@@ -257,6 +339,15 @@ std::string run_info_json(const RunInfo& info) {
     json["membrane_strain"] = nullptr;
     if (const auto& largest = info.membrane_strain)
         json["membrane_strain"] = {{"strain", largest->strain}, {"face", largest->face}};
+    json["largest_stress"] = json["largest_curvature"] = nullptr;
+    if (const auto& stress = info.stress)
+        json["largest_stress"] = {{"stress", stress->peak.value},
+                                  {"face", stress->peak.face},
+                                  {"surface", stress->peak.top ? "top" : "bottom"},
+                                  {"time", stress->time}};
+    if (const auto& curvature = info.curvature)
+        json["largest_curvature"] = {
+            {"curvature", curvature->peak.value}, {"face", curvature->peak.face}, {"time", curvature->time}};
     json["newton_iterations"] = info.newton_iterations;
     json["halvings"] = info.halvings;
     json["most_stages"] = info.most_stages;
@@ -302,6 +393,7 @@ std::string run_info_text(const RunInfo& info) {
     if (info.membrane_strain)
         fmt::format_to(out, "membrane     strain {:.4g} at most in the last frame, of face {}\n",
                        info.membrane_strain->strain, info.membrane_strain->face);
+    add_field_peaks(text, info);
     add_fragment_table(text, info.fragments);
     return text;
 }

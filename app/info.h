@@ -25,11 +25,19 @@ struct MembraneStrainInfo {
     std::size_t face = 0;
 };
 
-/// What a gauge showed.
+/// Where and when a field of faces was largest, of all frames.
+struct FieldPeakInfo {
+    FieldPeak peak;
+    double time = 0;  ///< s
+};
+
+/// What a gauge showed: at the last step, and the largest of all steps. Of stress that is the largest
+/// principal one of both surfaces, of curvature and strain the principal one of largest magnitude, signed.
 struct GaugeInfo {
     RecordedGauge gauge;
-    Vector3d displacement = Vector3d::Zero();  ///< m, at the last step
-    double largest = 0;                        ///< m, magnitude
+    GaugeReading last = {};
+    double displacement = 0;                                                  ///< m, magnitude
+    std::optional<double> stress = {}, curvature = {}, membrane_strain = {};  ///< Pa, 1/m, 1
 };
 
 struct SheetInfo {
@@ -50,7 +58,8 @@ struct RunInfo {
     std::vector<SheetInfo> sheets;                      ///< none before the first frame
     std::vector<FragmentInfo> fragments;                ///< by id; none before the first frame
     std::optional<MembraneStrainInfo> membrane_strain;  ///< in the last frame, if there is one
-    std::vector<RecordedSupport> supports;              ///< whose reactions `last` has
+    std::optional<FieldPeakInfo> stress, curvature;  ///< largest_stress(), largest_curvature(), if recorded
+    std::vector<RecordedSupport> supports;           ///< whose reactions `last` has
     std::vector<GaugeInfo> gauges;
     std::vector<RecordedMode> modes;     ///< of vibration, if it is these that the frames show
     std::optional<StepReport> last;      ///< the last step, if there was one

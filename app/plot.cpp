@@ -12,6 +12,8 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/files/xml_text.h"
+#include "app/recording/recording_format.h"
+#include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -66,19 +68,18 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
-/// A line for each of the first names, as many as can be told apart and have room above the chart: the
-/// magnitude of a vector of each step, vector(step, number).
-template <class VectorOf>
-Chart magnitude_chart(Chart chart, const std::vector<StepReport>& steps,
-                      const std::vector<std::string>& names, VectorOf vector) {
+/// A line for each of the first names, as many as can be told apart and have room above the chart:
+/// value(step, number) of each step.
+template <class ValueOf>
+Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const std::vector<std::string>& names,
+                     ValueOf value) {
     constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
     double room = 430;
     for (std::size_t i = 0; i < std::min(names.size(), std::size(colours)); ++i) {
         room -= legend_width(names[i]);
         if (i > 0 && room < 0) break;
-        chart.series.push_back(over_time(steps, names[i], colours[i], [&](const StepReport& step) {
-            return Vector3d(vector(step, i)).norm();
-        }));
+        chart.series.push_back(over_time(steps, names[i], colours[i],
+                                         [&](const StepReport& step) -> double { return value(step, i); }));
     }
     if (chart.series.size() == 1) chart.title += ": " + names.front();
     if (names.size() > chart.series.size())
@@ -90,20 +91,47 @@ Chart reaction_chart(const RecordingHeader& header, const std::vector<StepReport
     std::vector<std::string> names;
     for (const RecordedSupport& support : header.supports)
         names.push_back(support.name.substr(support.name.find('.') + 1));
-    return magnitude_chart({"Forces of supports and obstacles",
-                            time_axis,
-                            {.name = "force", .unit = "N", .from_zero = true},
-                            {}},
-                           steps, names,
-                           [](const StepReport& step, std::size_t i) { return step.reactions.at(i).force; });
+    return chart_of_names({"Forces of supports and obstacles",
+                           time_axis,
+                           {.name = "force", .unit = "N", .from_zero = true},
+                           {}},
+                          steps, names, [](const StepReport& step, std::size_t i) {
+                              return step.reactions.at(i).force.norm();
+                          });
 }
 
-Chart gauge_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
+/// Adds a chart of the gauges that have a column of the recording, if there are any. value: of a reading.
+template <class ValueOf>
+void add_gauge_chart(std::vector<Chart>& charts, const RecordingHeader& header,
+                     const std::vector<StepReport>& steps, const char* column, Chart chart, ValueOf value) {
     std::vector<std::string> names;
-    for (const RecordedGauge& gauge : header.gauges) names.push_back(gauge.name);
-    return magnitude_chart(
-        {"Gauges", time_axis, {.name = "displacement", .unit = "m", .from_zero = true}, {}}, steps, names,
-        [](const StepReport& step, std::size_t i) { return step.gauges.at(i).displacement; });
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < header.gauges.size(); ++i) {
+        if (!recording_format::is_recorded(header.gauges[i], column)) continue;
+        names.push_back(header.gauges[i].name);
+        numbers.push_back(i);
+    }
+    if (names.empty()) return;
+    charts.push_back(chart_of_names(
+        std::move(chart), steps, names,
+        [&](const StepReport& step, std::size_t i) { return value(step.gauges.at(numbers[i])); }));
+}
+
+void add_gauge_charts(std::vector<Chart>& charts, const RecordingHeader& header,
+                      const std::vector<StepReport>& steps) {
+    using Reading = GaugeReading;
+    add_gauge_chart(charts, header, steps, "displacement",
+                    {"Gauges", time_axis, {.name = "displacement", .unit = "m", .from_zero = true}, {}},
+                    [](const Reading& reading) { return reading.displacement.norm(); });
+    add_gauge_chart(charts, header, steps, "stress_top",
+                    {"Gauges", time_axis, {.name = "largest principal stress", .unit = "Pa"}, {}},
+                    [](const Reading& reading) { return largest_stress(reading); });
+    add_gauge_chart(charts, header, steps, "curvature",
+                    {"Gauges", time_axis, {.name = "principal curvature", .unit = "1/m"}, {}},
+                    [](const Reading& reading) { return principal_strain(reading.curvature); });
+    add_gauge_chart(charts, header, steps, "membrane_strain",
+                    {"Gauges", time_axis, {.name = "principal membrane strain"}, {}},
+                    [](const Reading& reading) { return principal_strain(reading.membrane_strain); });
 }
 
 /// Of statics: the load over the displacement of each gauge.
@@ -200,7 +228,12 @@ std::string plot_svg(const Recording& recording) {
                               fragment_chart(steps), cracks,
                               strain_chart(steps),   size_chart(fragment_sizes(last))};
     if (!header.supports.empty()) charts.push_back(reaction_chart(header, steps));
-    if (!header.gauges.empty()) charts.push_back(gauge_chart(header, steps));
+    add_gauge_charts(charts, header, steps);
+    if (header.time_unit != "s") {
+        for (Chart& chart : charts)
+            if (chart.x.name == time_axis.name) chart.x = {.name = header.time_unit, .from_zero = true};
+        if (!header.gauges.empty()) charts.push_back(load_chart(header, steps));
+    }
     const std::size_t rows = (charts.size() + 1) / 2;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "

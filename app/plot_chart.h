@@ -12,7 +12,7 @@ namespace sherd {
 struct ChartSeries {
     std::string name;
     std::string colour;            ///< as in SVG
-    std::vector<Vector2d> points;  ///< x ascending, in the axes' units; what is not finite is a gap
+    std::vector<Vector2d> points;  ///< in order, in the axes' units; what is not finite is a gap
     bool stepped = false;          ///< keeps its value until the next point
     bool dashed = false;
     bool dotted = false;  ///< with a dot at each point

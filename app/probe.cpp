@@ -11,7 +11,7 @@
 #include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
-#include "core/elements/principal_strain.h"
+#include "core/elements/principal_values.h"
 #include "core/membrane/arc_membrane.h"
 #include "core/membrane/membrane_energy.h"
 #include "fracture/breakable_shell.h"
@@ -132,6 +132,8 @@ Probe probe(const ProbeShapes& shapes, const MaterialFile& material, std::vector
         const Vector3d strain = green_strain(triangle.membrane, columns(x, triangle.vertices));
         result.faces.push_back({triangle.vertices, principal_strain(strain)});
     }
+    result.fields = face_fields(sheet, green_strains(sheet, x), CoupledBending(sheet, {}).curvatures(x),
+                                {true, true, true});
     return result;
 }
 

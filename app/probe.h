@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/material_file.h"
-#include "core/vector.h"
+#include "core/shell/face_fields.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -49,6 +49,7 @@ struct Probe {
     std::vector<ProbedEnergy> energies;
     std::vector<ProbedHinge> hinges;
     std::vector<ProbedFace> faces;
+    FaceFields fields;  ///< as coupled hinges see the faces, the stress from the material's constants
 };
 
 /// Throws Error (input) as material_axes does, and naming the vertices of a hinge or face where an energy or
@@ -61,8 +62,8 @@ std::string probe_json(const Probe& probe);
 /// The same for people to read.
 std::string probe_text(const Probe& probe);
 
-/// Writes forces and hinges to an HDF5 file; its datasets are described in app/README.md. Throws Error
-/// (input) when `file` exists and not `force`, (run) when it cannot be written.
+/// Writes forces, hinges and fields of faces to an HDF5 file; its datasets are described in app/README.md.
+/// Throws Error (input) when `file` exists and not `force`, (run) when it cannot be written.
 void write_probe(const Probe& probe, const std::filesystem::path& file, bool force);
 
 }  // namespace sherd

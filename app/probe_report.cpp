@@ -13,7 +13,7 @@
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/probe.h"
-#include "app/recording/hdf5.h"
+#include "app/recording/recording_format.h"
 
 namespace sherd {
 namespace {
@@ -46,6 +46,20 @@ Json face_json(const Probe& probe) {
         {"strain", probe.faces[number].strain}, {"face", number}, {"vertices", probe.faces[number].vertices}};
 }
 
+Json peak_json(const Probe& probe, const char* name, const FieldPeak& peak) {
+    return {{name, peak.value}, {"face", peak.face}, {"vertices", probe.faces[peak.face].vertices}};
+}
+
+void write_fields(hid_t file, const Probe& probe) {
+    std::vector<std::array<Index, 3>> vertices;
+    for (const ProbedFace& face : probe.faces) vertices.push_back(face.vertices);
+    hdf5::write<std::array<Index, 3>>(file, "face/vertices", vertices, {"1", "of the file"});
+    recording_format::visit_field_arrays(probe.fields, [&](const std::string& name, hdf5::Meaning meaning,
+                                                           const Eigen::Matrix3Xd& values, bool) {
+        hdf5::create_array(file, name, H5T_NATIVE_DOUBLE, values.cols(), 3, values.data(), meaning);
+    });
+}
+
 template <class T>
 void write_hinges(hid_t file, const std::string& name, const Probe& probe, T ProbedHinge::*member,
                   const hdf5::Meaning& meaning) {
@@ -67,6 +81,7 @@ void write_datasets(hid_t file, const Probe& probe) {
     write_hinges(file, "rest_angle", probe, &ProbedHinge::rest_angle, {"rad"});
     write_hinges(file, "strain", probe, &ProbedHinge::strain, {"1/m", "bending strain, signed"});
     write_hinges(file, "stiffness", probe, &ProbedHinge::stiffness, {"N m", "lambda"});
+    write_fields(file, probe);
 }
 
 struct ProbeOptions {
@@ -95,6 +110,10 @@ std::string probe_json(const Probe& probe) {
     for (const ProbedEnergy& energy : probe.energies) json["energy"][energy.name] = energy.energy;
     for (const ProbedEnergy& energy : probe.energies) json["force_norm"][energy.name] = energy.force.norm();
     json["largest_strain"] = {{"bending", hinge_json(probe)}, {"membrane", face_json(probe)}};
+    const FieldPeak stress = stress_peak(probe.fields);
+    json["largest_stress"] = peak_json(probe, "stress", stress);
+    json["largest_stress"]["surface"] = stress.top ? "top" : "bottom";
+    json["largest_curvature"] = peak_json(probe, "curvature", curvature_peak(probe.fields));
     return json.dump(2) + "\n";
 }
 
@@ -116,13 +135,19 @@ std::string probe_text(const Probe& probe) {
     const std::size_t face = most_strained(probe.faces).value();
     fmt::format_to(out, "membrane strain     at most {:.6g}: face {}, vertices {}\n",
                    probe.faces[face].strain, face, fmt::join(probe.faces[face].vertices, " "));
+    const FieldPeak stress = stress_peak(probe.fields), curvature = curvature_peak(probe.fields);
+    fmt::format_to(out, "stress              at most {:.6g} Pa: face {}, vertices {}, at the {}\n",
+                   stress.value, stress.face, fmt::join(probe.faces[stress.face].vertices, " "),
+                   stress.top ? "top" : "bottom");
+    fmt::format_to(out, "curvature           changed by {:.6g} 1/m at most: face {}, vertices {}\n",
+                   curvature.value, curvature.face, fmt::join(probe.faces[curvature.face].vertices, " "));
     return text;
 }
 
 void write_probe(const Probe& probe, const std::filesystem::path& file, bool force) {
     // The bare numbers, and generously for HDF5's own.
     const std::size_t bytes = (256 << 10) + 24 * probe.energies.size() * probe.energies.front().force.cols() +
-                              48 * probe.hinges.size();
+                              48 * probe.hinges.size() + (12 + 4 * 24) * probe.faces.size();
     const OutputLock lock(file);
     check_free(file, force);
     PendingFile pending(lock, Fault::input);

@@ -52,7 +52,7 @@ PictureOptions picture_options(const RenderOptions& options) {
 
 StageOptions stage_options(const RenderOptions& options, const PictureOptions& picture) {
     StageOptions stage;
-    stage.colour = parse_render_colour(options.colour);
+    stage.colour = parse_render_colour(options.colour, render_colours);
     stage.camera = parse_camera(options.camera);
     stage.aspect = static_cast<double>(picture.width) / picture.height;
     if (options.ground != "auto" && options.ground != "none")
@@ -63,8 +63,9 @@ StageOptions stage_options(const RenderOptions& options, const PictureOptions& p
     if (!stage.range || !(stage.range->first < stage.range->second) || !std::isfinite(stage.range->first) ||
         !std::isfinite(stage.range->second))
         throw Error(fmt::format("--range {}: give LOW:HIGH, two numbers, the smaller first", options.range));
-    if (stage.colour != RenderColour::strain && stage.colour != RenderColour::speed)
-        throw Error(fmt::format("--range {}: goes with --color strain or speed only", options.range));
+    if (!is_scalar(stage.colour))
+        throw Error(fmt::format("--range {}: goes with --color {} only", options.range,
+                                colour_names(scalar_colours)));
     return stage;
 }
 
@@ -230,8 +231,9 @@ void add_render(CLI::App& program, Command& chosen) {
     option("--frames", options->frames,
            "last (default), all (default of a film), numbers and START:STOP:STEP as in Python", "WHICH");
     option("--color", options->colour, "What the colours show (default: fragment)",
-           "fragment|strain|speed|axis|none");
-    option("--range", options->range, "Of strain (1/m) or speed (m/s); default: all of the recording",
+           "fragment|strain|speed|stress|curvature|axis|none");
+    option("--range", options->range,
+           "Of strain, curvature (1/m), speed (m/s) or stress (Pa); default: all of the recording",
            "LOW:HIGH");
     option("--size", options->size, "Pixels (default 960x540)", "WxH");
     option("--samples", options->samples, "Of each pixel: more have less grain (default 32)", "N");
@@ -245,7 +247,7 @@ void add_render(CLI::App& program, Command& chosen) {
     add_slow_motion_options(*command, options->slow, "Pictures a second of the film (default 24)");
     option("--threads", options->threads, "Default: as many as the processor runs at once", "N");
     command->add_flag("--plain", options->plain,
-                      "Without the colour bar and the caption that come with strain and speed");
+                      "Without the colour bar and the caption that come with colours of numbers");
     command->add_flag("--force", options->force, "Replace files that exist");
     command->footer(
         "Examples:\n"

@@ -63,9 +63,12 @@ RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs) {
         faces += static_cast<double>(input.mesh.number_of_faces());
         edges += static_cast<double>(input.mesh.number_of_edges());
     }
-    cost.recording = recording_size(
-        {vertices, faces, edges}, static_cast<double>(cost.frames), static_cast<double>(cost.steps),
-        static_cast<double>(6 * support_names(scene).size() + 3 * scene.gauges.size()));
+    double columns = static_cast<double>(6 * support_names(scene).size());
+    for (const GaugeSpec& gauge : scene.gauges)
+        columns += 3 * (gauge.displacement + 2 * gauge.fields.stress + gauge.fields.curvature +
+                        gauge.fields.membrane_strain);
+    cost.recording = recording_size({vertices, faces, edges}, static_cast<double>(cost.frames),
+                                    static_cast<double>(cost.steps), columns, scene.fields);
     cost.memory = guessed_memory(faces);
     cost.machine_memory = machine_memory();
     return cost;

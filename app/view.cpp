@@ -128,7 +128,7 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     check_slow_motion({options.slow, {}});
     const Recording recording(options.recording);
     StageOptions stage_options;
-    stage_options.colour = RenderColour::strain;
+    stage_options.colour = parse_render_colour(options.colour, view_colours);
     const RenderStage stage(recording, stage_options, warnings);
     const std::string title = xml_escaped(options.recording.stem().string());
     PageJson data = fitting_data(recording, stage, options.megabytes, warnings);
@@ -149,12 +149,16 @@ void add_view(CLI::App& program, Command& chosen) {
         ->option_text("RUN.h5");
     command->add_option("-o,--output", options->output, "HTML file (default: beside RUN.h5)")
         ->option_text("FILE.html");
+    command
+        ->add_option("--color", options->colour,
+                     "What its colours can show beside fragments (default: strain)")
+        ->option_text("strain|stress|curvature");
     add_slow_motion_option(*command, options->slow);
     command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
         ->check(CLI::Range(1.0, 400.0))
         ->option_text("N");
     command->add_flag("--plain", options->plain,
-                      "Without the colour bar and the caption that come with strain");
+                      "Without the colour bar and the caption that come with colours of numbers");
     command->add_flag("--force", options->force, "Replace a file that exists");
     command->footer("Example:\n  sherd view plate_drop.h5 -o plate.html");
     command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/gauge.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/contact/geometry/distance.h"
+#include "core/elements/principal_values.h"
 
 namespace sherd {
 namespace {
@@ -22,6 +24,10 @@ Vector3d coordinates(const Shell& shell, const Gauge& gauge) {
 
 }  // namespace
 
+double largest_stress(const GaugeReading& reading) {
+    return std::max(principal_values(reading.stress_top)[0], principal_values(reading.stress_bottom)[0]);
+}
+
 Gauge nearest_gauge(const Shell& shell, const Vector3d& place, Index sheet) {
     Gauge nearest;
     double least = std::numeric_limits<double>::infinity();
@@ -32,15 +38,24 @@ Gauge nearest_gauge(const Shell& shell, const Vector3d& place, Index sheet) {
         const Vector3d way = pair * closest_points(PairKind::vertex_triangle, pair).weights;
         if (way.squaredNorm() >= least) continue;
         least = way.squaredNorm();
-        nearest = {face, place - way};
+        nearest.face = face;
+        nearest.place = place - way;
     }
     return nearest;
 }
 
-GaugeReading reading(const Shell& shell, const Gauge& gauge) {
+GaugeReading reading(const Shell& shell, const Gauge& gauge, const std::optional<FaceState>& state) {
     const std::array<Index, 3>& vertices = shell.triangles[gauge.face].vertices;
     const TrianglePositions moved = columns(shell.position, vertices) - columns(shell.rest, vertices);
-    return {moved * coordinates(shell, gauge)};
+    GaugeReading reading;
+    if (gauge.displacement) reading.displacement = moved * coordinates(shell, gauge);
+    if (!state) return reading;
+    if (gauge.fields.curvature) reading.curvature = state->curvature;
+    if (gauge.fields.membrane_strain) reading.membrane_strain = state->membrane_strain;
+    if (!gauge.fields.stress) return reading;
+    reading.stress_top = state->stress_top;
+    reading.stress_bottom = state->stress_bottom;
+    return reading;
 }
 
 void follow(const Shell& shell, const ShellChange& change, std::span<Gauge> gauges) {

@@ -3,32 +3,23 @@
 
 #include <cmath>
 
+#include "core/bending/hinge_curvature.h"
+#include "core/shell/face_fields.h"
+
 namespace sherd {
 namespace {
 
-/// A hinge's two faces and the outward normal of its edge in each, in the faces' rest frames.
-struct HingeSides {
-    std::array<Face, 2> faces;
-    std::array<Vector2d, 2> normals;  ///< 1/m: of length one over the height of the face on the edge
-};
-
-/// Green strain of a face and its change of curvature, as (00, 11, 2 * 01) in the face's rest frame.
-struct FaceStrain {
-    Vector3d green = Vector3d::Zero();
-    Vector3d curvature = Vector3d::Zero();  ///< 1/m
-};
-
-HingeSides sides_of(const BreakableShell& shell, std::size_t hinge) {
-    HingeSides sides;
+/// The sides that a hinge joins, of T0 and of T1, as sides_of_hinges() has them.
+std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hinge) {
+    std::array<TriangleEdge, 2> sides;
     const Edge edge = shell.edge_of_hinge(hinge);
     for (const int side : {0, 1}) {
         const Face face = shell.mesh().face(shell.mesh().halfedge(edge, side));
-        const TriangleStencil& triangle = shell.mechanics().triangles[face];
+        const std::array<Index, 3>& vertices = shell.mechanics().triangles[face].vertices;
         const Index apex = shell.mechanics().hinges[hinge].vertices[2 + side];
-        int place = 0;
-        while (triangle.vertices[place] != apex) ++place;
-        sides.faces[side] = face;
-        sides.normals[side] = -triangle.membrane.derivatives.row(place).transpose();
+        int corner = 0;
+        while (vertices[corner] != apex) ++corner;
+        sides[side] = {static_cast<Index>(face), corner};
     }
     return sides;
 }
@@ -36,33 +27,6 @@ HingeSides sides_of(const BreakableShell& shell, std::size_t hinge) {
 /// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of unit normal n.
 Vector3d across(const Vector2d& n) {
     return {n.x() * n.x(), n.y() * n.y(), n.x() * n.y()};
-}
-
-/// Curvature, 1/m, that a hinge adds to a face. turn: change of its angle, rad; normal: see HingeSides.
-Vector3d curvature_of(double turn, const Vector2d& normal) {
-    const Vector3d part = turn / normal.norm() * across(normal);
-    return {part[0], part[1], 2 * part[2]};
-}
-
-std::vector<FaceStrain> face_strains(const Shell& mechanics, const std::vector<HingeSides>& sides,
-                                     const VectorXd& bending, const Positions& x,
-                                     const std::optional<Eigen::Matrix3Xd>& curvatures,
-                                     const std::optional<Eigen::Matrix3Xd>& stretches) {
-    std::vector<FaceStrain> strains(mechanics.triangles.size());
-    for (std::size_t f = 0; f < strains.size(); ++f) {
-        const TriangleStencil& triangle = mechanics.triangles[f];
-        strains[f].green = stretches ? Vector3d(stretches->col(static_cast<Eigen::Index>(f)))
-                                     : green_strain(triangle.membrane, columns(x, triangle.vertices));
-        if (curvatures) strains[f].curvature = curvatures->col(static_cast<Eigen::Index>(f));
-    }
-    if (curvatures) return strains;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const RestHinge& rest = mechanics.hinges[i].rest;
-        const double turn = bending[i] * rest.area / rest.edge_length;
-        for (const int side : {0, 1})
-            strains[sides[i].faces[side]].curvature += curvature_of(turn, sides[i].normals[side]);
-    }
-    return strains;
 }
 
 }  // namespace
@@ -88,12 +52,14 @@ double HingeMeasures::of(Measure measure, Index hinge) const {
 
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures,
-                             const std::optional<Eigen::Matrix3Xd>& stretches) {
+                             const std::optional<Eigen::Matrix3Xd>& strains) {
     const Shell& mechanics = shell.mechanics();
-    std::vector<HingeSides> sides;
+    std::vector<std::array<TriangleEdge, 2>> sides;
     for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(shell, i));
     const VectorXd bending = hinge_strains(shell, x);
-    const std::vector<FaceStrain> faces = face_strains(mechanics, sides, bending, x, curvatures, stretches);
+    const Eigen::Matrix3Xd green = strains ? *strains : green_strains(mechanics, x);
+    const Eigen::Matrix3Xd curvature =
+        curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
 
     HingeMeasures measures;
     measures.bending = bending.cwiseAbs();
@@ -101,15 +67,14 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const double thickness = mechanics.thickness[mechanics.hinges[i].vertices[0]];
         double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
-        for (const int side : {0, 1}) {
-            const FaceStrain& face = faces[sides[i].faces[side]];
-            const Matrix3d& elasticity = mechanics.triangles[sides[i].faces[side]].membrane.elasticity;
-            const Vector3d part = across(sides[i].normals[side].normalized());
-            const Vector3d stiff = elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
-            stretch += 0.5 * part.dot(face.green);
-            bend += 0.5 * part.dot(face.curvature);
-            pull += 0.5 * stiff.dot(face.green) / thickness;
-            bending_stress += 0.5 * stiff.dot(face.curvature) / 2;
+        for (const auto& [face, corner] : sides[i]) {
+            const MembraneTriangle& membrane = mechanics.triangles[face].membrane;
+            const Vector3d part = across(side_normal(membrane, corner).normalized());
+            const Vector3d stiff = membrane.elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
+            stretch += 0.5 * part.dot(green.col(face));
+            bend += 0.5 * part.dot(curvature.col(face));
+            pull += 0.5 * stiff.dot(green.col(face)) / thickness;
+            bending_stress += 0.5 * stiff.dot(curvature.col(face)) / 2;
         }
         measures.strain[i] = stretch / (0.5 * thickness) + std::abs(bend);
         measures.stress[i] = pull + std::abs(bending_stress);

@@ -150,7 +150,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
 }
 
 HingeMeasures Simulation::measured() const {
-    return hinge_measures(breakable, stepper.position, stepper.face_curvatures(), stepper.face_stretches());
+    return hinge_measures(breakable, stepper.position, stepper.coupled_curvatures(), stepper.face_strains());
 }
 
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {
@@ -256,13 +256,27 @@ void Simulation::add_touch(StepReport& report) {
 }
 
 void Simulation::read_gauges(StepReport& report) const {
-    for (const Gauge& gauge : options.gauges) report.gauges.push_back(reading(breakable.mechanics(), gauge));
+    const Shell& shell = breakable.mechanics();
+    Eigen::Matrix3Xd strains, curvatures;
+    if (std::ranges::any_of(options.gauges, [](const Gauge& gauge) { return gauge.fields.any(); })) {
+        strains = stepper.face_strains();
+        curvatures = stepper.face_curvatures();
+    }
+    for (const Gauge& gauge : options.gauges) {
+        std::optional<FaceState> state;
+        if (gauge.fields.any())
+            state = face_state(shell, gauge.face, strains.col(gauge.face), curvatures.col(gauge.face));
+        report.gauges.push_back(reading(shell, gauge, state));
+    }
 }
 
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;
     snapshot.time = time();
+    if (options.fields.any())
+        snapshot.fields = face_fields(breakable.mechanics(), stepper.face_strains(),
+                                      stepper.face_curvatures(), options.fields);
     return snapshot;
 }
 

@@ -26,6 +26,7 @@ struct SimulationOptions {
     StepperOptions stepper = {.contact = {.sheets = true}};
     std::vector<HeldVertex> held;  ///< by the first StepperOptions::supports numbers
     std::vector<Gauge> gauges;
+    FaceFieldChoice fields;   ///< that snapshots have
     int max_iterations = 50;  ///< of the minimiser, except between two stages of breaking
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/vector.h"
+#include "core/shell/face_fields.h"
 #include "fracture/edge_state.h"
 
 namespace sherd {
@@ -46,7 +46,8 @@ struct Snapshot {
     std::vector<EdgeState> edge_state;        ///< [E]
     std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
 
-    RestMesh rest;  ///< of the same faces
+    RestMesh rest;      ///< of the same faces
+    FaceFields fields;  ///< of faces, as far as they were wanted
 };
 
 /// A mesh of which nothing has been split.

@@ -18,7 +18,7 @@ struct ExportOptions {
     bool fragments = false;        ///< one object (obj) or one file (ply, stl) for each fragment
     bool solid = false;            ///< bodies of the sheets' thickness (obj, ply, stl, glb)
     std::optional<double> thickness;  ///< m, instead of the recording's
-    std::string quality = "strain";   ///< main scalar of ply: strain, speed, fragment
+    std::string quality = "strain";   ///< main scalar of ply: a name of face_quality()
     std::string animate = "rigid";    ///< how glb moves: rigid, morph
     std::optional<double> voxel;      ///< m, of vdb; a quarter of the smallest thickness
     SlowMotion slow;                  ///< of glb, pc2 and mdd; the rate of pc2 and mdd

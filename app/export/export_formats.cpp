@@ -50,7 +50,7 @@ void check_length(const char* option, const std::optional<double>& given) {
 }
 
 void check_values(const ExportOptions& options) {
-    check_choice("--quality", options.quality, {"strain", "speed", "fragment"});
+    check_choice("--quality", options.quality, {"strain", "speed", "fragment", "stress", "curvature"});
     check_choice("--animate", options.animate, {"rigid", "morph"});
     check_length("--voxel", options.voxel);
     check_length("--thickness", options.thickness);

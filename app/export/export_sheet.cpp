@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/recording/fields.h"
+
 namespace sherd {
 namespace {
 
@@ -87,6 +89,16 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
 
 std::vector<double> face_quality(const Snapshot& frame, const std::string& name) {
     if (name == "fragment") return {frame.face_fragment.begin(), frame.face_fragment.end()};
+    if (name == "stress") {
+        require_field(frame.fields.stress_top, name);
+        const VectorXd stress = largest_stress(frame.fields);
+        return {stress.begin(), stress.end()};
+    }
+    if (name == "curvature") {
+        require_field(frame.fields.curvature, name);
+        const VectorXd curvature = largest_curvature(frame.fields);
+        return {curvature.begin(), curvature.end()};
+    }
     return name == "speed" ? face_speed(frame) : face_strain(frame);
 }
 

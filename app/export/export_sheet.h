@@ -22,7 +22,9 @@ std::vector<std::size_t> group_points(const TriangleSheet& sheet, std::int32_t g
 TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group);
 
 /// Returns a number for each face [F]: `strain`, the largest of the hinges at its edges in absolute value
-/// (1/m), `speed`, the mean of its vertices (m/s), or `fragment`.
+/// (1/m), `speed`, the mean of its vertices (m/s), `stress`, the largest principal one of both surfaces (Pa),
+/// `curvature`, the principal one of largest magnitude (1/m, signed), or `fragment`. Throws Error (input)
+/// when the frame does not have the field.
 std::vector<double> face_quality(const Snapshot& frame, const std::string& name);
 
 /// Returns values[chosen[0]], values[chosen[1]], and so on.

@@ -62,12 +62,26 @@ std::string vertex_arrays(const Snapshot& frame) {
            array("Float64", "Points", 3, frame.position.data(), 3 * vertices) + "</Points>\n";
 }
 
+/// Each field, and its principal values, the larger ones first.
+std::string field_arrays(const FaceFields& fields) {
+    std::string text;
+    visit_fields(
+        fields, [&](const std::string& name, const Eigen::Matrix3Xd& values, const FieldMeaning& meaning) {
+            if (values.size() == 0) return;
+            const Eigen::Matrix2Xd principal = principal_values(values, meaning.twice);
+            text += array("Float64", name.c_str(), 3, values.data(), values.size()) +
+                    array("Float64", (name + "_principal").c_str(), 2, principal.data(), principal.size());
+        });
+    return text;
+}
+
 std::string face_arrays(const Snapshot& frame) {
     const std::size_t faces = frame.faces.size();
     return "<CellData Scalars=\"fragment\">\n" +
            array("Int32", "fragment", 1, frame.face_fragment.data(), faces) +
            array("Int32", "sheet", 1, frame.face_sheet.data(), faces) +
-           array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) + "</CellData>\n";
+           array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) +
+           field_arrays(frame.fields) + "</CellData>\n";
 }
 
 std::string triangles(const Snapshot& frame) {

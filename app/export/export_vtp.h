@@ -10,8 +10,8 @@
 namespace sherd {
 
 /// Returns the content of a VTK file (.vtp, XML that any parser reads, numbers in base64 of zlib's blocks) of
-/// a frame: its faces with `fragment`, `sheet` and `strain` (1/m, largest of the face's edges), and its
-/// vertices with `speed` and `velocity`, all in the frame's order.
+/// a frame: its faces with `fragment`, `sheet` and `strain` (1/m, largest of the face's edges), their fields
+/// and the principal values of these, and its vertices with `speed` and `velocity`, all in the frame's order.
 std::string vtp_bytes(const Snapshot& frame);
 
 /// A file of a frame and its time.

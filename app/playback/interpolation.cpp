@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/playback/ancestry.h"
+#include "core/elements/mid_edge.h"
 
 namespace sherd {
 namespace {
@@ -62,6 +63,38 @@ void say_of_born_edges(const Snapshot& earlier, const Ancestry& ancestry, double
     }
 }
 
+/// The angle, rad, from the first axis of a face's rest frame in the later frame to that of the face that it
+/// was, or was a part of, in the earlier one.
+double turn_of_frame(const RestMesh& earlier, Index before, const RestMesh& later, std::size_t face) {
+    if (earlier.faces[before] == later.faces[face]) return 0;
+    const auto axes = frame_axes(columns(later.position, later.faces[face]));
+    const Vector3d old = frame_axes(columns(earlier.position, earlier.faces[before])).col(0);
+    return std::atan2(axes.col(1).dot(old), axes.col(0).dot(old));
+}
+
+/// Fields of faces that both frames have. Their components are those in the frames of the later faces.
+void say_of_fields(const Snapshot& earlier, const Ancestry& ancestry, double share, Snapshot& between) {
+    std::vector<const Eigen::Matrix3Xd*> before;
+    visit_fields(earlier.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        before.push_back(&values);
+    });
+    auto next = before.begin();
+    visit_fields(between.fields, [&](const char*, Eigen::Matrix3Xd& values, const FieldMeaning& meaning) {
+        const Eigen::Matrix3Xd& from = **next++;
+        const double count = meaning.twice ? 2 : 1;
+        for (Eigen::Index f = 0; f < values.cols() && from.cols() > 0; ++f) {
+            const Index whole = ancestry.faces[f];
+            Vector3d start = from.col(whole);
+            const double turn = turn_of_frame(earlier.rest, whole, between.rest, f);
+            if (turn != 0) {
+                start = turned_tensor({start[0], start[1], start[2] / count}, turn);
+                start[2] *= count;
+            }
+            values.col(f) = (start + share * (values.col(f) - start)).eval();
+        }
+    });
+}
+
 }  // namespace
 
 Snapshot interpolated(const Snapshot& earlier, const Snapshot& later, double share) {
@@ -78,6 +111,7 @@ Snapshot interpolated(const Snapshot& earlier, const Snapshot& later, double sha
         between.face_fragment[f] = earlier.face_fragment[before.faces[f]];
     say_of_edges(earlier, share, between);
     say_of_born_edges(earlier, before, share, between);
+    say_of_fields(earlier, before, share, between);
     return between;
 }
 

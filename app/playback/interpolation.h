@@ -15,7 +15,8 @@ namespace sherd {
 /// and no face is stretched over a crack: the crack opens from closed to its width in the later frame. What
 /// is said about the mesh is the earlier frame's until the later one is reached: the fragments, and the
 /// states of edges. Velocities, and strains of hinges that do not break on the way, are interpolated, too;
-/// that of a hinge within a face that is split on the way grows from 0.
+/// that of a hinge within a face that is split on the way grows from 0. So are the fields of faces; a part of
+/// a face begins with those of the whole.
 ///
 /// Throws Error (input) when the frames are not those of one run, in this order.
 Snapshot interpolated(const Snapshot& earlier, const Snapshot& later, double share);

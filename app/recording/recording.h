@@ -30,6 +30,10 @@ struct RecordedGauge {
     std::string name;
     std::string sheet;
     Vector3d place = Vector3d::Zero();  ///< m, on the sheet at rest
+    bool displacement = true;           ///< whether it is recorded
+    FaceFieldChoice fields = {};        ///< of its face, that are recorded, too
+    /// Of its face at rest, in which these are: frame_axes(). Zero without any.
+    Eigen::Matrix<double, 3, 2> axes = Eigen::Matrix<double, 3, 2>::Zero();
 };
 
 /// What a recording says about its run once, at its head.
@@ -122,6 +126,7 @@ class Recording {
     RecordingHeader header() const;
     std::size_t frame_count() const;
     Snapshot frame(std::size_t number) const;         ///< number < frame_count()
+    FaceFields fields(std::size_t number) const;      ///< of a frame, without the rest of it
     double time(std::size_t number) const;            ///< s, of a frame
     std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame

@@ -70,6 +70,16 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/vertex_weights", rest.vertex_weights.size()}})});
 }
 
+/// Of fields of faces, of which a frame may have none.
+std::string field_fault(const Snapshot& s) {
+    std::string fault;
+    visit_fields(s.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        if (values.cols() > 0 && static_cast<std::size_t>(values.cols()) != s.faces.size())
+            fault = fmt::format("face/vertices and face/{} differ in length", name);
+    });
+    return fault;
+}
+
 std::string number_fault(const Snapshot& s, std::size_t unbroken_vertices) {
     const auto vertices = static_cast<std::size_t>(s.position.cols()),
                rest_vertices = static_cast<std::size_t>(s.rest.position.cols());
@@ -139,13 +149,21 @@ std::string obstacle_group(std::size_t number) {
     return fmt::format("obstacles/{}", number);
 }
 
+bool is_recorded(const RecordedGauge& gauge, std::string_view column) {
+    if (column == "displacement") return gauge.displacement;
+    if (column == "curvature") return gauge.fields.curvature;
+    if (column == "membrane_strain") return gauge.fields.membrane_strain;
+    return gauge.fields.stress;
+}
+
 RestMesh unbroken_mesh(const RecordingHeader& header) {
     return sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
                                 header.rest_thickness);
 }
 
 std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
-    if (std::string fault = first_of({length_fault(s), number_fault(s, unbroken_vertices)}); !fault.empty())
+    if (std::string fault = first_of({length_fault(s), field_fault(s), number_fault(s, unbroken_vertices)});
+        !fault.empty())
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";

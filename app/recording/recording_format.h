@@ -14,6 +14,8 @@
 namespace sherd::recording_format {
 
 inline constexpr const char* format = "sherd recording";
+/// What the names of principal values of a field end with.
+inline constexpr const char* principal_suffix = "_principal";
 inline constexpr std::int64_t version = 3;
 /// The oldest version that can be read: it knows no faces that change.
 inline constexpr std::int64_t oldest_version = 2;
@@ -36,6 +38,15 @@ void visit_arrays(S& snapshot, Visit visit) {
           {"1", "0 interior (carries a hinge), 1 fractured interior (failed, still closed), 2 boundary"},
           snapshot.edge_state);
     visit("edge/strain", {"1/m", "hinge strain, signed; 0 where there is no hinge"}, snapshot.edge_strain);
+}
+
+/// Calls visit(dataset name, meaning, array, whether a third component is 01 twice) for every field of faces,
+/// also those that a frame does not have.
+template <class F, class Visit>
+void visit_field_arrays(F& fields, Visit visit) {
+    visit_fields(fields, [&](const char* name, auto& values, const FieldMeaning& meaning) {
+        visit(std::string("face/") + name, {meaning.unit, meaning.description}, values, meaning.twice);
+    });
 }
 
 /// Calls visit(dataset name, meaning, array) for every array of a mesh at rest.
@@ -111,13 +122,28 @@ struct Table<Reaction> {
 /// Beside Table<StepReport>, one for each gauge.
 template <>
 struct Table<GaugeReading> {
+    static constexpr bool may_lack(std::string_view) { return true; }  ///< only those that is_recorded()
     template <class Visit>
     static void visit(Visit visit) {
         using R = GaugeReading;
         visit("displacement", {"m", "from where the sheet was placed, at the end of each step of /steps"},
               &R::displacement);
+        visit("curvature", {"1/m", "change of curvature of its face in `axes`, 00, 11 and 2 * 01"},
+              &R::curvature);
+        visit("membrane_strain",
+              {"1", "Green strain of the middle surface of its face in `axes`, 00, 11 and 2 * 01"},
+              &R::membrane_strain);
+        visit("stress_top",
+              {"Pa",
+               "second Piola-Kirchhoff stress in `axes`, 00, 11 and 01, at the surface to which its face's "
+               "normal points"},
+              &R::stress_top);
+        visit("stress_bottom", {"Pa", "the same at the other surface"}, &R::stress_bottom);
     }
 };
+
+/// Whether the recording has this column of a gauge.
+bool is_recorded(const RecordedGauge& gauge, std::string_view column);
 
 template <>
 struct Table<EdgeFailure> {

@@ -52,6 +52,29 @@ RestMesh read_rest(hid_t file, hid_t frame) {
     return rest;
 }
 
+/// What is recorded of a gauge.
+void read_choice(hid_t group, RecordedGauge& gauge) {
+    gauge.displacement = hdf5::contains(group, "displacement");
+    gauge.fields = {.stress = hdf5::contains(group, "stress_top"),
+                    .curvature = hdf5::contains(group, "curvature"),
+                    .membrane_strain = hdf5::contains(group, "membrane_strain")};
+    if (!gauge.fields.any()) return;
+    const std::vector<Vector3d> axes = hdf5::read<Vector3d>(group, "axes");
+    if (axes.size() != 2) throw Error("the axes of the gauge '" + gauge.name + "' are not two");
+    gauge.axes << axes[0], axes[1];
+}
+
+/// Those that a frame's group has.
+FaceFields read_fields(hid_t frame) {
+    FaceFields fields;
+    visit_field_arrays(fields, [&](const std::string& name, hdf5::Meaning, Eigen::Matrix3Xd& values, bool) {
+        if (hdf5::contains(frame, name)) read_array(frame, name, values);
+    });
+    if (fields.stress_top.cols() != fields.stress_bottom.cols())
+        throw Error("face/stress_top and face/stress_bottom differ in length");
+    return fields;
+}
+
 std::pair<dev_t, ino_t> identity_of(const std::filesystem::path& file) {
     struct stat status {};
     stat(file.c_str(), &status);
@@ -121,6 +144,7 @@ RecordingHeader Recording::header() const {
             if (place.size() != 1) throw Error(path + "/place is not one point");
             header.gauges.push_back(
                 {path.substr(path.rfind('/') + 1), hdf5::read_text_attribute(group, "sheet"), place.front()});
+            read_choice(group, header.gauges.back());
         }
         return header;
     });
@@ -138,12 +162,18 @@ Snapshot Recording::frame(std::size_t number) const {
         snapshot.step = hdf5::read_integer_attribute(group, "step");
         visit_arrays(snapshot,
                      [&](const char* name, hdf5::Meaning, auto& values) { read_array(group, name, values); });
+        snapshot.fields = read_fields(group);
         snapshot.rest = version < 3 ? read_unbroken_mesh(opened) : read_rest(opened, group);
         const std::size_t unbroken_vertices = hdf5::row_count(opened, "rest/position", 3);
         if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
             throw Error(fmt::format("frame {}: {}", number, what));
         return snapshot;
     });
+}
+
+FaceFields Recording::fields(std::size_t number) const {
+    return read_with(
+        [number](hid_t opened) { return read_fields(hdf5::open_group(opened, frame_group(number))); });
 }
 
 double Recording::time(std::size_t number) const {

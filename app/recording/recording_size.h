@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/shell/face_fields.h"
+
 namespace sherd {
 
 /// Elements of a mesh.
@@ -10,6 +12,7 @@ struct MeshSize {
 
 /// Returns about how many bytes a recording takes, without cracks. columns: numbers of
 /// reactions and gauges in a step.
-double recording_size(const MeshSize& mesh, double frames, double steps, double columns);
+double recording_size(const MeshSize& mesh, double frames, double steps, double columns,
+                      const FaceFieldChoice& fields = {});
 
 }  // namespace sherd

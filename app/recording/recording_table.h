@@ -17,39 +17,47 @@ inline std::string column(const std::string& group, const char* name) {
     return fmt::format("{}/{}", group, name);
 }
 
+/// Creates the columns whose names `wanted` takes.
+template <class Row, class Wanted>
+void create_table(hid_t file, const std::string& group, Wanted wanted) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
+        if (wanted(name)) hdf5::create_column<Stored<T>>(file, column(group, name), meaning);
+    });
+}
+
 template <class Row>
 void create_table(hid_t file, const std::string& group = Table<Row>::group) {
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning meaning, T Row::*) {
-        hdf5::create_column<Stored<T>>(file, column(group, name), meaning);
+    create_table<Row>(file, group, [](const char*) { return true; });
+}
+
+/// Calls visit(column name, member) for every column that has to be in the file.
+template <class Row, class Visit>
+void visit_columns(hid_t file, const std::string& group, Visit visit) {
+    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+        if constexpr (requires { Table<Row>::may_lack(name); })
+            if (Table<Row>::may_lack(name) && !hdf5::contains(file, column(group, name))) return;
+        visit(name, member);
     });
 }
 
 template <class Row>
 void append_table(hid_t file, std::span<const Row> rows, const std::string& group = Table<Row>::group) {
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         std::vector<Stored<T>> values;
         for (const Row& row : rows) values.push_back(row.*member);
         hdf5::append<Stored<T>>(file, column(group, name), values);
     });
 }
 
-/// Whether a column is one that earlier programs did not write, and is not there.
-template <class Row>
-bool lacks(hid_t file, const std::string& group, const char* name) {
-    if constexpr (requires { Table<Row>::may_lack(name); })
-        return Table<Row>::may_lack(name) && !hdf5::contains(file, column(group, name));
-    return false;
-}
-
 /// Returns the number of rows that are complete.
 template <class Row>
 std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group) {
     std::size_t rows = SIZE_MAX;
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*) {
-        if (!lacks<Row>(file, group, name))
-            rows = std::min<std::size_t>(
-                rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*) {
+        rows = std::min<std::size_t>(
+            rows, hdf5::row_count(file, column(group, name), hdf5::Element<Stored<T>>::width));
     });
+    if (rows == SIZE_MAX) throw Error(group + " has no columns");
     return rows;
 }
 
@@ -57,8 +65,7 @@ std::size_t table_rows(hid_t file, const std::string& group = Table<Row>::group)
 template <class Row>
 std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::group) {
     std::vector<Row> rows(table_rows<Row>(file, group));
-    Table<Row>::visit([&]<class T>(const char* name, hdf5::Meaning, T Row::*member) {
-        if (lacks<Row>(file, group, name)) return;
+    visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column(group, name));
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
     });

@@ -8,6 +8,7 @@
 #include "app/files/pending_file.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
+#include "core/elements/membrane.h"
 
 namespace sherd {
 
@@ -24,9 +25,11 @@ std::filesystem::path index_of(const std::filesystem::path& file) {
     return index;
 }
 
+/// A row for each column of the matrix.
+template <int N>
 void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning,
-                 const Positions& values) {
-    hdf5::create_array(where, name, H5T_NATIVE_DOUBLE, values.cols(), 3, values.data(), meaning);
+                 const Eigen::Matrix<double, N, Eigen::Dynamic>& values) {
+    hdf5::create_array(where, name, H5T_NATIVE_DOUBLE, values.cols(), N, values.data(), meaning);
 }
 
 void write_array(hid_t where, const std::string& name, const hdf5::Meaning& meaning, const VectorXd& values) {
@@ -67,7 +70,10 @@ void write_gauge(hid_t file, const RecordedGauge& gauge) {
     const hdf5::Handle group = create_numbered(file, gauge_group, path);
     hdf5::write_attribute(group, "sheet", gauge.sheet);
     hdf5::write<Vector3d>(group, "place", std::array{gauge.place}, {"m", "on the sheet at rest"});
-    create_table<GaugeReading>(file, path);
+    if (gauge.fields.any())
+        hdf5::write<Vector3d>(group, "axes", std::array<Vector3d, 2>{gauge.axes.col(0), gauge.axes.col(1)},
+                              {"1", "of its face at rest; the first runs along its first side"});
+    create_table<GaugeReading>(file, path, [&](const char* column) { return is_recorded(gauge, column); });
 }
 
 void write_head(hid_t file, const RecordingHeader& header) {
@@ -113,6 +119,33 @@ void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {
                 stored);
 }
 
+/// The axes of each face where it is, one after the other.
+Eigen::Matrix<double, 6, Eigen::Dynamic> axes_of_faces(const Snapshot& snapshot) {
+    Eigen::Matrix<double, 6, Eigen::Dynamic> axes(6, static_cast<Eigen::Index>(snapshot.faces.size()));
+    for (std::size_t f = 0; f < snapshot.faces.size(); ++f)
+        axes.col(static_cast<Eigen::Index>(f)) =
+            frame_axes(columns(snapshot.position, snapshot.faces[f])).reshaped();
+    return axes;
+}
+
+void write_fields(hid_t group, const Snapshot& snapshot) {
+    if (!choice_of(snapshot.fields).any()) return;
+    visit_field_arrays(snapshot.fields, [&](const std::string& name, hdf5::Meaning meaning,
+                                            const Eigen::Matrix3Xd& values, bool twice) {
+        if (values.size() == 0) return;
+        write_array(group, name, meaning, values);
+        write_array(group, name + principal_suffix,
+                    {meaning.unit, "its principal values, the larger one first"},
+                    principal_values(values, twice));
+    });
+    write_array(
+        group, "face/axes",
+        {"1",
+         "of the tensors of faces: two unit vectors, along the face's first side where it is now, and "
+         "at right angles to that in its plane; their cross product is its normal"},
+        axes_of_faces(snapshot));
+}
+
 /// same_rest: the path of a mesh at rest that is this frame's, too; empty: there is none.
 void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest,
                  std::span<const Eigen::Isometry3d> poses) {
@@ -124,6 +157,7 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
     });
     const VectorXd speed = snapshot.velocity.colwise().norm();
     write_array(group, "vertex/speed", {"m/s"}, speed);
+    write_fields(group, snapshot);
     if (same_rest.empty())
         write_rest(group, "rest", snapshot.rest);
     else
@@ -227,9 +261,13 @@ std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<con
     visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
         of_events += 2 * sizeof(Event) * (events.*kind).size();
     });
+    std::size_t of_fields = 0;  // 3 components, 2 principal values; and the axes
+    visit_fields(snapshot.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        of_fields += (3 + 2 + 6) * sizeof(double) * static_cast<std::size_t>(values.cols());
+    });
     return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
            24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
-           of_events + of_lists +
+           of_events + of_lists + of_fields +
            (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
            append_overhead;
 }
@@ -299,6 +337,9 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
                       snapshot.faces.size(), snapshot.edges.size()});
+    visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        if (values.size() > 0) longer.back().fields.push_back(name);
+    });
     // All that needs space comes before the recording is touched; what follows it is only a change of name.
     PendingFile index(output.index, Fault::run);
     index.write(xdmf_text(file().filename().string(), longer));

@@ -65,6 +65,11 @@ void add_surface(Grid grid, const XdmfFrame& frame) {
     grid.topology("TopologyType=\"Triangle\"", frame.faces, 3, "face/vertices");
     grid.attribute("face/fragment", "Scalar", "Cell", integers, faces);
     grid.attribute("face/sheet", "Scalar", "Cell", integers, faces);
+    for (const std::string& field : frame.fields) {
+        grid.attribute("face/" + field, "Vector", "Cell", reals, faces + " 3");
+        grid.attribute("face/" + field + recording_format::principal_suffix, "Matrix", "Cell", reals,
+                       faces + " 2");
+    }
     grid.attribute("vertex/speed", "Scalar", "Node", reals, vertices);
     grid.attribute("vertex/velocity", "Vector", "Node", reals, vertices + " 3");
     grid.end();

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/recording/fields.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -26,6 +27,31 @@ std::vector<double> vertex_strain(const Snapshot& frame) {
     return sum;
 }
 
+std::vector<double> vertex_speed(const Snapshot& frame) {
+    std::vector<double> speed;
+    for (Eigen::Index v = 0; v < frame.velocity.cols(); ++v) speed.push_back(frame.velocity.col(v).norm());
+    return speed;
+}
+
+/// The mean of the faces at each vertex, [V].
+std::vector<double> mean_of_faces(const Snapshot& frame, const VectorXd& values) {
+    std::vector<double> sum(frame.position.cols(), 0);
+    std::vector<int> faces(sum.size(), 0);
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (const Index v : frame.faces[f]) {
+            sum[v] += values[static_cast<Eigen::Index>(f)];
+            ++faces[v];
+        }
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= std::max(1, faces[v]);
+    return sum;
+}
+
+std::string name_of(RenderColour colour) {
+    constexpr std::array<const char*, 7> names{"fragment",  "strain", "speed", "stress",
+                                               "curvature", "axis",   "none"};
+    return names.at(static_cast<std::size_t>(colour));
+}
+
 /// Each channel from a to b, t: 0 to 1.
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double t) {
     std::uint32_t rgb = 0;
@@ -38,22 +64,40 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double t) {
 
 }  // namespace
 
-RenderColour parse_render_colour(const std::string& name) {
-    constexpr std::array<const char*, 5> names{"fragment", "strain", "speed", "axis", "none"};
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end())
-        throw Error(fmt::format(
-            "--color {}: there is no such colouring; give fragment, strain, speed, axis or none", name));
-    return static_cast<RenderColour>(found - names.begin());
+bool is_scalar(RenderColour colour) {
+    return std::ranges::find(scalar_colours, colour) != scalar_colours.end();
+}
+
+std::string colour_names(std::span<const RenderColour> colours) {
+    std::string names;
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        names += (i == 0 ? "" : i + 1 < colours.size() ? ", " : " or ") + name_of(colours[i]);
+    return names;
+}
+
+RenderColour parse_render_colour(const std::string& name, std::span<const RenderColour> colours) {
+    const auto found = std::ranges::find(colours, name, name_of);
+    if (found == colours.end())
+        throw Error(
+            fmt::format("--color {}: there is no such colouring; give {}", name, colour_names(colours)));
+    return *found;
 }
 
 RenderScalar render_scalar(const Snapshot& frame, RenderColour colour) {
-    if (colour == RenderColour::strain) return {"strain", "1/m", vertex_strain(frame)};
-    if (colour != RenderColour::speed) return {};
-    RenderScalar speed{"speed", "m/s", {}};
-    for (Eigen::Index v = 0; v < frame.velocity.cols(); ++v)
-        speed.values.push_back(frame.velocity.col(v).norm());
-    return speed;
+    switch (colour) {
+        case RenderColour::strain:
+            return {"strain", "1/m", vertex_strain(frame)};
+        case RenderColour::speed:
+            return {"speed", "m/s", vertex_speed(frame)};
+        case RenderColour::stress:
+            require_field(frame.fields.stress_top, "stress");
+            return {"stress", "Pa", mean_of_faces(frame, largest_stress(frame.fields))};
+        case RenderColour::curvature:
+            require_field(frame.fields.curvature, "curvature");
+            return {"curvature", "1/m", mean_of_faces(frame, largest_curvature(frame.fields).cwiseAbs())};
+        default:
+            return {};
+    }
 }
 
 std::uint32_t fragment_colour(Index fragment) {

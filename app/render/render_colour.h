@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,10 +11,24 @@
 namespace sherd {
 
 /// What the colours of a picture tell.
-enum class RenderColour { fragment, strain, speed, axis, none };
+enum class RenderColour { fragment, strain, speed, stress, curvature, axis, none };
 
-/// Throws Error (input) when there is no such name.
-RenderColour parse_render_colour(const std::string& name);
+/// Whether it shows numbers, by a colour map.
+bool is_scalar(RenderColour colour);
+
+/// Names that a command takes, in words: "strain, speed, stress or curvature".
+std::string colour_names(std::span<const RenderColour> colours);
+
+/// Throws Error (input), with the names of `colours`, when `name` is none of them.
+RenderColour parse_render_colour(const std::string& name, std::span<const RenderColour> colours);
+
+inline constexpr std::array render_colours{
+    RenderColour::fragment,  RenderColour::strain, RenderColour::speed, RenderColour::stress,
+    RenderColour::curvature, RenderColour::axis,   RenderColour::none};
+/// Those that a page can show: its meshes may be thinned, to which no velocities belong.
+inline constexpr std::array view_colours{RenderColour::strain, RenderColour::stress, RenderColour::curvature};
+inline constexpr std::array scalar_colours{RenderColour::strain, RenderColour::speed, RenderColour::stress,
+                                           RenderColour::curvature};
 
 /// A scalar that is drawn by a colour map, and its unit; empty when the colours tell something else.
 struct RenderScalar {
@@ -20,7 +36,9 @@ struct RenderScalar {
     std::vector<double> values;  ///< [V]
 };
 
-/// strain: mean of |strain| of the unbroken hinges at a vertex (1/m); speed: m/s.
+/// strain: mean of |strain| of the unbroken hinges at a vertex (1/m); speed: m/s; means of the faces at a
+/// vertex: stress, the largest principal stress of both surfaces (Pa), curvature, the largest magnitude of a
+/// principal change of curvature (1/m). Throws Error (input) when the frame has no such field.
 RenderScalar render_scalar(const Snapshot& frame, RenderColour colour);
 
 /// 0xRRGGBB (sRGB) of a fragment: the palette of Okabe and Ito (2008), which colour-blind people can tell

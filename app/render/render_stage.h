@@ -40,7 +40,8 @@ class RenderStage {
     const Vector3d& upward() const { return up; }
     const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, strays of the action, too
     double radius() const;                                         ///< m, of the action
-    double largest() const { return range.second; }                ///< what the brightest colour stands for
+    RenderColour colour() const { return options.colour; }
+    double largest() const { return range.second; }  ///< what the brightest colour stands for
     /// What the colours say, in words; empty when there is nothing to say.
     std::string legend() const;
     /// What the colours mean, when they are those of numbers.

@@ -21,8 +21,11 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     const Shell& mechanics = simulation.shell().mechanics();
     for (std::size_t i = 0; i < scene.gauges.size(); ++i) {
         const Gauge& gauge = simulation.gauges()[i];
-        header.gauges.push_back(
-            {scene.gauges[i].name, scene.sheets[mechanics.face_sheet[gauge.face]].name, gauge.place});
+        header.gauges.push_back({scene.gauges[i].name, scene.sheets[mechanics.face_sheet[gauge.face]].name,
+                                 gauge.place, gauge.displacement, gauge.fields});
+        if (gauge.fields.any())
+            header.gauges.back().axes =
+                frame_axes(columns(mechanics.rest, mechanics.triangles[gauge.face].vertices));
     }
     return header;
 }

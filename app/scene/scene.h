@@ -22,6 +22,7 @@
 #include "core/forces/wind.h"
 #include "core/material/material.h"
 #include "core/membrane/membrane.h"
+#include "core/shell/face_fields.h"
 #include "core/time/implicit_stepper.h"
 #include "fracture/breaking.h"
 
@@ -69,6 +70,8 @@ struct GaugeSpec {
     std::string name;                ///< letters, digits, _ and -
     std::string sheet;               ///< its name; empty: the one that is nearest
     Vector3d at = Vector3d::Zero();  ///< m, placed
+    bool displacement = true;        ///< whether it is recorded
+    FaceFieldChoice fields = {};     ///< of its face, that are recorded, too
     std::string where;               ///< "FILE:LINE: dotted.key", for errors
 };
 
@@ -125,8 +128,8 @@ struct SolverSpec {
     bool until_crack = false;  ///< whether statics end with the first crack
     BendingOptions bending;    ///< energy and Jacobian of the hinges
     MembraneModel membrane = MembraneModel::constant_strain;
-    int max_iterations = 50;   ///< Newton iterations a step
-    double tolerance = 1e-6;   ///< largest last Newton correction, in mean edge lengths
+    int max_iterations = 50;  ///< Newton iterations a step
+    double tolerance = 1e-6;  ///< largest last Newton correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< of staged breaking, a step
     Damping damping;
@@ -149,6 +152,7 @@ struct Scene {
     ContactSpec contact;
     SolverSpec solver;
     double frame_interval = 0;  ///< s, output.every; at least solver.step
+    FaceFieldChoice fields;     ///< output.fields: that frames have
 
     bool is_static() const { return solver.scheme == Scheme::statics; }
     /// What its times are measured in: "s", or "load" or "path" in statics.

@@ -60,11 +60,11 @@ std::vector<std::uint16_t> packed_positions(const Positions& position, const Vec
     return packed;
 }
 
-std::vector<std::uint8_t> packed_strain(const Snapshot& frame, double largest) {
+std::vector<std::uint8_t> packed_scalar(const std::vector<double>& values, double largest) {
     std::vector<std::uint8_t> packed;
-    for (const double strain : render_scalar(frame, RenderColour::strain).values)
-        packed.push_back(strain > 0 ? static_cast<std::uint8_t>(255 * std::min(1.0, strain / largest) + 0.5)
-                                    : 0);
+    for (const double value : values)
+        packed.push_back(value > 0 ? static_cast<std::uint8_t>(255 * std::min(1.0, value / largest) + 0.5)
+                                   : 0);
     return packed;
 }
 
@@ -128,6 +128,7 @@ class Packer {
     explicit Packer(const RenderStage& stage)
         : low(stage.everything().min()),
           step((stage.everything().sizes() / 65535).cwiseMax(1e-12)),
+          colour(stage.colour()),
           largest(stage.largest()) {}
 
     PageJson frame(const Snapshot& snapshot) {
@@ -143,7 +144,7 @@ class Packer {
         const bool first = corners.empty();
         const Births born = first ? Births() : births(before, snapshot);
         PageJson packed{{"position", base64_of(packed_positions(snapshot.position, low, step))},
-                        {"strain", base64_of(packed_strain(snapshot, largest))},
+                        {"scalar", base64_of(packed_scalar(render_scalar(snapshot, colour).values, largest))},
                         {"state", base64_of(state)},
                         {"lines", base64_of(ends)},
                         {"corners", first ? "" : base64_of(changes(corners, new_corners))},
@@ -158,7 +159,8 @@ class Packer {
     }
 
     Vector3d low, step;
-    double largest;
+    RenderColour colour;
+    double largest;                              ///< what the brightest colour stands for
     std::vector<std::uint32_t> corners, owners;  ///< of the frame before
     Snapshot before;
 };
@@ -244,7 +246,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
     data["obstacles"] = obstacles_json(recording.obstacles());
     data["low"] = vector_json<PageJson>(packer.low - stage.centre());
     data["step"] = vector_json<PageJson>(packer.step);
-    data["strain"] = packer.largest;
+    data["scalar"] = render_scalar(packer.before, packer.colour).name;
     if (const std::optional<ColourBar> bar = stage.colour_bar()) data["bar"] = bar_json(*bar);
     data["captions"] = captions;
     data["time"] = times;

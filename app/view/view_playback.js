@@ -77,14 +77,14 @@ class Playback {
             const packed = this.recording.frames[number], whole = decoded(packed.position, Uint16Array);
             const place = Float32Array.from(whole, (x, i) => this.recording.low[i % 3] + x * this.recording.step[i % 3]);
             this.unpacked.set(number, { place, lines: decoded(packed.lines, Uint32Array), poses: decoded(packed.poses, Float32Array),
-                                        strain: decoded(packed.strain, Uint8Array), state: decoded(packed.state, Uint8Array),
+                                        scalar: decoded(packed.scalar, Uint8Array), state: decoded(packed.state, Uint8Array),
                                         born: decoded(packed.born, Uint32Array), shares: decoded(packed.shares, Float32Array),
                                         parts: decoded(packed.parts, Uint32Array) });
         }
         return this.unpacked.get(number);
     }
 
-    // frame: the one before; faces, fragments, and of vertices place (m), strain and state; lines; poses of obstacles.
+    // frame: the one before; faces, fragments, and of vertices place (m), scalar and state; lines; poses of obstacles.
     at(position) {
         const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
         for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
@@ -93,14 +93,14 @@ class Playback {
             return { ...from, frame: number, share: 0, faces, fragments, place: from.place.slice() };
         const to = this.frame(number + 1), later = this.later.goTo(number + 1).faces;
         const before = Playback.before(faces, later, to, from.place.length / 3);
-        const places = Playback.carried(from.place, 3, before, to), strains = Playback.carried(from.strain, 1, before, to);
+        const places = Playback.carried(from.place, 3, before, to), scalars = Playback.carried(from.scalar, 1, before, to);
         const place = to.place.map((x, i) => places[i] + share * (x - places[i]));
-        const strain = to.strain.map((x, v) => Math.round(strains[v] + share * (x - strains[v])));
+        const scalar = to.scalar.map((x, v) => Math.round(scalars[v] + share * (x - scalars[v])));
         const state = to.state.map((_, v) => from.state[before[v]]);
         const owners = Uint32Array.from({ length: later.length / 3 }, (_, f) => fragments[f]);
         for (let i = 0; i < to.parts.length; i += 2) owners[to.parts[i]] = fragments[to.parts[i + 1]];
         const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
-        return { frame: number, share, faces: later, fragments: owners, place, strain, state, lines: to.lines, poses };
+        return { frame: number, share, faces: later, fragments: owners, place, scalar, state, lines: to.lines, poses };
     }
 
     // The earlier frame's vertex that each of the later one was: faces keep their corners. One that was born since

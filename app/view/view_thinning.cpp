@@ -70,6 +70,20 @@ Positions merged_positions(const Snapshot& frame, std::span<const Index> merged_
     return position;
 }
 
+/// The fields of the faces that stand for those that are kept, whose axes they keep.
+FaceFields fields_of(const Snapshot& frame, std::span<const std::size_t> kept,
+                     std::span<const std::size_t> standing) {
+    FaceFields fields = frame.fields;
+    visit_fields(fields, [&](const char*, Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        if (values.cols() == 0) return;
+        const Eigen::Matrix3Xd all = values;
+        values.resize(3, static_cast<Eigen::Index>(kept.size()));
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            values.col(static_cast<Eigen::Index>(i)) = all.col(static_cast<Eigen::Index>(standing[kept[i]]));
+    });
+    return fields;
+}
+
 }  // namespace
 
 MeshThinning::MeshThinning(const RecordingHeader& header, std::span<const Index> face_sheet, double cube)
@@ -144,6 +158,7 @@ Snapshot MeshThinning::thinned(const Snapshot& frame) const {
                 found != numbers.end())
                 merged_vertex[v] = found->second;
     coarse.position = merged_positions(frame, merged_vertex, more);
+    coarse.fields = fields_of(frame, kept, standing);
     merge_edges(frame, merged_vertex, coarse);
     return coarse;
 }

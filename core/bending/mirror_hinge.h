@@ -74,6 +74,8 @@ class MirrorEnergy : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
+    const Mirrors& all() const { return mirrors; }  ///< in the open step
+
   private:
     Mirrors mirrors;
     std::vector<CubicHinge> bending;  ///< of each mirror hinge

@@ -36,9 +36,21 @@ Eigen::Matrix2d tensile_part(const Eigen::Matrix2d& stress) {
 
 }  // namespace
 
+Matrix32 frame_axes(const TrianglePositions& x) {
+    const Vector3d a = x.col(1) - x.col(0), normal = a.cross(Vector3d(x.col(2) - x.col(0)));
+    Matrix32 axes;
+    axes << a.normalized(), normal.cross(a).normalized();
+    return axes;
+}
+
+Vector2d side_normal(const MembraneTriangle& triangle, int corner) {
+    return -triangle.derivatives.row(corner).transpose();
+}
+
 MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d& elasticity) {
     const Vector3d a = rest.col(1) - rest.col(0), b = rest.col(2) - rest.col(0), normal = a.cross(b);
-    const Vector3d axis0 = a.normalized(), axis1 = normal.cross(a).normalized();
+    const Matrix32 axes = frame_axes(rest);
+    const Vector3d axis0 = axes.col(0), axis1 = axes.col(1);
     Eigen::Matrix2d edges;
     edges << axis0.dot(a), axis0.dot(b), axis1.dot(a), axis1.dot(b);
     MembraneTriangle triangle;

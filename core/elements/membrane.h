@@ -18,9 +18,17 @@ struct MembraneTriangle {
     Matrix3d elasticity;  ///< N/m, on (E00, E11, 2 E01) in the rest frame
 };
 
-/// The membrane of a triangle. The first axis of its rest frame runs along the edge from vertex 0 to vertex
-/// 1. elasticity: see membrane_elasticity().
+/// The membrane of a triangle, whose rest frame has the frame_axes() at rest. elasticity: see
+/// membrane_elasticity().
 MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d& elasticity);
+
+/// The axes of a triangle's frame, one a column, at any positions: unit vectors along the edge from vertex 0
+/// to vertex 1, and in the triangle's plane at right angles to it; their cross product is its normal.
+Eigen::Matrix<double, 3, 2> frame_axes(const TrianglePositions& x);
+
+/// Outward normal of the side opposite a corner, in the rest frame, 1/m: its length is one over the height of
+/// the corner over the side.
+Vector2d side_normal(const MembraneTriangle& triangle, int corner);
 
 /// Green strain (E00, E11, 2 E01) in the rest frame.
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);

@@ -2,7 +2,9 @@
 #include "core/forces/shell_energies.h"
 
 #include "core/bending/coupled_bending.h"
+#include "core/bending/hinge_curvature.h"
 #include "core/membrane/arc_membrane.h"
+#include "core/shell/face_fields.h"
 
 namespace sherd {
 namespace {
@@ -15,7 +17,8 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
 }  // namespace
 
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
-    : bending(bending_energy(shell, options.bending, options.mirrors)),
+    : shell(shell),
+      bending(bending_energy(shell, options.bending, options.mirrors)),
       coupled(dynamic_cast<const CoupledBending*>(bending.get())),
       membrane(membrane_energy(shell, options.membrane, options.mirrors)),
       arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
@@ -29,14 +32,25 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
     if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
-std::optional<Eigen::Matrix3Xd> ShellEnergies::face_curvatures(const Positions& x) const {
+std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
     if (coupled == nullptr) return std::nullopt;
     return coupled->curvatures(x);
 }
 
-std::optional<Eigen::Matrix3Xd> ShellEnergies::face_stretches(const Positions& x) const {
-    if (arcs == nullptr) return std::nullopt;
-    return arcs->strains(x);
+Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x) const {
+    return arcs != nullptr ? arcs->strains(x) : green_strains(shell, x);
+}
+
+Eigen::Matrix3Xd ShellEnergies::face_curvatures(const Positions& x) const {
+    if (coupled != nullptr) return coupled->curvatures(x);
+    VectorXd strains(shell.hinges.size());
+    for (std::size_t i = 0; i < shell.hinges.size(); ++i)
+        strains[static_cast<Eigen::Index>(i)] =
+            hinge_strain(shell.hinges[i].rest, columns(x, shell.hinges[i].vertices));
+    Eigen::Matrix3Xd curvatures =
+        curvatures_of_hinges(shell, sides_of_hinges(shell), strains, AngleShare::by_height);
+    add_mirror_curvatures(shell, mirrors.all(), x, curvatures);
+    return curvatures;
 }
 
 std::vector<Energy*> ShellEnergies::loads() {

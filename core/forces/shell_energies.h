@@ -43,15 +43,16 @@ class ShellEnergies {
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
     }
-    /// Changes of curvature of all faces, as the bending model sees them (CoupledBending::curvatures());
-    /// none: it knows of single hinges only.
-    std::optional<Eigen::Matrix3Xd> face_curvatures(const Positions& x) const;
-    /// Green strain of all faces as the membrane sees it (ArcMembrane::strains()); none: that of their
-    /// corners.
-    std::optional<Eigen::Matrix3Xd> face_stretches(const Positions& x) const;
+    /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
+    /// The same, or as single hinges have them (curvatures_of_hinges(), by height).
+    Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
+    /// Green strain of all faces, [3, F], as the membrane sees it.
+    Eigen::Matrix3Xd face_strains(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
   private:
+    const Shell& shell;
     std::unique_ptr<Energy> bending;
     const CoupledBending* coupled;  ///< bending, if it is of coupled hinges
     std::unique_ptr<Energy> membrane;

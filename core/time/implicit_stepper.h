@@ -60,10 +60,10 @@ class ImplicitStepper {
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
     bool arrived() const { return path && path->arrived(); }
     PotentialEnergies energies() const;  ///< at `position`
-    /// ShellEnergies::face_curvatures() at `position`.
-    std::optional<Eigen::Matrix3Xd> face_curvatures() const { return forces.face_curvatures(position); }
-    /// ShellEnergies::face_stretches() at `position`.
-    std::optional<Eigen::Matrix3Xd> face_stretches() const { return forces.face_stretches(position); }
+    /// Those of ShellEnergies at `position`.
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
+    Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
+    Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
     /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
     /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
     /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.

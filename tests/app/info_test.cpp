@@ -105,6 +105,47 @@ TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
 }
 
 // A fragment table that lost or doubled something would show in the sums.
+// Whoever designs against a strength goes by this number.
+TEST(Info, TellsTheLargestStressAndCurvatureOfAllFrames) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    add_fields(run);
+    for (Snapshot& frame : run.frames)
+        visit_fields(frame.fields,
+                     [](const char*, Eigen::Matrix3Xd& values, const FieldMeaning&) { values.setZero(); });
+    run.frames[1].fields.stress_top.col(7) << 3e6, 3e6, 4e6;
+    run.frames[2].fields.stress_bottom.col(5) << -9e7, 2e6, 0;
+    run.frames[2].fields.curvature.col(9) << 0, -5, 0;
+    record(run, folder.path / "run.h5");
+    const RunInfo read = read_run_info(folder.path / "run.h5");
+    const nlohmann::json info = nlohmann::json::parse(run_info_json(read));
+    EXPECT_NEAR(info["largest_stress"]["stress"], 7e6, 1e-3);
+    EXPECT_EQ(info["largest_stress"]["face"], 7);
+    EXPECT_EQ(info["largest_stress"]["surface"], "top");
+    EXPECT_EQ(info["largest_stress"]["time"], run.frames[1].time);
+    EXPECT_EQ(info["largest_curvature"]["curvature"], -5);
+    EXPECT_EQ(info["largest_curvature"]["face"], 9);
+    EXPECT_NE(run_info_text(read).find("stress       7e+06 Pa at most, at the top of face 7 at 0.1 s"),
+              std::string::npos)
+        << run_info_text(read);
+    const nlohmann::json& gauge = info["gauges"][0];
+    EXPECT_FALSE(gauge.contains("displacement"));
+    EXPECT_EQ(gauge["stress_top"][0], run.steps.back().back().gauges[0].stress_top[0]);
+    double largest = 0;
+    for (const std::vector<StepReport>& steps : run.steps)
+        for (const StepReport& step : steps) largest = std::max(largest, largest_stress(step.gauges[0]));
+    EXPECT_EQ(gauge["largest_stress"], largest);
+    EXPECT_FALSE(info["gauges"][1].contains("stress_top"));
+}
+
+TEST(Info, HasNoStressOfARecordingWithoutFields) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "run.h5");
+    const RunInfo read = read_run_info(folder.path / "run.h5");
+    EXPECT_TRUE(nlohmann::json::parse(run_info_json(read))["largest_stress"].is_null());
+    EXPECT_EQ(run_info_text(read).find("Pa at most"), std::string::npos);
+}
+
 TEST(Info, FragmentsShareOutTheWholeSheet) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();

@@ -137,5 +137,24 @@ TEST(Plot, RefusesARunThatHasJustBegun) {
     EXPECT_THROW(plot_svg(Recording(folder.path / "run.h5")), Error);
 }
 
+// A chart for each quantity, of the gauges that record it.
+TEST(Plot, DrawsWhatGaugesRecord) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    const auto drawn = [&](const char* name) {
+        record(run, folder.path / name);
+        return plot_svg(Recording(folder.path / name));
+    };
+    const std::string plain = drawn("plain.h5");
+    EXPECT_EQ(count(plain, "largest principal stress"), 0);
+    add_fields(run);
+    const std::string all = drawn("all.h5");
+    EXPECT_EQ(count(all, "largest principal stress"), 1);
+    EXPECT_EQ(count(all, "principal membrane strain"), 1);
+    EXPECT_EQ(count(all, "principal curvature"), 0);
+    EXPECT_EQ(count(all, "Gauges: tip"), 2);
+    EXPECT_EQ(count(all, "Gauges: middle"), 1);
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -82,6 +82,18 @@ TEST_F(ProbeTest, NumbersOfTheFileWithZeroForceWhereNoFaceIs) {
     }
 }
 
+// The fold bends towards the faces' normals, so that their tops are squeezed.
+TEST_F(ProbeTest, StressIsLargestWhereTheFoldIsStretched) {
+    directory.write("rest.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.5 0"));
+    directory.write("deformed.obj", replaced(fold, "v 0.6 -0.5 0.4", "v 0.6 -0.49999 0.003"));
+    const nlohmann::json probed = json();
+    EXPECT_GT(probed["largest_curvature"]["curvature"].get<double>(), 0);
+    EXPECT_EQ(probed["largest_stress"]["surface"], "bottom");
+    EXPECT_EQ(probed["largest_stress"]["vertices"].size(), 3u);
+    const ProgramResult table = run();
+    EXPECT_NE(table.out.find("at the bottom"), std::string::npos) << table.out;
+}
+
 TEST_F(ProbeTest, RestShapeHasNoEnergyAndOnlyThePapersCubicHingeAForce) {
     directory.write("deformed.obj", fold);
     const nlohmann::json at_rest = json();
@@ -126,8 +138,14 @@ TEST_F(ProbeTest, SheetOfOneTriangleHasNoHinge) {
     const nlohmann::json probed = json();
     EXPECT_TRUE(probed["largest_strain"]["bending"].is_null());
     EXPECT_NEAR(probed["largest_strain"]["membrane"]["strain"].get<double>(), 1.5, 1e-14);
+    const double stress = 1.5 * 1e6 / (1 - 0.25 * 0.25);
+    EXPECT_NEAR(probed["largest_stress"]["stress"].get<double>(), stress, 1e-8 * stress);
+    EXPECT_EQ(probed["largest_curvature"]["curvature"], 0);
     EXPECT_EQ(run({"-o", "probe.h5"}).exit_code, 0);
     const hdf5::Handle file = hdf5::open_to_read(directory.path / "probe.h5");
+    const std::vector<Vector3d> bottom = hdf5::read<Vector3d>(file, "face/stress_bottom");
+    ASSERT_EQ(bottom.size(), 1u);
+    EXPECT_NEAR(bottom[0].head<2>().maxCoeff(), stress, 1e-8 * stress);
     EXPECT_TRUE(hdf5::read<double>(file, "hinge/angle").empty());
 }
 

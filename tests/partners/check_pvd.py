@@ -65,7 +65,9 @@ def check_frame(data, frame):
     speed = vtk_to_numpy(data.GetPointData().GetArray("speed"))
     assert np.allclose(speed, frame["vertex/speed"][:], rtol=1e-14, atol=0)
     same(vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3), frame["face/vertices"][:])
-    for name in ("fragment", "sheet"):
+    fields = [f"{name}{end}" for name in ("curvature", "membrane_strain", "stress_top", "stress_bottom")
+              for end in ("", "_principal")]
+    for name in ("fragment", "sheet", *fields):
         same(vtk_to_numpy(data.GetCellData().GetArray(name)), frame["face"][name][:])
     same(vtk_to_numpy(data.GetCellData().GetArray("strain")), face_strain(frame))
 

@@ -132,13 +132,61 @@ def check_frame(file, frame):
     assert np.all(frame["edge/strain"][:][open_edges] == 0)
 
 
+FIELDS = ("curvature", "membrane_strain", "stress_top", "stress_bottom")
+
+
+def unit(vectors):
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+def axes_of(points):
+    """points: [F, 3, 3]. Along the first side, and at right angles to it in the face."""
+    first = unit(points[:, 1] - points[:, 0])
+    normal = unit(np.cross(first, points[:, 2] - points[:, 0]))
+    return np.stack([first, np.cross(normal, first)], axis=1)
+
+
+def green_strain(rest, now):
+    """Of triangles [F, 3, 3]: (F^T F - 1) / 2 in the axes at rest, 00, 11 and 2 * 01."""
+    local = np.einsum("fax,fcx->fac", axes_of(rest), rest[:, 1:] - rest[:, :1])
+    slope = np.einsum("fcx,fca->fxa", now[:, 1:] - now[:, :1], np.linalg.inv(local))
+    strain = (np.einsum("fxa,fxb->fab", slope, slope) - np.eye(2)) / 2
+    return np.stack([strain[:, 0, 0], strain[:, 1, 1], 2 * strain[:, 0, 1]], axis=1)
+
+
+def check_fields(frame):
+    """Of a recording of isotropic sheets with all fields."""
+    face, corners = frame["face"], frame["face/vertices"][:]
+    now, rest = frame["vertex/position"][:][corners], frame["rest/position"][:][frame["rest/faces"][:]]
+    assert np.allclose(face["axes"][:].reshape(-1, 2, 3), axes_of(now), rtol=0, atol=1e-12)
+    assert np.allclose(face["membrane_strain"][:], green_strain(rest, now), rtol=0, atol=1e-10)
+    for name in FIELDS:
+        values = face[name][:]
+        tensor = (values / [1, 1, 1 if name.startswith("stress") else 2])[:, [0, 2, 2, 1]].reshape(-1, 2, 2)
+        size = np.abs(values).max() + 1e-300
+        assert np.allclose(face[f"{name}_principal"][:][:, ::-1], np.linalg.eigvalsh(tensor), rtol=0, atol=1e-12 * size)
+    # In plane stress the trace and the shear of stress and strain are in proportion. A bend towards the normal
+    # squeezes the top.
+    half = frame["rest/thickness"][:][:, None] / 2
+    strain = np.concatenate([face["membrane_strain"][:] - side * half * face["curvature"][:] for side in (1, -1)])
+    stress = np.concatenate([face["stress_top"][:], face["stress_bottom"][:]])
+    for got, cause in ((stress[:, 0] + stress[:, 1], strain[:, 0] + strain[:, 1]), (stress[:, 2], strain[:, 2])):
+        modulus = cause @ got / (cause @ cause) if np.any(cause) else 1
+        assert modulus > 0 and np.allclose(got, modulus * cause, rtol=0, atol=1e-9 * np.abs(got).max())
+
+
 def summary(frame):
+    fields = [name for name in FIELDS if name in frame["face"]]
     return {
         "time": float(frame.attrs["time"]),
         "points": frame["vertex/position"].shape[0],
         "surface": {
             "cells": frame["face/vertices"].shape[0],
-            "cell": {name: extremes(frame["face"][name]) for name in ("fragment", "sheet")},
+            "cell": {
+                **{name: extremes(frame["face"][name]) for name in ("fragment", "sheet")},
+                **{name: extremes(frame["face"][name][:, 2]) for name in fields},
+                **{f"{name}_principal": extremes(frame["face"][f"{name}_principal"][:, 1]) for name in fields},
+            },
             "point": {"speed": extremes(frame["vertex/speed"]), "velocity": extremes(frame["vertex/velocity"][:, 2])},
         },
         "edges": {
@@ -157,6 +205,8 @@ def main():
         frames = [file["frames"][name] for name in sorted(file["frames"])]
         for frame in frames:
             check_frame(file, frame)
+            if "axes" in frame["face"]:
+                check_fields(frame)
         result = [summary(frame) for frame in frames]
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as out:

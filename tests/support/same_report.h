@@ -52,7 +52,10 @@ inline void expect_same(const StepReport& a, const StepReport& b) {
                     same(a.reactions[i].moment, b.reactions[i].moment));
     ASSERT_EQ(a.gauges.size(), b.gauges.size());
     for (std::size_t i = 0; i < a.gauges.size(); ++i)
-        EXPECT_TRUE(same(a.gauges[i].displacement, b.gauges[i].displacement));
+        for (const auto member :
+             {&GaugeReading::displacement, &GaugeReading::curvature, &GaugeReading::membrane_strain,
+              &GaugeReading::stress_top, &GaugeReading::stress_bottom})
+            EXPECT_TRUE(same(a.gauges[i].*member, b.gauges[i].*member));
 }
 
 inline void expect_same(const CrackEvents& a, const CrackEvents& b) {

@@ -152,11 +152,33 @@ inline StepReport step(Index i) {
     report.peak_overload = 0.5 + std::cos(3.0 * i);
     for (Index k = 0; k < 3; ++k)
         report.reactions.push_back({Vector3d(number(i, k), 2, 3), Vector3d(k, number(i, 8 + k), 1)});
-    for (Index k = 0; k < 2; ++k) report.gauges.push_back({Vector3d(number(i, 11 + k), 0, 1e-3 * i)});
+    for (Index k = 0; k < 2; ++k)
+        report.gauges.push_back({.displacement = Vector3d(number(i, 11 + k), 0, 1e-3 * i)});
     return report;
 }
 
 }  // namespace synthetic
+
+/// Gives all frames fields of faces, and the first gauge columns of them.
+inline void add_fields(SyntheticRun& run) {
+    for (Snapshot& frame : run.frames)
+        visit_fields(frame.fields, [&](const char* name, Eigen::Matrix3Xd& values, const FieldMeaning&) {
+            values.resize(3, static_cast<Eigen::Index>(frame.faces.size()));
+            for (Eigen::Index i = 0; i < values.size(); ++i)
+                values.data()[i] = synthetic::number(static_cast<Index>(i), static_cast<Index>(name[7]));
+        });
+    RecordedGauge& gauge = run.header.gauges[0];
+    gauge.displacement = false;
+    gauge.fields = {.stress = true, .membrane_strain = true};
+    gauge.axes << 0.6, 0.8, 0.8, -0.6, 0, 0;
+    for (std::vector<StepReport>& steps : run.steps)
+        for (StepReport& step : steps) {
+            const auto i = static_cast<Index>(step.step);
+            step.gauges[0] = {.membrane_strain = Vector3d(synthetic::number(i, 2), 1, -i),
+                              .stress_top = Vector3d(1e6 * i, synthetic::number(i, 3), 2),
+                              .stress_bottom = Vector3d(-3, i, synthetic::number(i, 4))};
+        }
+}
 
 /// Gives all frames the unbroken mesh of the header, of which nothing has been split.
 inline void set_rest(SyntheticRun& run) {

@@ -55,6 +55,7 @@ SimulationOptions plain_options(const Scene& scene) {
     options.tolerance = scene.solver.tolerance;
     options.rule = scene.solver.rule;
     options.max_stages = scene.solver.max_stages;
+    options.fields = scene.fields;
     return options;
 }
 

@@ -28,13 +28,15 @@ double longest_edge(const Shell& mechanics, Index face) {
 
 void add_gauges(const Scene& scene, const Shell& mechanics, SimulationOptions& options) {
     for (const GaugeSpec& spec : scene.gauges) {
-        const Gauge gauge = nearest_gauge(mechanics, spec.at, sheet_number(scene, spec.sheet));
+        Gauge gauge = nearest_gauge(mechanics, spec.at, sheet_number(scene, spec.sheet));
         const double distance = (gauge.place - spec.at).norm();
         if (distance > longest_edge(mechanics, gauge.face))
             throw Error(fmt::format(
                 "{}: is {:.3g} m from the nearest point of {}, as placed, {}; it may be an edge length off",
                 spec.where, distance, spec.sheet.empty() ? "any sheet" : "sheet." + spec.sheet,
                 place_words(gauge.place)));
+        gauge.displacement = spec.displacement;
+        gauge.fields = spec.fields;
         options.gauges.push_back(gauge);
     }
 }

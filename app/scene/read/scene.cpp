@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/scene/read/fields.h"
 #include "app/scene/read/forces.h"
 #include "app/scene/read/gauges.h"
 #include "app/scene/read/obstacle.h"
@@ -112,6 +113,7 @@ void read_times(TomlTable& root, Scene& scene) {
         scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
         if (output->has("every") && scene.frame_interval < scene.solver.step)
             output->report("every", fmt::format("is shorter than solver.step ({} s)", scene.solver.step));
+        scene.fields = read_fields(*output);
         output->finish();
     }
 }

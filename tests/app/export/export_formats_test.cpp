@@ -245,5 +245,38 @@ TEST_F(Export, EndsCleanlyOnCtrlC) {
     for (const auto& [file, content] : folder.contents()) EXPECT_FALSE(file.ends_with(".part"));
 }
 
+// Each face has the number that `sherd info` names it by.
+TEST_F(Export, PlyHasTheLargestStressAndCurvature) {
+    add_fields(run);
+    record(run, folder.path / "fields.h5");
+    const Snapshot& last = run.frames.back();
+    for (const std::string name : {"stress", "curvature"}) {
+        ExportOptions wanted = options("ply", name + ".ply");
+        wanted.quality = name;
+        EXPECT_NE(error_of(wanted).find("output.fields = [\"" + name + "\"]"), std::string::npos);
+        EXPECT_FALSE(std::filesystem::exists(wanted.output));
+        wanted.recording = folder.path / "fields.h5";
+        export_recording(wanted);
+        const std::vector<double> found =
+            quality_of(bytes(name + ".ply"), last.original.size(), last.faces.size());
+        const VectorXd largest =
+            name == "stress" ? largest_stress(last.fields) : largest_curvature(last.fields);
+        EXPECT_EQ(found, std::vector<double>(largest.begin(), largest.end()));
+    }
+}
+
+TEST_F(Export, VtpHasFieldsAndTheirPrincipalValues) {
+    EXPECT_EQ(vtp_bytes(run.frames[0]).find("stress"), std::string::npos);
+    add_fields(run);
+    const FaceFields& fields = run.frames[0].fields;
+    const std::string vtp = vtp_bytes(run.frames[0]);
+    const auto stress = vtp_array<double>(vtp, "Float64", "stress_bottom"),
+               principal = vtp_array<double>(vtp, "Float64", "curvature_principal");
+    EXPECT_EQ(stress, std::vector<double>(fields.stress_bottom.data(),
+                                          fields.stress_bottom.data() + fields.stress_bottom.size()));
+    const Eigen::Matrix2Xd curvature = principal_values(fields.curvature, true);
+    EXPECT_EQ(principal, std::vector<double>(curvature.data(), curvature.data() + curvature.size()));
+}
+
 }  // namespace
 }  // namespace sherd::test

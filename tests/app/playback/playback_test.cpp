@@ -8,7 +8,9 @@
 
 #include "app/playback/interpolation.h"
 #include "app/playback/slow_motion.h"
+#include "core/elements/membrane.h"
 #include "meshops/error.h"
+#include "tests/support/split_run.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 
@@ -226,6 +228,42 @@ TEST(Playback, MovesObstaclesBetweenFrames) {
     const Vector3d middle(1.25, 0.5, 0.75), goal = recording.poses(1)[0] * middle;
     EXPECT_LT((between * middle - (middle + 0.25 * (goal - middle))).norm(), 1e-12);
     EXPECT_EQ(obstacles.at({1, 1, 0, 0.1})[0].matrix(), recording.poses(1)[0].matrix());
+}
+
+TEST(Interpolation, FieldsOfFacesGoStraight) {
+    SyntheticRun run = synthetic_run();
+    add_fields(run);
+    run.frames[1].fields.stress_top *= -3;
+    const Snapshot between = interpolated(run.frames[0], run.frames[1], 0.25);
+    const Eigen::Matrix3Xd& from = run.frames[0].fields.stress_top;
+    EXPECT_LT((between.fields.stress_top - (from + 0.25 * (-3 * from - from))).norm(), 1e-12 * from.norm());
+    EXPECT_TRUE(choice_of(between.fields).curvature);
+}
+
+// A tensor that is the same everywhere and at all times has other components in each part of a split face.
+TEST(Interpolation, FieldsTurnIntoTheAxesOfPartsOfFaces) {
+    const SyntheticRun run = split_run();
+    Eigen::Matrix2d tensor;
+    tensor << 3, 1, 1, -2;
+    std::vector<Snapshot> frames(run.frames.begin(), run.frames.end());
+    for (Snapshot& frame : frames) {
+        frame.fields.stress_top.resize(3, static_cast<Eigen::Index>(frame.faces.size()));
+        frame.fields.curvature = frame.fields.stress_top;
+        for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+            const Eigen::Matrix2d axes =
+                frame_axes(columns(frame.rest.position, frame.rest.faces[f])).topRows<2>();
+            const Eigen::Matrix2d local = axes.transpose() * tensor * axes;
+            const auto column = static_cast<Eigen::Index>(f);
+            frame.fields.stress_top.col(column) << local(0, 0), local(1, 1), local(0, 1);
+            frame.fields.curvature.col(column) << local(0, 0), local(1, 1), 2 * local(0, 1);
+        }
+        frame.fields.stress_bottom = frame.fields.stress_top;
+    }
+    for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+        const Snapshot between = interpolated(frames[k], frames[k + 1], 0.3);
+        EXPECT_LT((between.fields.stress_top - frames[k + 1].fields.stress_top).norm(), 1e-12) << k;
+        EXPECT_LT((between.fields.curvature - frames[k + 1].fields.curvature).norm(), 1e-12) << k;
+    }
 }
 
 }  // namespace

@@ -319,5 +319,50 @@ TEST(Recording, NamesWhatIsDamaged) {
     expect_error([&] { recording.steps(); }, Fault::input, {"run.h5", "damaged", "steps/kinetic"});
 }
 
+// Fields would else be read as those of other faces, or not be there for who opens the file with h5py.
+TEST(Recording, KeepsFieldsOfFacesWithPrincipalValuesAndAxes) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    add_fields(run);
+    record(run, folder.path / "run.h5");
+    expect_recorded(folder.path / "run.h5", run, 3);
+    const Recording recording(folder.path / "run.h5");
+    EXPECT_TRUE(same(recording.fields(2).stress_bottom, run.frames[2].fields.stress_bottom));
+    const RecordedGauge gauge = recording.header().gauges[0];
+    EXPECT_FALSE(gauge.displacement);
+    EXPECT_EQ(gauge.fields, (FaceFieldChoice{.stress = true, .membrane_strain = true}));
+    EXPECT_EQ(gauge.axes, run.header.gauges[0].axes);
+    EXPECT_TRUE(recording.header().gauges[1].displacement);
+    EXPECT_FALSE(recording.header().gauges[1].fields.any());
+
+    const hdf5::Handle file = hdf5::open_to_read(folder.path / "run.h5");
+    EXPECT_FALSE(hdf5::contains(file, "gauges/tip/displacement"));
+    EXPECT_FALSE(hdf5::contains(file, "gauges/middle/stress_top"));
+    using Row = std::array<double, 6>;
+    const auto axes = hdf5::read<Row>(file, "frames/000002/face/axes");
+    const auto principal = hdf5::read<std::array<double, 2>>(file, "frames/000002/face/curvature_principal");
+    const Snapshot& last = run.frames[2];
+    ASSERT_EQ(axes.size(), last.faces.size());
+    for (std::size_t f = 0; f < last.faces.size(); ++f) {
+        const Vector3d side = last.position.col(last.faces[f][1]) - last.position.col(last.faces[f][0]);
+        const Vector3d first(axes[f][0], axes[f][1], axes[f][2]), second(axes[f][3], axes[f][4], axes[f][5]);
+        EXPECT_LT((first - side.normalized()).norm(), 1e-12);
+        EXPECT_LT(std::abs(first.dot(second)), 1e-12);
+        EXPECT_GE(principal[f][0], principal[f][1]);
+        const Vector3d curvature = last.fields.curvature.col(static_cast<Eigen::Index>(f));
+        EXPECT_NEAR(principal[f][0] + principal[f][1], curvature[0] + curvature[1],
+                    1e-12 * curvature.cwiseAbs().maxCoeff());
+    }
+}
+
+TEST(Recording, IsDamagedWhenAFieldIsNotOfItsFaces) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    add_fields(run);
+    run.frames[0].fields.curvature.conservativeResize(3, 5);
+    expect_error([&] { record(run, folder.path / "run.h5"); }, Fault::run,
+                 {"face/vertices and face/curvature differ in length"});
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -172,7 +172,7 @@ TEST_F(RenderBar, DiffersFromThePlainPictureOnlyInBarAndCaption) {
         Image again = plain;
         const Recording recording(folder.path / "run.h5");
         StageOptions options;
-        options.colour = parse_render_colour(colour);
+        options.colour = parse_render_colour(colour, render_colours);
         std::vector<std::string> warnings;
         const RenderStage stage(recording, options, warnings);
         const PixelBox panel = draw_colour_bar(again, *stage.colour_bar()),

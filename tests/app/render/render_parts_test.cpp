@@ -16,6 +16,7 @@
 #include "app/render/render_stripes.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -146,6 +147,29 @@ TEST(RenderColour, StrainIsThatOfUnbrokenHinges) {
     frame.edge_state = {EdgeState::interior, EdgeState::interior, EdgeState::boundary};
     frame.edge_strain = {-2, 4, 0};
     EXPECT_EQ(render_scalar(frame, RenderColour::strain).values, (std::vector<double>{2, 3, 4}));
+}
+
+TEST(RenderColour, StressAndCurvatureAreMeansOfTheFacesAtAVertex) {
+    Snapshot frame;
+    frame.position = Positions::Zero(3, 4);
+    frame.faces = {{0, 1, 2}, {0, 2, 3}};
+    frame.fields.stress_top.resize(3, 2);
+    frame.fields.stress_bottom.resize(3, 2);
+    frame.fields.stress_top << 5, -1, 1, -2, 0, 0;
+    frame.fields.stress_bottom << 2, 9, 0, 3, 0, 0;
+    frame.fields.curvature.resize(3, 2);
+    frame.fields.curvature << -4, 1, 1, 2, 0, 0;
+    EXPECT_EQ(render_scalar(frame, RenderColour::stress).values, (std::vector<double>{7, 5, 7, 9}));
+    EXPECT_EQ(render_scalar(frame, RenderColour::curvature).values, (std::vector<double>{3, 4, 3, 2}));
+}
+
+TEST(RenderColour, SaysHowToRecordWhatIsNotThere) {
+    const std::string message = thrown_by([] { render_scalar({}, RenderColour::stress); });
+    EXPECT_NE(message.find("output.fields = [\"stress\"]"), std::string::npos) << message;
+    EXPECT_NE(thrown_by([] {
+                  parse_render_colour("stres", render_colours);
+              }).find("give fragment, strain, speed, stress, curvature, axis or none"),
+              std::string::npos);
 }
 
 // Stripes that do not follow the axis tell the wrong direction.

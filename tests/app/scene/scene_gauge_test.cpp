@@ -46,6 +46,44 @@ step = 1e-2
     EXPECT_LT(report.gauges[1].displacement.norm(), 1e-12);
 }
 
+TEST(SceneGauge, RecordsWhatItIsAskedFor) {
+    const BuiltText prepared = built_from(squares + R"(
+[[gauge]]
+name = "all"
+at = [0.3, 0.4, 0]
+record = ["displacement", "stress", "curvature", "membrane_strain"]
+[[gauge]]
+name = "stress"
+at = [0.3, 0.4, 0]
+record = ["stress"]
+[[gauge]]
+name = "plain"
+at = [0.3, 0.4, 0]
+)");
+    const std::vector<Gauge>& gauges = prepared.built.options.gauges;
+    EXPECT_TRUE(gauges[0].displacement);
+    EXPECT_EQ(gauges[0].fields, (FaceFieldChoice{true, true, true}));
+    EXPECT_FALSE(gauges[1].displacement);
+    EXPECT_EQ(gauges[1].fields, FaceFieldChoice{.stress = true});
+    EXPECT_TRUE(gauges[2].displacement);
+    EXPECT_FALSE(gauges[2].fields.any());
+}
+
+TEST(SceneFields, AreNoneUnlessTheSceneWantsThem) {
+    const auto fields = [](const std::string& value) {
+        return built_from(squares + (value.empty() ? "" : "[output]\nfields = " + value))
+            .built.options.fields;
+    };
+    EXPECT_FALSE(fields("").any());
+    EXPECT_FALSE(fields("false").any());
+    EXPECT_EQ(fields("true"), (FaceFieldChoice{true, true, true}));
+    EXPECT_EQ(fields("[\"curvature\", \"stress\"]"), (FaceFieldChoice{.stress = true, .curvature = true}));
+    for (const std::string wrong : {"\"stress\"", "[\"stres\"]", "3"}) {
+        const std::string message = thrown_by([&] { fields(wrong); });
+        EXPECT_NE(message.find("output.fields: must be"), std::string::npos) << message;
+    }
+}
+
 TEST(SceneGauge, WhatCannotBeIsRefused) {
     const auto says = [](const std::string& keys, const std::string& wanted) {
         const std::string message = thrown_by([&] { built_from(squares + "[[gauge]]\n" + keys); });
@@ -57,6 +95,8 @@ TEST(SceneGauge, WhatCannotBeIsRefused) {
     says("name = \"a/b\"\nat = [0, 0, 0]\n", "gauge[0].name: names a group of the recording");
     says("at = [0, 0, 0]\n", "gauge[0].name: is missing");
     says("name = \"g\"\n", "gauge[0].at: is missing");
+    says("name = \"g\"\nat = [0, 0, 0]\nrecord = [\"strain\"]\n",
+         "gauge[0].record: must be an array of one or more of \"displacement\", \"stress\"");
     says("name = \"g\"\nat = [0, 0, 0]\n[[gauge]]\nname = \"g\"\nat = [0, 0, 0]\n",
          "gauge[1].name: \"g\" is the name of another gauge already");
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// Throws Error (input), which says how to record it, when a frame does not have the field `name` (of
+/// output.fields).
+void require_field(const Eigen::Matrix3Xd& values, const std::string& name);
+
+}  // namespace sherd
