@@ -90,7 +90,7 @@ int print_all_modes(const ModesOptions& options) {
         }
     }
     const bool several = options.scene.choice.variant.empty() && !scenes.front().variant.empty();
-    if (options.json)
+    if (options.json)  // not before all is done, since it is one object
         fmt::print("{}\n",
                    (several ? json : json.front()).dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;

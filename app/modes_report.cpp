@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <iterator>
-#include <numbers>
 
 #include "app/modes.h"
 

@@ -241,7 +241,7 @@ TEST_F(ModesCommand, CanBeInterrupted) {
     directory.write("scene.toml", square_plate());
     const std::filesystem::path file = directory.path / "modes.h5";
     const auto interrupt = [&](pid_t program) {
-        for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i)
+        for (int i = 0; i < 12000 && !std::filesystem::exists(file); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         kill(program, SIGINT);
     };
