@@ -274,12 +274,12 @@ double crushed_energy(int edges, MembraneModel membrane) {
 // Arcs that are pressed may bow; were that for nothing, a crushed sheet would lose its energy on coarse
 // meshes.
 TEST(TheoryMembrane, CrushedSquareKeepsItsEnergy) {
-    const double fine = crushed_energy(32, constant_strain);
-    for (const int edges : {8, 16, 32})
+    const double fine = crushed_energy(20, constant_strain);
+    for (const int edges : {8, 12})
         for (const MembraneModel membrane : {constant_strain, arc}) {
             const double energy = crushed_energy(edges, membrane);
-            std::printf("%44s %.3f of the finest\n", "", energy / fine);
-            EXPECT_GT(energy, 0.5 * fine);
+            std::printf("%44s %.2f of the finest\n", "", energy / fine);
+            EXPECT_NEAR(energy, fine, 0.3 * fine) << "where wrinkles go depends on the mesh";
         }
 }
 
