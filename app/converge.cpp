@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/commands.h"
@@ -27,6 +28,10 @@ struct Series {
         return convergence({runs[0].quantities[quantity].value, runs[1].quantities[quantity].value,
                             runs[2].quantities[quantity].value});
     }
+    /// A limit load, the last one, may not be in all of them.
+    std::size_t quantities() const {
+        return std::min({runs[0].quantities.size(), runs[1].quantities.size(), runs[2].quantities.size()});
+    }
     bool breaks() const { return runs[0].cracks + runs[1].cracks + runs[2].cracks > 0; }
 };
 
@@ -38,21 +43,21 @@ Outcome told(const Scene& scene, const char* what) {
     return result;
 }
 
-std::string cell(const std::optional<double>& value, const char* format) {
-    return value ? fmt::format(fmt::runtime(format), *value) : "-";
+std::string cell(const std::optional<double>& value, const char* format, double factor = 1) {
+    return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
 }
 
 std::string text_of(const Series& series) {
     std::string text = fmt::format("\n{}\n{:<28} {:>12} {:>12} {:>12} {:>6} {:>12} {:>8}\n", series.of, "",
                                    "4 times", "twice", "as it is", "order", "limit", "error");
-    for (std::size_t q = 0; q < series.runs[2].quantities.size(); ++q) {
+    for (std::size_t q = 0; q < series.quantities(); ++q) {
         const Quantity& quantity = series.runs[2].quantities[q];
         const Convergence found = series.at(q);
         const std::string name =
             quantity.unit.empty() ? quantity.name : fmt::format("{}, {}", quantity.name, quantity.unit);
         text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>12.6g} {:>6} {:>12} {:>8}\n", name,
                             found.values[0], found.values[1], found.values[2], cell(found.order, "{:.2f}"),
-                            cell(found.limit, "{:.6g}"), cell(found.error, "{:+.2%}"));
+                            cell(found.limit, "{:.6g}"), cell(found.error, "{:+.2f} %", 100));
     }
     if (series.breaks())
         text += "The scene breaks: what comes after the first crack hangs on the mesh and on the step.\n";
@@ -61,7 +66,7 @@ std::string text_of(const Series& series) {
 
 Json json_of(const Series& series) {
     Json rows = Json::array();
-    for (std::size_t q = 0; q < series.runs[2].quantities.size(); ++q) {
+    for (std::size_t q = 0; q < series.quantities(); ++q) {
         const Convergence found = series.at(q);
         Json row{{"name", series.runs[2].quantities[q].name},
                  {"unit", series.runs[2].quantities[q].unit},

@@ -78,7 +78,7 @@ void add_steps(RunInfo& info, const std::vector<StepReport>& steps) {
     for (const StepReport& step : steps) {
         info.newton_iterations += step.newton_iterations;
         info.halvings += step.halvings;
-        info.largest_load = std::max(info.largest_load, step.load);
+        info.load.add(step.load);
         info.capped_steps += step.stage_cap_reached;
         info.most_stages = std::max(info.most_stages, step.stages);
         raise_peaks(info.peaks, step);
@@ -296,8 +296,8 @@ std::string run_info_json(const RunInfo& info) {
     Json json{{"steps", last.step},
               {"time", last.time},
               {"time_unit", info.time_unit},
-              {"load", last.load},
-              {"largest_load", info.largest_load},
+              {"load", info.load.last},
+              {"largest_load", info.load.largest},
               {"frames", info.frames},
               {"vertices", info.vertices},
               {"faces", info.faces},
@@ -336,6 +336,7 @@ std::string run_info_json(const RunInfo& info) {
     json["peak_stress"] = info.peaks.peak_stress;
     json["peak_overload"] = info.peaks.peak_overload;
     json["capped_steps"] = info.capped_steps;
+    json["limit_load"] = info.load.limit ? Json(*info.load.limit) : Json();
     json["membrane_strain"] = nullptr;
     if (const auto& largest = info.membrane_strain)
         json["membrane_strain"] = {{"strain", largest->strain}, {"face", largest->face}};
@@ -372,8 +373,10 @@ std::string run_info_text(const RunInfo& info) {
     else
         fmt::format_to(out, "\nframes       {}\n", info.frames);
     if (!in_time && info.last)
-        fmt::format_to(out, "load         {:.6g} times the loads at the end, {:.6g} at most\n", last.load,
-                       info.largest_load);
+        fmt::format_to(
+            out, "load         {:.6g} times the loads at the end, {:.6g} at most{}\n", info.load.last,
+            info.load.largest,
+            info.load.limit ? fmt::format("; it fell for the first time at {:.6g}", *info.load.limit) : "");
     fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/recording/recording.h"
+#include "app/run/load_history.h"
 
 namespace sherd {
 
@@ -51,7 +52,7 @@ struct RunInfo {
     std::string scene_file, end;
     std::int64_t seed = 0;
     std::string time_unit = "s";  ///< RecordingHeader::time_unit
-    double largest_load = 0;      ///< factor of all loads
+    LoadHistory load;             ///< factor of all loads
     double wall_seconds = 0;
     std::size_t frames = 0, vertices = 0, faces = 0;  ///< of the last frame, or at rest when there is none
     std::size_t failures = 0, openings = 0, splits = 0, vertex_births = 0, face_births = 0;

@@ -158,8 +158,10 @@ Chart size_chart(std::vector<Vector2d> sizes) {
 }
 
 std::string heading(const Recording& recording, const RecordingHeader& header, const StepReport& last) {
-    return fmt::format("{}, seed {}: {:.4g} s, {} steps, {} fragments, {}",
-                       std::filesystem::path(header.scene_file).filename().string(), header.seed, last.time,
+    const std::string time = header.time_unit == "s" ? fmt::format("{:.4g} s", last.time)
+                                                     : fmt::format("{} {:.4g}", header.time_unit, last.time);
+    return fmt::format("{}, seed {}: {}, {} steps, {} fragments, {}",
+                       std::filesystem::path(header.scene_file).filename().string(), header.seed, time,
                        last.step, last.fragments, recording.end());
 }
 

@@ -24,9 +24,9 @@ void add_peaks(std::string& text, const RunTotals& totals) {
         add_row(text, "peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
 }
 
-std::string load_words(const RunTotals& totals) {
-    std::string words = fmt::format("{:.6g} at the end", totals.last.load);
-    if (totals.largest_load > totals.last.load) words += fmt::format(", {:.6g} at most", totals.largest_load);
+std::string load_words(const LoadHistory& load) {
+    std::string words = fmt::format("{:.6g} at the end", load.last);
+    if (load.limit) words += fmt::format(", fell for the first time at {:.6g}", *load.limit);
     return words;
 }
 
@@ -49,7 +49,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     const char* unit = scene.is_static() ? "" : " s";
     add_row(text, "steps", fmt::format("{} of {:g}{}", totals.last.step, scene.solver.step, unit));
     if (scene.is_static())
-        add_row(text, "load", load_words(totals));
+        add_row(text, "load", load_words(totals.load));
     else
         add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));

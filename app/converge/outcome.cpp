@@ -42,7 +42,8 @@ std::vector<Quantity> quantities(const Scene& scene, const RunTotals& totals,
     all.push_back({"elastic energy", "J", totals.last.bending + totals.last.membrane});
     all.push_back({"peak strain", "1/m", totals.peaks.peak_strain});
     all.push_back({"peak stress", "Pa", totals.peaks.peak_stress});
-    if (scene.is_static()) all.push_back({"largest load", "", totals.largest_load});
+    if (scene.is_static()) all.push_back({"largest load", "", totals.load.largest});
+    if (totals.load.limit) all.push_back({"limit load", "", *totals.load.limit});
     return all;
 }
 

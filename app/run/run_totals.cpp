@@ -9,7 +9,7 @@ void RunTotals::stepped(const StepReport& report, const CrackEvents& events) {
     cracks += events.failures.size();
     halvings += report.halvings;
     smallest_step = std::min(smallest_step, report.step_size);
-    largest_load = std::max(largest_load, report.load);
+    load.add(report.load);
     capped += report.stage_cap_reached;
     newton_iterations += report.newton_iterations;
     raise_peaks(peaks, report);

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "app/run/load_history.h"
 #include "app/run/run_observer.h"
 
 namespace sherd {
@@ -15,7 +16,7 @@ class RunTotals : public RunObserver {
     std::size_t cracks = 0, capped = 0;
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s
-    double largest_load = 0;
+    LoadHistory load;
     StepReport peaks;
     StepReport last;
 };

@@ -17,7 +17,7 @@ namespace {
 const std::string disc = R"({ generate = "disc", radius = 0.1, edge_length = 0.03 })";
 const std::string turned = "translate = [1, 2, 3], rotate = { axis = [1, 0, 0], degrees = 30 }";
 
-std::string sheet(const std::string& name, const std::string& mesh, const std::string& place = turned) {
+std::string sheet_table(const std::string& name, const std::string& mesh, const std::string& place = turned) {
     return "[sheet." + name + "]\nmesh = " + mesh + "\nplace = { " + place +
            " }\nmaterial = { preset = \"stoneware\" }\n";
 }
@@ -52,29 +52,30 @@ class MeshCommand : public testing::Test {
 
 TEST_F(MeshCommand, WritesTheMeshOfTheSceneToTheLastBit) {
     for (const std::string file : {"a.obj", "a.ply", "a.off"}) {
-        const ProgramResult result = mesh(sheet("plate", disc), {"-o", file});
+        const ProgramResult result = mesh(sheet_table("plate", disc), {"-o", file});
         ASSERT_EQ(result.exit_code, 0) << result.err;
         EXPECT_EQ(result.out, file + "\n");
         expect_same(read(file), made(false));
     }
-    ASSERT_EQ(mesh(sheet("plate", disc), {"-o", "a.stl"}).exit_code, 0);
+    ASSERT_EQ(mesh(sheet_table("plate", disc), {"-o", "a.stl"}).exit_code, 0);
     EXPECT_EQ(read("a.stl").number_of_vertices(), made(false).number_of_vertices());
     // The way back: the scene with the file in the generator's place is the same scene.
     const Mesh generated = made(true);
-    ASSERT_EQ(mesh(sheet("plate", "\"a.obj\""), {"-o", "b.obj"}).exit_code, 0);
+    ASSERT_EQ(mesh(sheet_table("plate", "\"a.obj\""), {"-o", "b.obj"}).exit_code, 0);
     expect_same(made(true), generated);
 }
 
 TEST_F(MeshCommand, WritesThemPlacedWhereThatIsAskedFor) {
-    ASSERT_EQ(mesh(sheet("plate", disc), {"-o", "a.ply", "--placed"}).exit_code, 0);
+    ASSERT_EQ(mesh(sheet_table("plate", disc), {"-o", "a.ply", "--placed"}).exit_code, 0);
     expect_same(read("a.ply"), made(true), 1e-15);
 }
 
 TEST_F(MeshCommand, WritesMeshesThatWereScaledAndRemeshed) {
     directory.write("square.obj", "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3 4\n");
-    ASSERT_EQ(mesh(sheet("plate", "{ file = \"square.obj\", scale = 0.01, remesh = 0.02 }"), {"-o", "a.obj"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        mesh(sheet_table("plate", "{ file = \"square.obj\", scale = 0.01, remesh = 0.02 }"), {"-o", "a.obj"})
+            .exit_code,
+        0);
     EXPECT_GT(read("a.obj").number_of_faces(), 20u);
     EXPECT_NEAR(measure(read("a.obj")).area, 0.01, 1e-12);
 }
@@ -82,7 +83,7 @@ TEST_F(MeshCommand, WritesMeshesThatWereScaledAndRemeshed) {
 TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     directory.write("painted.obj",
                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\ng left\nf 1/1 2/2 3/3\n");
-    const std::string both = sheet("old", "\"painted.obj\"") + sheet("new", disc);
+    const std::string both = sheet_table("old", "\"painted.obj\"") + sheet_table("new", disc);
     ASSERT_EQ(mesh(both, {"-o", "all.obj"}).exit_code, 0);
     const Mesh all = read("all.obj");
     EXPECT_EQ(all.number_of_faces(), 1 + made(false, 1).number_of_faces());
@@ -102,7 +103,7 @@ TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
 }
 
 TEST_F(MeshCommand, OverridesAndVariantsAreThoseOfTheScene) {
-    const std::string variants = sheet("plate", disc) +
+    const std::string variants = sheet_table("plate", disc) +
                                  "[[variant]]\nname = \"coarse\"\nsheet.plate.mesh.edge_length = 0.05\n"
                                  "[[variant]]\nname = \"fine\"\nsheet.plate.mesh.edge_length = 0.02\n";
     // Inline tables are replaced as a whole.
@@ -128,13 +129,13 @@ TEST_F(MeshCommand, RefusesWhatWouldBeLost) {
         EXPECT_EQ(directory.contents(), before);
     };
     directory.write("there.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    refused(sheet("a", disc), {"-o", "there.obj"}, "'there.obj' exists");
-    refused(sheet("a", "\"there.obj\""), {"-o", "there.obj", "--force"}, "is read by this scene");
-    refused(sheet("a", disc), {"-o", "a.gltf"}, "none of .obj, .ply, .off and .stl");
-    refused(sheet("plate", disc), {"-o", "a.obj", "--sheet", "palte"}, "did you mean 'plate'?");
-    refused(sheet("a", "{ generate = \"disc\", radius = 0.1, edge_length = 3 }"), {"-o", "a.obj"},
+    refused(sheet_table("a", disc), {"-o", "there.obj"}, "'there.obj' exists");
+    refused(sheet_table("a", "\"there.obj\""), {"-o", "there.obj", "--force"}, "is read by this scene");
+    refused(sheet_table("a", disc), {"-o", "a.gltf"}, "none of .obj, .ply, .off and .stl");
+    refused(sheet_table("plate", disc), {"-o", "a.obj", "--sheet", "palte"}, "did you mean 'plate'?");
+    refused(sheet_table("a", "{ generate = \"disc\", radius = 0.1, edge_length = 3 }"), {"-o", "a.obj"},
             "edge_length");
-    EXPECT_EQ(mesh(sheet("a", disc), {"-o", "there.obj", "--force"}).exit_code, 0);
+    EXPECT_EQ(mesh(sheet_table("a", disc), {"-o", "there.obj", "--force"}).exit_code, 0);
 }
 
 }  // namespace
