@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/random_shapes.h"
+#include "tests/support/uneven_patch.h"
 
 namespace sherd {
 namespace {
@@ -32,6 +32,15 @@ TEST(Stability, HoldsForThinSheetsOnly) {
 // The nonlinear hinge has its least energy at rest, whatever the membrane does.
 TEST(Stability, OfTheNonlinearHingeHoldsAlways) {
     EXPECT_TRUE(stable_at_rest(fold(30), BendingModel::nonlinear));
+}
+
+// With arcs the rest shape is the same, and what a cubic hinge lacks the membrane has to outweigh as before.
+TEST(Stability, IsJudgedWithTheMembraneThatIsChosen) {
+    Shell shell = test::curved_patch();
+    EXPECT_TRUE(stable_at_rest(shell, BendingModel::coupled, MembraneModel::arc));
+    EXPECT_TRUE(stable_at_rest(shell, BendingModel::cubic, MembraneModel::arc));
+    for (HingeStencil& hinge : shell.hinges) hinge.stiffness *= 1e8;
+    EXPECT_FALSE(stable_at_rest(shell, BendingModel::cubic, MembraneModel::arc));
 }
 
 // Its Hessian at rest is indefinite wherever the sheet is curved, and says nothing of where it settles.
