@@ -7,11 +7,11 @@
 namespace sherd {
 
 FaceState face_state(const Shell& shell, Index face, const Positions& x, const Vector3d& curvature) {
-    const auto& [vertices, membrane] = shell.triangles[face];
-    const double thickness = shell.thickness[vertices[0]];
-    const Vector3d strain = green_strain(membrane, columns(x, vertices));
+    const TriangleStencil& triangle = shell.triangles[face];
+    const double thickness = shell.thickness[triangle.vertices[0]];
+    const Vector3d strain = green_strain(triangle.membrane, columns(x, triangle.vertices));
     const auto stress = [&](double height) -> Vector3d {
-        return membrane.elasticity * (strain - height * curvature) / thickness;
+        return triangle.membrane.elasticity * (strain - height * curvature) / thickness;
     };
     return {curvature, strain, stress(thickness / 2), stress(-thickness / 2)};
 }
