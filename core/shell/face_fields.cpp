@@ -16,10 +16,10 @@ Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
 }
 
 FaceState face_state(const Shell& shell, Index face, const Vector3d& strain, const Vector3d& curvature) {
-    const auto& [vertices, membrane] = shell.triangles[face];
-    const double thickness = shell.thickness[vertices[0]];
+    const TriangleStencil& triangle = shell.triangles[face];
+    const double thickness = shell.thickness[triangle.vertices[0]];
     const auto stress = [&](double height) -> Vector3d {
-        return membrane.elasticity * (strain - height * curvature) / thickness;
+        return triangle.membrane.elasticity * (strain - height * curvature) / thickness;
     };
     return {curvature, strain, stress(thickness / 2), stress(-thickness / 2)};
 }

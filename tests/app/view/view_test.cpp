@@ -29,10 +29,10 @@ class View : public ::testing::Test {
   protected:
     View() : run(synthetic_run()) { record(run, folder.path / "run.h5"); }
 
-    Json data(const Frames& frames) {
+    Json data(const Frames& frames, RenderColour colour = RenderColour::strain) {
         const Recording recording(folder.path / "run.h5");
         StageOptions options;
-        options.colour = RenderColour::strain;
+        options.colour = colour;
         const RenderStage stage(recording, options, warnings);
         return view_data(recording, stage, frames);
     }
@@ -82,6 +82,34 @@ TEST_F(View, KeepsPositionsToAFewMillionthsOfTheSize) {
             EXPECT_LE((shift.colwise() - first).row(k).cwiseAbs().maxCoeff(),
                       1.01 * page["step"][k].get<double>());
     }
+}
+
+// The brightest colour is what the bar calls so, and pressure the darkest.
+TEST_F(View, ShowsStressInsteadOfStrain) {
+    EXPECT_EQ(data({0})["scalar"], "strain");
+    add_fields(run);
+    for (Snapshot& frame : run.frames) {
+        frame.fields.stress_top.colwise() = Vector3d(-3e6, -3e6, 0);
+        frame.fields.stress_bottom = frame.fields.stress_top;
+        for (std::size_t f = 0; f < frame.faces.size() / 2; ++f)
+            frame.fields.stress_bottom.col(static_cast<Eigen::Index>(f)) << 1e6, 5e6, 0;
+    }
+    {
+        RecordingWriter writer(folder.path / "run.h5", run.header, true);
+        for (std::size_t k = 0; k < run.frames.size(); ++k)
+            writer.append(run.frames[k], run.steps[k], run.events[k]);
+    }
+    const Json page = data({0, 2}, RenderColour::stress);
+    EXPECT_EQ(page["scalar"], "stress");
+    EXPECT_EQ(page["bar"]["title"], "stress (MPa)");
+    const auto shown = decoded<std::uint8_t>(page["frames"][0]["scalar"]);
+    EXPECT_EQ(shown[run.frames[0].faces.front()[0]], 255);
+    EXPECT_EQ(shown[run.frames[0].faces.back()[0]], 0);
+
+    ViewOptions options;
+    options.recording = folder.path / "run.h5";
+    options.colour = "speed";
+    EXPECT_THROW(view_page(options, warnings), Error) << "a thinned mesh has none";
 }
 
 // Thickness and obstacles that do not fit the frames would be drawn wrong, or not at all.
@@ -239,6 +267,24 @@ TEST(MeshThinning, KeepsFragmentsApartAndTheirShape) {
         }
         EXPECT_NEAR(area, 0.8, 0.15) << "half a cube is lost at the rim";
     }
+}
+
+// Else colours would be those of places elsewhere.
+TEST(MeshThinning, KeepsTheFieldsOfFacesWhereTheyAre) {
+    const TornSquare square = torn_square(40);
+    Snapshot frame = square.frames[0];
+    frame.fields.curvature = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(frame.faces.size()));
+    const auto middle = [](const Snapshot& of, std::size_t face) -> Vector3d {
+        return columns(of.position, of.faces[face]).rowwise().mean();
+    };
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        frame.fields.curvature.col(static_cast<Eigen::Index>(f)) = middle(frame, f);
+    const Snapshot coarse = MeshThinning(square.header, frame.face_sheet, 0.1).thinned(frame);
+    ASSERT_EQ(coarse.fields.curvature.cols(), static_cast<Eigen::Index>(coarse.faces.size()));
+    for (std::size_t f = 0; f < coarse.faces.size(); ++f)
+        EXPECT_LT((coarse.fields.curvature.col(static_cast<Eigen::Index>(f)) - middle(coarse, f)).norm(),
+                  0.1);
+    EXPECT_EQ(coarse.fields.stress_top.size(), 0);
 }
 
 // What is too large must still open, in about the room that was given.
