@@ -20,8 +20,8 @@ struct Outcome {
     std::int64_t steps = 0, cracks = 0;
     double seconds = 0;  ///< of wall time
     /// Of every gauge the displacement at the end and the largest one, of every support and obstacle the
-    /// largest force, the elastic energy at the end, the peaks of hinges, and in statics the largest load and the one
-    /// at which it fell for the first time.
+    /// largest force, the elastic energy at the end, the peaks of hinges, and in statics the largest load and
+    /// the one at which it fell for the first time.
     std::vector<Quantity> quantities;
 };
 

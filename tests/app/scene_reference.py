@@ -36,6 +36,7 @@ PLACES = {
     "`[[gauge]]`: what is measured, where": "gauge",
     "`[force.wind]`: the air": "force.wind",
     "`[solver]`": "solver",
+    "Statics: load instead of time": "solver",
     "`[[variant]]`: several scenes in one file": "variant",
 }
 # What the reference tells by "as for ...".

@@ -29,20 +29,18 @@ void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
 void read_scheme(TomlTable& table, SolverSpec& solver) {
     constexpr std::array<std::string_view, 2> schemes{"implicit-euler", "static"};
     if (table.has("scheme") && table.choice("scheme", schemes) == "static") solver.scheme = Scheme::statics;
-    if (solver.scheme != Scheme::statics) {
-        solver.step = table.number("step", "s", positive, solver.step);
-        for (const char* key : {"load", "arc_length", "longest_path", "until_crack"})
-            if (table.has(key)) table.report(key, "is for scheme = \"static\"");
-        return;
-    }
+    const bool statics = solver.scheme == Scheme::statics;
     solver.load = table.number("load", "times the loads", positive, solver.load);
-    solver.step = table.number("step", "times the loads", positive, std::min(static_step, solver.load));
     solver.arc_length = table.flag("arc_length", solver.arc_length);
-    if (solver.arc_length)
-        solver.longest_path = table.number("longest_path", "times the loads", positive, solver.longest_path);
-    else if (table.has("longest_path"))
-        table.report("longest_path", "is for arc_length = true");
+    solver.longest_path = table.number("longest_path", "times the loads", positive, solver.longest_path);
     solver.until_crack = table.flag("until_crack", solver.until_crack);
+    solver.step = statics
+                      ? table.number("step", "times the loads", positive, std::min(static_step, solver.load))
+                      : table.number("step", "s", positive, solver.step);
+    for (const char* key : {"load", "arc_length", "longest_path", "until_crack"})
+        if (!statics && table.has(key)) table.report(key, "is for scheme = \"static\"");
+    if (statics && !solver.arc_length && table.has("longest_path"))
+        table.report("longest_path", "is for arc_length = true");
 }
 
 void require_statics(TomlTable& root, const Scene& scene) {

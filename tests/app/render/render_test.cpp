@@ -150,7 +150,7 @@ TEST_F(Render, RefusesWhatItCannotDrawBeforeItWritesAnything) {
     refused(&RenderOptions::colour, std::string("red"), "--color red");
     refused(&RenderOptions::ground, std::string("grass"), "--ground grass");
     refused(&RenderOptions::range, std::string("2:1"), "--range 2:1");
-    refused(&RenderOptions::range, std::string("1:2"), "--color strain or speed");
+    refused(&RenderOptions::range, std::string("1:2"), "--range 1:2: goes with --color strain");
     refused(&RenderOptions::samples, 0, "--samples 0");
     refused(&RenderOptions::threads, -1, "--threads -1");
     refused(&RenderOptions::frames, std::string("all"), "name a folder");

@@ -36,7 +36,7 @@ TEST(Statics, ReachLargeDeflectionsUnderTheirLoad) {
     StepReport report;
     while (run->time() < 1) {
         report = run->step();
-        EXPECT_EQ(report.load, report.time);
+        EXPECT_NEAR(report.load, report.time, 1e-12);
         EXPECT_EQ(report.kinetic, 0);
         EXPECT_NEAR(report.reactions[0].force.z(), -4 * report.load, 1e-3);
         if (std::abs(report.load - 0.4) < 1e-9) {
@@ -52,6 +52,7 @@ TEST(Statics, ReachLargeDeflectionsUnderTheirLoad) {
 TEST(Statics, APathEndsAtTheSameEquilibrium) {
     const auto run = simulation_of(cantilever + "step = 0.13\narc_length = true");
     StepReport report;
+    report.load = 0;
     for (int i = 0; i < 100 && !run->arrived(); ++i) {
         const double before = report.load;
         report = run->step();
@@ -73,17 +74,16 @@ clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }
 gravity = [1, 0, 0]
 [solver]
 scheme = "static"
-load = 1e6
-step = 1e4
+load = 1e4
+step = 100
 )";
-    const double peak = simulation_of(plate)->step().peak_stress / 1e4;
+    const double peak = simulation_of(plate)->step().peak_stress / 100;
     ASSERT_GT(peak, 0);
     const auto run = simulation_of(
-        plate + "until_crack = true\n[sheet.plate.fracture]\nstrength = " + std::to_string(123456.7 * peak));
+        plate + "until_crack = true\n[sheet.plate.fracture]\nstrength = " + std::to_string(1234.567 * peak));
     StepReport report;
     while (!run->arrived()) report = run->step();
-    // Large strains are not in proportion to the load any more.
-    EXPECT_NEAR(report.load, 123456.7, 0.02 * 123456.7);
+    EXPECT_NEAR(report.load, 1234.567, 1e-2 * 1234.567);
     EXPECT_GE(report.peak_overload, 1);
     EXPECT_LT(report.peak_overload, 1.001);
     EXPECT_FALSE(run->take_events().failures.empty());
@@ -98,7 +98,6 @@ box = [[-1, -1, -1], [1e-6, 2, 1]]
 [[sheet.strip.pin]]
 box = [[0.9999, -1, -1], [2, 2, 1]]
 keys = [{ time = 0 }, { time = 1, translate = [1e-3, 0, 0] }]
-smooth = false
 [force]
 gravity = [0, 0, 0]
 [solver]
