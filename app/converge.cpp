@@ -37,7 +37,7 @@ struct Series {
 
 Outcome told(const Scene& scene, const char* what) {
     fmt::print(stderr, "{}: ", what);
-    const Outcome result = outcome(scene);
+    Outcome result = outcome(scene);
     fmt::print(stderr, "{} faces, {} steps of {:g}, {} cracks, {:.1f} s\n", result.faces, result.steps,
                scene.solver.step, result.cracks, result.seconds);
     return result;

@@ -39,7 +39,7 @@ struct ShellVariant {
     double edge = 0;
     bool structured = false;
     std::string bending = "coupled";
-    std::string membrane = "";  ///< empty: the default
+    std::string membrane = {};  ///< empty: the default
 };
 
 /// The set of Sze, Liu, Lo, Popular benchmark problems for geometric nonlinear analysis of shells, Finite

@@ -87,9 +87,10 @@ MinimiserResult EquilibriumPath::solve(Potential& potential, std::span<Energy* c
         system.factorize(potential, x);
         ++result.iterations;
         ++since;
-        Correction correction{system.solve(potential, -potential.gradient(x)), 0};
+        const Positions to_equilibrium = system.solve(potential, -potential.gradient(x));
+        Correction correction{to_equilibrium, 0};
         if (!at_last_load &&
-            !correct(x - shell.position, correction.motion, tangent(potential, loads, step, x), correction))
+            !correct(x - shell.position, to_equilibrium, tangent(potential, loads, step, x), correction))
             break;
         potential.moved_to(x);
         const double scale_of_motion = potential.safe_fraction(x, correction.motion);
