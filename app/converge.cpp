@@ -47,17 +47,22 @@ std::string cell(const std::optional<double>& value, const char* format, double 
     return value ? fmt::format(fmt::runtime(format), factor * *value) : "-";
 }
 
+std::string name_of(const Quantity& quantity) {
+    return quantity.unit.empty() ? quantity.name : fmt::format("{}, {}", quantity.name, quantity.unit);
+}
+
 std::string text_of(const Series& series) {
-    std::string text = fmt::format("\n{}\n{:<28} {:>12} {:>12} {:>12} {:>6} {:>12} {:>8}\n", series.of, "",
-                                   "4 times", "twice", "as it is", "order", "limit", "error");
+    std::size_t width = 0;
+    for (const Quantity& quantity : series.runs[2].quantities)
+        width = std::max(width, name_of(quantity).size());
+    std::string text = fmt::format("\n{}\n{:<{}} {:>12} {:>12} {:>12} {:>6} {:>12} {:>9}\n", series.of, "",
+                                   width, "4 times", "twice", "as it is", "order", "limit", "error");
     for (std::size_t q = 0; q < series.quantities(); ++q) {
-        const Quantity& quantity = series.runs[2].quantities[q];
         const Convergence found = series.at(q);
-        const std::string name =
-            quantity.unit.empty() ? quantity.name : fmt::format("{}, {}", quantity.name, quantity.unit);
-        text += fmt::format("{:<28} {:>12.6g} {:>12.6g} {:>12.6g} {:>6} {:>12} {:>8}\n", name,
-                            found.values[0], found.values[1], found.values[2], cell(found.order, "{:.2f}"),
-                            cell(found.limit, "{:.6g}"), cell(found.error, "{:+.2f} %", 100));
+        text += fmt::format("{:<{}} {:>12.6g} {:>12.6g} {:>12.6g} {:>6} {:>12} {:>9}\n",
+                            name_of(series.runs[2].quantities[q]), width, found.values[0], found.values[1],
+                            found.values[2], cell(found.order, "{:.2f}"), cell(found.limit, "{:.6g}"),
+                            cell(found.error, "{:+.2f} %", 100));
     }
     if (series.breaks())
         text += "The scene breaks: what comes after the first crack hangs on the mesh and on the step.\n";
