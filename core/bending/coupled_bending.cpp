@@ -115,12 +115,8 @@ void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) co
     std::vector<Index> vertices;
     for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
         vertices.clear();
-        for (const auto& [fold, per_angle] : curvature.terms(face))
-            for (const Index vertex : folds.vertices(fold))
-                if (vertex >= 0 && std::ranges::find(vertices, vertex) == vertices.end())
-                    vertices.push_back(vertex);
-        for (std::size_t a = 0; a < vertices.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(vertices[a], vertices[b]);
+        for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
+        add_pairs(pairs, std::span<const Index>(vertices));
     }
 }
 

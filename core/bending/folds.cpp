@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bending/folds.h"
 
+#include <algorithm>
+
 namespace sherd {
 
 std::array<Index, 4> Folds::vertices(Index fold) const {
@@ -9,6 +11,12 @@ std::array<Index, 4> Folds::vertices(Index fold) const {
         return {from, to, apex, -1};
     }
     return shell.hinges[shell.edge_hinge[fold - folds_of_edges()]].vertices;
+}
+
+void Folds::collect(Index fold, std::vector<Index>& collected) const {
+    for (const Index vertex : vertices(fold))
+        if (vertex >= 0 && std::ranges::find(collected, vertex) == collected.end())
+            collected.push_back(vertex);
 }
 
 double Folds::rest_angle(Index fold) const {

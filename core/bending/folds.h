@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "core/bending/mirror_hinge.h"
 #include "core/elements/dihedral_angle.h"
 
@@ -29,6 +31,8 @@ class Folds {
     /// The side that has the mirror behind it.
     const TriangleEdge& mirror_side(Index mirror) const { return mirrors[mirror].side; }
     std::array<Index, 4> vertices(Index fold) const;  ///< -1: no vertex
+    /// Appends the vertices of a fold that are not among `vertices` yet.
+    void collect(Index fold, std::vector<Index>& vertices) const;
 
     double rest_angle(Index fold) const;                  ///< rad
     VectorXd rest_angles() const;                         ///< of all folds, rad
@@ -48,5 +52,11 @@ class Folds {
     const Shell& shell;
     Mirrors mirrors;
 };
+
+/// Appends all unordered pairs of different vertices.
+inline void add_pairs(std::vector<std::pair<Index, Index>>& pairs, std::span<const Index> vertices) {
+    for (std::size_t a = 0; a < vertices.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(vertices[a], vertices[b]);
+}
 
 }  // namespace sherd

@@ -141,12 +141,8 @@ void ArcMembrane::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const
         const std::array<Index, 3>& own = shell.triangles[face].vertices;
         vertices.assign(own.begin(), own.end());
         for (int side = 0; side < 3; ++side)
-            for (const auto& [fold, weight] : curvature.shares(face, side))
-                for (const Index vertex : folds.vertices(fold))
-                    if (vertex >= 0 && std::ranges::find(vertices, vertex) == vertices.end())
-                        vertices.push_back(vertex);
-        for (std::size_t a = 0; a < vertices.size(); ++a)
-            for (std::size_t b = 0; b < a; ++b) pairs.emplace_back(vertices[a], vertices[b]);
+            for (const auto& [fold, weight] : curvature.shares(face, side)) folds.collect(fold, vertices);
+        add_pairs(pairs, std::span<const Index>(vertices));
     }
 }
 
