@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/words/moment_words.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -212,12 +213,13 @@ void add_reactions(std::string& text, const RunInfo& info) {
 void add_field_peaks(std::string& text, const RunInfo& info) {
     auto out = std::back_inserter(text);
     if (const auto& stress = info.stress)
-        fmt::format_to(out, "stress       {:.5g} Pa at most, at the {} of face {} at {:.5g} s\n",
+        fmt::format_to(out, "stress       {:.5g} Pa at most, at the {} of face {} at {}\n",
                        stress->peak.value, stress->peak.top ? "top" : "bottom", stress->peak.face,
-                       stress->time);
+                       moment_words(fmt::format("{:.5g}", stress->time), info.time_unit));
     if (const auto& curvature = info.curvature)
-        fmt::format_to(out, "curvature    changed by {:.5g} 1/m at most, of face {} at {:.5g} s\n",
-                       curvature->peak.value, curvature->peak.face, curvature->time);
+        fmt::format_to(out, "curvature    changed by {:.5g} 1/m at most, of face {} at {}\n",
+                       curvature->peak.value, curvature->peak.face,
+                       moment_words(fmt::format("{:.5g}", curvature->time), info.time_unit));
 }
 
 /// What there is to say of a recording of modes instead of a run.
@@ -275,13 +277,12 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "scene        {}, seed {}\n", info.scene_file, info.seed);
     fmt::format_to(out, "end          {}", info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
-    const bool in_time = info.time_unit == "s";
     if (info.modes.empty())
-        fmt::format_to(out, "\nrun          {} steps, {}{:.6g}{}, {} frames\n", last.step,
-                       in_time ? "" : info.time_unit + " ", last.time, in_time ? " s" : "", info.frames);
+        fmt::format_to(out, "\nrun          {} steps, {}, {} frames\n", last.step,
+                       moment_words(fmt::format("{:.6g}", last.time), info.time_unit), info.frames);
     else
         fmt::format_to(out, "\nframes       {}\n", info.frames);
-    if (!in_time && info.last)
+    if (info.time_unit != "s" && info.last)
         fmt::format_to(
             out, "load         {:.6g} times the loads at the end, {:.6g} at most{}\n", info.load.last,
             info.load.largest,

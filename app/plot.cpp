@@ -13,6 +13,7 @@
 #include "app/files/pending_file.h"
 #include "app/files/xml_text.h"
 #include "app/recording/recording_format.h"
+#include "app/words/moment_words.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
@@ -158,8 +159,7 @@ Chart size_chart(std::vector<Vector2d> sizes) {
 }
 
 std::string heading(const Recording& recording, const RecordingHeader& header, const StepReport& last) {
-    const std::string time = header.time_unit == "s" ? fmt::format("{:.4g} s", last.time)
-                                                     : fmt::format("{} {:.4g}", header.time_unit, last.time);
+    const std::string time = moment_words(fmt::format("{:.4g}", last.time), header.time_unit);
     return fmt::format("{}, seed {}: {}, {} steps, {} fragments, {}",
                        std::filesystem::path(header.scene_file).filename().string(), header.seed, time,
                        last.step, last.fragments, recording.end());

@@ -5,19 +5,20 @@
 
 #include <sstream>
 
+#include "app/words/moment_words.h"
+
 namespace sherd {
 
 ProgressText progress_text(const RunProgress& progress) {
-    const bool in_time = progress.unit == "s";
-    const std::string before = in_time ? "" : progress.unit + " ", after = in_time ? " s" : "";
     ProgressText text{
         {{fmt::format("step {}", progress.step), 4},
-         {fmt::format("{}{:.4g} of {:.4g}{}", before, progress.time, progress.duration, after), 1}},
+         {moment_words(fmt::format("{:.4g} of {:.4g}", progress.time, progress.duration), progress.unit), 1}},
         {{fmt::format("cracks {}", progress.cracks), 3},
          {fmt::format("fragments {}", progress.fragments), 2}}};
     if (progress.halvings > 0)
-        text.after.push_back(
-            {fmt::format("halved {} times, now {:.3g}{}", progress.halvings, progress.step_size, after), 5});
+        text.after.push_back({fmt::format("halved {} times, now {:.3g}{}", progress.halvings,
+                                          progress.step_size, progress.unit == "s" ? " s" : ""),
+                              5});
     return text;
 }
 

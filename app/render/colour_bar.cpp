@@ -10,6 +10,7 @@
 #include "app/render/axis_ticks.h"
 #include "app/render/render_colour.h"
 #include "app/render/text.h"
+#include "app/words/moment_words.h"
 
 namespace sherd {
 namespace {
@@ -126,7 +127,7 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
 }
 
 std::string moment_caption(double time, std::int64_t step, double end, const std::string& unit) {
-    if (unit != "s") return fmt::format("{} {:.3f}, step {}", unit, time, step);
+    if (unit != "s") return fmt::format("{}, step {}", moment_words(fmt::format("{:.3f}", time), unit), step);
     const UnitPrefix prefix = prefixed("s", end);
     const double shown = end * prefix.factor;
     const int decimals = shown >= 100 ? 1 : shown >= 10 ? 2 : 3;
