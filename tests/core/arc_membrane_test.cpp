@@ -6,8 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/membrane/membrane_energy.h"
+#include "core/shell/face_fields.h"
 #include "tests/support/uneven_patch.h"
 
 namespace sherd {
@@ -149,6 +151,23 @@ TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     const double expected = longest * longest / (2 * test::patch_material.thickness);
     EXPECT_NEAR(locking(shell).maxCoeff(), expected, 0.1 * expected) << "as far as this coarse mesh knows";
     EXPECT_LT(locking(test::flat_patch()).maxCoeff(), 1e-12);
+}
+
+// Fields, gauges and breaking would otherwise see other strains than the energy, and take bending for
+// stretch.
+TEST(ArcMembrane, StrainsOfFacesAreThoseOfItsEnergy) {
+    const Shell shell = test::curved_patch();
+    const Positions x = test::shaken(shell, 0.05, 4);
+    const ShellEnergies with_arcs(shell, {.membrane = MembraneModel::arc}), with_chords(shell, {});
+    const Eigen::Matrix3Xd arcs = with_arcs.face_strains(x), chords = with_chords.face_strains(x);
+    double energy = 0;
+    for (Eigen::Index f = 0; f < arcs.cols(); ++f) {
+        const MembraneTriangle& membrane = shell.triangles[static_cast<std::size_t>(f)].membrane;
+        energy += 0.5 * membrane.area * arcs.col(f).dot(membrane.elasticity * arcs.col(f));
+    }
+    EXPECT_NEAR(energy, with_arcs.membrane_value(x), 1e-12 * energy);
+    EXPECT_EQ(chords, green_strains(shell, x));
+    EXPECT_GT((arcs - chords).norm(), 1e-3 * chords.norm()) << "not a case where the two differ";
 }
 
 }  // namespace
