@@ -152,8 +152,10 @@ TEST(EdgeMollifier, DerivativesAreThoseOfTheFormula) {
         const PairPositions x = random.matrix<PairPositions>(1);
         const EdgeMollifier mollifier{4};
         const auto formula = [&](const auto& at) {
-            const auto ratio = crossing(at) / 4.0;
-            return std::decay_t<decltype(crossing(at))>(ratio * (2.0 - ratio));
+            // A scalar each: expressions of nested derivatives refer to temporaries of theirs that are gone.
+            using Scalar = decltype(crossing(at));
+            const Scalar ratio = crossing(at) / 4.0, left = 2.0 - ratio;
+            return Scalar(ratio * left);
         };
         if (!mollifier.active(x)) {
             EXPECT_EQ(mollifier.value(x), 1);
