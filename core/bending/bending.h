@@ -11,10 +11,10 @@ namespace sherd {
 
 /// The bending energy of hinges (paper, sections 3 and 4).
 enum class BendingModel {
+    coupled,     ///< hinges that know their neighbours, which converge: see CoupledBending
     cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
     cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
-    nonlinear,   ///< nonlinear hinge (NH)
-    coupled      ///< hinges that know their neighbours, which converge: see CoupledBending
+    nonlinear    ///< nonlinear hinge (NH)
 };
 
 /// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
@@ -27,8 +27,8 @@ enum class BendingJacobian {
 
 /// A pair of force model and Jacobian. The paper's are (NH, NH), (NH, CS), (NH, CC), (CS, CS) and (CS, CC).
 struct BendingOptions {
-    BendingModel model = BendingModel::cubic;
-    BendingJacobian jacobian = BendingJacobian::cubic;
+    BendingModel model = BendingModel::coupled;
+    BendingJacobian jacobian = BendingJacobian::nonlinear;
 };
 
 /// The Jacobian of the model's own force.

@@ -213,8 +213,8 @@ TEST(Check, NamesTheSheetThatDoesNotHoldItsShape) {
                " }\n";
     };
     const auto errors_of = [&](const std::string& command, const std::string& second) {
-        directory.write("scene.toml",
-                        "duration = 1e-4\n" + sheet("thin", "0", "1e-3") + sheet("other", "50", second));
+        directory.write("scene.toml", "duration = 1e-4\n" + sheet("thin", "0", "1e-3") +
+                                          sheet("other", "50", second) + "[solver]\nbending = \"cubic\"\n");
         return run_sherd({command, "scene.toml"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {

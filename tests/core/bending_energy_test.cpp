@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/bending/cubic_bending.h"
 #include "core/bending/nonlinear_bending.h"
@@ -108,23 +109,23 @@ TEST(BendingEnergy, SumsTheChosenModel) {
     const Shell shell = arch();
     Positions x = shell.rest;
     for (Eigen::Index i = 0; i < x.size(); ++i) x(i) += 0.001 * std::sin(static_cast<double>(i * i));
-    double sums[3] = {0, 0, 0};
+    std::map<BendingModel, double> sums;
     for (const HingeStencil& hinge : shell.hinges) {
         const HingePositions local = columns(x, hinge.vertices);
         const HingePositions rest = columns(shell.rest, hinge.vertices);
-        sums[0] += value(cubic_hinge(rest, hinge.stiffness), local);
-        sums[1] += value(cubic_hinge_2007(rest, hinge.stiffness), local);
-        sums[2] += value(nonlinear_hinge(rest, hinge.stiffness), local);
+        sums[cubic] += value(cubic_hinge(rest, hinge.stiffness), local);
+        sums[cubic_2007] += value(cubic_hinge_2007(rest, hinge.stiffness), local);
+        sums[nonlinear] += value(nonlinear_hinge(rest, hinge.stiffness), local);
     }
     for (const BendingModel model : {cubic, cubic_2007, nonlinear}) {
         const std::unique_ptr<Energy> energy = bending_energy(shell, {model, exact_jacobian(model)});
-        EXPECT_EQ(energy->value(x), sums[static_cast<int>(model)]);
+        EXPECT_EQ(energy->value(x), sums[model]);
         EXPECT_GT(energy->round_off(), 0);
         EXPECT_LT(energy->round_off(), 1e-12 * energy->value(x)) << "no bound on the round-off but a licence";
         EXPECT_LE(std::abs(energy->value(shell.rest)), energy->round_off());
     }
-    EXPECT_NE(sums[0], sums[1]);
-    EXPECT_NE(sums[0], sums[2]);
+    EXPECT_NE(sums[cubic], sums[cubic_2007]);
+    EXPECT_NE(sums[cubic], sums[nonlinear]);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/time/implicit_stepper.h"
 #include "tests/support/materials.h"
@@ -100,6 +102,8 @@ TEST(SheetContact, ACrackInTheMiddleOfAStepIsBorne) {
     Shell shell = test::stacked_plates(2, 4, 1.1 * test::ceramic.thickness, test::ceramic);
     const Index half = static_cast<Index>(shell.position.cols()) / 2;
     shell.hinges.clear();  // which would have to be cut as well
+    shell.hinge_edge.clear();
+    std::ranges::fill(shell.edge_hinge, -1);
     shell.velocity.rightCols(half).row(2).setConstant(-3);
     StepperOptions options = with_contact(1e-4);
     options.gravity.setZero();

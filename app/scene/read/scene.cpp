@@ -28,14 +28,14 @@ namespace {
 constexpr double most_steps = 1e9;  // decades of computing: a mistyped step, not a wish
 
 BendingOptions read_bending(TomlTable& table) {
-    constexpr std::array<std::string_view, 4> models{"cubic", "cubic-2007", "nonlinear", "coupled"};
+    constexpr std::array<std::string_view, 4> models{"coupled", "cubic", "cubic-2007", "nonlinear"};
     constexpr std::array<std::string_view, 3> jacobians{"constant", "cubic", "nonlinear"};
     BendingOptions bending;
     if (table.has("bending")) {
         const std::string model = table.choice("bending", models);
+        if (model == "cubic") bending.model = BendingModel::cubic;
         if (model == "cubic-2007") bending.model = BendingModel::cubic_2007;
         if (model == "nonlinear") bending.model = BendingModel::nonlinear;
-        if (model == "coupled") bending.model = BendingModel::coupled;
     }
     bending.jacobian = exact_jacobian(bending.model);
     if (table.has("jacobian")) {
@@ -44,7 +44,8 @@ BendingOptions read_bending(TomlTable& table) {
         if (jacobian == "cubic") bending.jacobian = BendingJacobian::cubic;
         if (bending.model == BendingModel::coupled)
             table.report("jacobian",
-                         "is for the paper's models: coupled hinges have one matrix of their own");
+                         "is for one of the paper's models (bending = \"cubic\"): coupled hinges have one "
+                         "matrix of their own");
         else if (jacobian == "nonlinear" && bending.model != BendingModel::nonlinear)
             table.report("jacobian",
                          "\"nonlinear\" needs bending = \"nonlinear\": a cubic hinge takes \"constant\" "
@@ -129,9 +130,10 @@ void read_sheets(TomlTable& root, Scene& scene) {
     for (const SheetSpec& sheet : scene.sheets)
         if (scene.solver.bending.model == BendingModel::coupled &&
             sheet.material.calibration == Calibration::paper)
-            root.report("sheet", fmt::format("{}: its material's calibration = \"paper\" is for the paper's "
-                                             "bending models, and solver.bending is \"coupled\"",
-                                             sheet.name));
+            root.report("sheet",
+                        fmt::format("{}: its material's calibration = \"paper\" is for the paper's "
+                                    "bending models: add solver.bending = \"cubic\", or leave it out",
+                                    sheet.name));
     if (scene.sheets.empty())
         root.report("sheet", "the scene has no sheet: add [sheet.NAME] with mesh and material");
 }

@@ -25,10 +25,11 @@ Scene scene_made_of(const std::string& material) {
 }
 
 TEST(SceneMaterial, OrthotropicConstantsArrive) {
-    const Material m =
-        scene_made_of("young = [4e6, 1e6]\npoisson = 0.6\nshear = 2e5\ncalibration = \"paper\"")
-            .sheets[0]
-            .material;
+    const Material m = scene_made_of(
+                           "young = [4e6, 1e6]\npoisson = 0.6\nshear = 2e5\ncalibration = \"paper\"\n"
+                           "[solver]\nbending = \"cubic\"")
+                           .sheets[0]
+                           .material;
     EXPECT_EQ(m.density, 500) << "of the preset";
     EXPECT_EQ(m.young, 4e6);
     EXPECT_EQ(m.young1, 1e6);

@@ -36,9 +36,12 @@ class Motion {
     /// Makes a step, and returns by how much mass times acceleration differs from the reactions, the weight
     /// and a load, which acts on each vertex as on the first: force and moment, over those of the weight.
     std::pair<double, double> imbalance(const Vector3d& load_per_mass = Vector3d::Zero()) {
-        const VectorXd before_mass = shell().mass;
-        const Positions before = shell().velocity;
+        Positions before = shell().velocity;
         const StepReport report = simulation->step();
+        const CrackEvents events = simulation->take_events();
+        cracks += events.failures.size();
+        before.conservativeResize(Eigen::NoChange, shell().velocity.cols());
+        for (const VertexSplit& split : events.splits) before.col(split.created) = before.col(split.vertex);
         Reaction all;
         for (const Reaction& reaction : report.reactions) {
             all.force += reaction.force;
@@ -46,9 +49,7 @@ class Motion {
         }
         double scale = 0;
         for (Eigen::Index v = 0; v < shell().mass.size(); ++v) {
-            // A copy had the velocity of its original, which nothing else tells here.
-            const Eigen::Index old = v < before.cols() ? v : original(v);
-            const Vector3d acceleration = (shell().velocity.col(v) - before.col(old)) / report.step_size;
+            const Vector3d acceleration = (shell().velocity.col(v) - before.col(v)) / report.step_size;
             const Vector3d missing = scene.gravity + load_per_mass - acceleration;
             all.add(shell().position.col(v), shell().mass[v] * missing);
             scale += shell().mass[v] * scene.gravity.norm();
@@ -59,11 +60,7 @@ class Motion {
     Scene scene;
     std::vector<SupportName> names;
     std::unique_ptr<Simulation> simulation;
-
-  private:
-    Eigen::Index original(Eigen::Index vertex) const {
-        return simulation->shell().cracks().original(Vertex(static_cast<Mesh::size_type>(vertex)));
-    }
+    std::size_t cracks = 0;
 };
 
 TEST(Reaction, OfAPlateOnBearingsIsItsWeight) {
@@ -158,14 +155,12 @@ sheets = false
 step = 1e-2
 tolerance = 1e-9
 rule = ")" + rule + "\"\n");
-        std::size_t cracks = 0;
         for (int i = 0; i < 20; ++i) {
             const auto [force, moment] = run.imbalance();
             EXPECT_LT(force, 1e-9) << rule << i;
             EXPECT_LT(moment, 1e-9) << rule << i;
-            cracks += run.simulation->take_events().failures.size();
         }
-        EXPECT_GT(cracks, 10u) << "nothing broke: the test proves nothing";
+        EXPECT_GT(run.cracks, 10u) << "nothing broke: the test proves nothing";
     }
 }
 

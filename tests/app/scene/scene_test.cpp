@@ -123,9 +123,12 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
         const BendingOptions bending = scene_of(small_scene, {keys, ""}).solver.bending;
         return std::pair(bending.model, bending.jacobian);
     };
-    const std::string nonlinear = "solver.bending=nonlinear", cubic_2007 = "solver.bending=cubic-2007";
-    EXPECT_EQ(chosen({}), std::pair(BendingModel::cubic, BendingJacobian::cubic));
-    EXPECT_EQ(chosen({"solver.jacobian=constant"}),
+    const std::string cubic = "solver.bending=cubic", cubic_2007 = "solver.bending=cubic-2007",
+                      nonlinear = "solver.bending=nonlinear";
+    EXPECT_EQ(chosen({}).first, BendingModel::coupled);
+    EXPECT_EQ(chosen({"solver.bending=coupled"}).first, BendingModel::coupled);
+    EXPECT_EQ(chosen({cubic}), std::pair(BendingModel::cubic, BendingJacobian::cubic));
+    EXPECT_EQ(chosen({cubic, "solver.jacobian=constant"}),
               std::pair(BendingModel::cubic, BendingJacobian::constant));
     EXPECT_EQ(chosen({cubic_2007}), std::pair(BendingModel::cubic_2007, BendingJacobian::cubic));
     EXPECT_EQ(chosen({nonlinear}), std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
@@ -135,7 +138,6 @@ TEST(Scene, EveryPairOfForceAndJacobianCanBeChosen) {
               std::pair(BendingModel::nonlinear, BendingJacobian::constant));
     EXPECT_EQ(chosen({nonlinear, "solver.jacobian=nonlinear"}),
               std::pair(BendingModel::nonlinear, BendingJacobian::nonlinear));
-    EXPECT_EQ(chosen({"solver.bending=coupled"}).first, BendingModel::coupled);
 }
 
 TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
@@ -157,7 +159,7 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
 // Neither would have any effect, and whoever gave it would believe that it has.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
     const auto error_with = [](const std::string& key) {
-        return thrown_by([&] { scene_of(small_scene, {{"solver.bending=coupled", key}, ""}); });
+        return thrown_by([&] { scene_of(small_scene, {{key}, ""}); });
     };
     EXPECT_NE(error_with("solver.jacobian=cubic").find("coupled hinges have one matrix of their own"),
               std::string::npos);
