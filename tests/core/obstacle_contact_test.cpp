@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 
 #include "core/time/implicit_stepper.h"
@@ -26,6 +27,18 @@ void simulate(Shell& shell, StepperOptions options, double step, double seconds)
     }
 }
 
+/// A plane whose distances grow too slowly, as interpolated ones do at the edges of what was sampled.
+struct SampledShape : Shape {
+    SurfaceDistance distance(const Vector3d& point) const override {
+        const Vector3d gradient = 0.8 * Vector3d(0.1, 0.2, 1).normalized();
+        return {gradient.dot(point), gradient, Matrix3d::Zero()};
+    }
+    Eigen::AlignedBox3d bounds() const override {
+        return {Vector3d::Constant(-std::numeric_limits<double>::infinity()),
+                Vector3d::Constant(std::numeric_limits<double>::infinity())};
+    }
+};
+
 // Sticking, sliding, touching and free: forces and their derivatives, friction and motion included.
 TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     Random random(1);
@@ -37,7 +50,8 @@ TEST(ObstacleContact, ForceAndStiffnessAreDerivativesOfTheValue) {
         obstacle(PlaneShape(Vector3d::Zero(), tilted), 1e7, 0.4),
         obstacle(SphereShape(Vector3d(0, 0, -0.02), 0.02), 1e7, 0.4),
         obstacle(BoxShape(Vector3d(-1, 0, -1), Vector3d(1, 1, 1)), 1e7, 0.4),
-        obstacle(CylinderShape(Vector3d(0, 0, -0.5), Vector3d::UnitX(), 0.5, 1), 1e7, 0.4)};
+        obstacle(CylinderShape(Vector3d(0, 0, -0.5), Vector3d::UnitX(), 0.5, 1), 1e7, 0.4),
+        obstacle(SampledShape(), 1e7, 0.4)};
     for (Obstacle& obstacle : obstacles) {
         const Shell shell = lone_vertex(Vector3d(0.0001, 0, 0.0049));
         for (const bool moves : {false, true}) {

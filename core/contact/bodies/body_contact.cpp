@@ -81,12 +81,9 @@ void BodyContact::find_sliding(const StepContext& step) {
         const Matrix3d turn =
             given ? Matrix3d(start[other].place.linear() * there.linear().transpose()) : Matrix3d::Identity();
         const Vector3d contact_point = here * point - body.contact_radius * at.normal;
-        const double force = body.point_stiffness(collider(other)) * at.depth;
-        const Friction friction{coefficient * force, smoothing_speed * step.lag};
-        sliding.push_back({one,
-                           other,
-                           here.inverse() * contact_point,
-                           {there.inverse() * contact_point, turn * at.normal, friction}});
+        sliding.push_back({one, other, here.inverse() * contact_point,
+                           sliding_point(there.inverse() * contact_point, at, turn, coefficient,
+                                         body.point_stiffness(collider(other)), step.lag)});
     }
 }
 

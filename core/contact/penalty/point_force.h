@@ -26,7 +26,7 @@ inline PointForce spring(const Overlap& at, double stiffness, Curvature curvatur
 /// A point that touched something at the beginning of the step, with its friction in the step.
 struct SlidingPoint {
     Vector3d anchor;  ///< m, position of the point if it sticks, in a frame that the owner chooses
-    Vector3d normal;  ///< in space
+    Vector3d normal;  ///< in space, of unit length
     Friction friction;
 
     /// The friction force on the point at x (m); anchor: in space.
@@ -36,5 +36,15 @@ struct SlidingPoint {
         return {friction.value(slip), friction.gradient(slip), friction.hessian(slip, tangent)};
     }
 };
+
+/// A point that overlaps a collider, with Coulomb's friction for the force of the spring there. turn: applied
+/// to the normal, which sampled shapes give with a length near one only; lag: s.
+inline SlidingPoint sliding_point(const Vector3d& anchor, const Overlap& at, const Matrix3d& turn,
+                                  double coefficient, double stiffness, double lag) {
+    const double length = at.normal.norm(), force = stiffness * at.depth * length;
+    return {anchor,
+            length > 0 ? Vector3d(turn * at.normal / length) : at.normal,
+            {coefficient * force, smoothing_speed * lag}};
+}
 
 }  // namespace sherd

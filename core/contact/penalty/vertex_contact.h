@@ -34,8 +34,8 @@ class VertexContact {
         for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v) {
             const Overlap at = overlap(shell.position, v, pose);
             if (at.depth <= 0) continue;
-            const Friction friction{collider.friction * stiffness(v) * at.depth, smoothing_speed * lag};
-            sliding.push_back({v, {anchor(v, Vector3d(shell.position.col(v))), turn * at.normal, friction}});
+            sliding.push_back({v, sliding_point(anchor(v, Vector3d(shell.position.col(v))), at, turn,
+                                                collider.friction, stiffness(v), lag)});
         }
     }
     /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
