@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/fault_picture.h"
 #include "app/run_cost.h"
+#include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
@@ -105,6 +106,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // Throws where sheets are not apart or do not hold their shape, and where a load or a support reaches
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
+    fmt::print("{}", bending_words(built));
     warn_of_implausible(scene, built.inputs, built.options, warnings);
     print_cost(scene, std::move(built), options, warnings);
 }

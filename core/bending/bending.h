@@ -11,11 +11,17 @@ namespace sherd {
 
 /// The bending energy of hinges (paper, sections 3 and 4).
 enum class BendingModel {
-    coupled,     ///< hinges that know their neighbours, which converge: see CoupledBending
-    cubic,       ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
-    cubic_2007,  ///< cubic shell as printed in the paper: see cubic_hinge_2007()
-    nonlinear    ///< nonlinear hinge (NH)
+    coupled,        ///< hinges that know their neighbours, which converge: see CoupledBending
+    coupled_cubic,  ///< the same as a polynomial, where that is safe: see CoupledCubicBending
+    cubic,          ///< cubic shell (CS), in equilibrium at rest: see cubic_hinge()
+    cubic_2007,     ///< cubic shell as printed in the paper: see cubic_hinge_2007()
+    nonlinear       ///< nonlinear hinge (NH)
 };
+
+/// Whether hinges know their neighbours.
+constexpr bool is_coupled(BendingModel model) {
+    return model == BendingModel::coupled || model == BendingModel::coupled_cubic;
+}
 
 /// The second derivative of bending that Newton's method uses. It affects the number of iterations, but not
 /// the solution, which only the energy determines. Coupled hinges always use their own.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace sherd {
 namespace {
@@ -19,26 +20,53 @@ struct VertexCurvature {
 }  // namespace
 
 CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
-    : shell(shell), folds(shell, mirrors), curvature(shell, folds), start(folds.rest_angles()) {}
+    : shell(shell), folds(shell, mirrors), curvature(shell, folds), start(folds.rest_angles()) {
+    count_all();
+}
+
+void CoupledBending::count_all() {
+    counted.resize(shell.triangles.size());
+    std::iota(counted.begin(), counted.end(), 0);
+    needed = folds.present();
+}
+
+void CoupledBending::count_only(std::vector<Index> faces) {
+    of_all = false;
+    counted = std::move(faces);
+    find_needed();
+}
+
+void CoupledBending::find_needed() {
+    std::vector<char> is_needed(folds.size(), 0);
+    for (const Index face : counted)
+        for (const auto& [fold, per_angle] : curvature.terms(face)) is_needed[fold] = 1;
+    needed = folds.present();
+    std::erase_if(needed, [&](Index fold) { return is_needed[fold] == 0; });
+}
 
 void CoupledBending::start_from(const Positions& x, double factor) {
     start = folds.angles(x);
     scale = factor;
 }
 
-void CoupledBending::topology_changed(const ShellChange& change, const StepContext&) {
-    curvature.follow(change);
+std::vector<Index> CoupledBending::follow(const ShellChange& change) {
+    std::vector<Index> changed = curvature.follow(change);
     folds.follow(change, start);
+    if (of_all)
+        count_all();
+    else
+        find_needed();
+    return changed;
 }
 
-Matrix3d CoupledBending::rigidity(std::size_t face) const {
+Matrix3d CoupledBending::rigidity(Index face) const {
     const auto& [vertices, membrane] = shell.triangles[face];
     const double thickness = shell.thickness[vertices[0]];
     return scale * membrane.area * thickness * thickness / 12 * membrane.elasticity;
 }
 
-VectorXd CoupledBending::changes(const Positions& x) const {
-    return (folds.angles(x) - start).unaryExpr([](double change) {
+VectorXd CoupledBending::changes(const Positions& x, std::span<const Index> some) const {
+    return (folds.angles(x, some) - start).unaryExpr([](double change) {
         return std::remainder(change, 2 * std::numbers::pi);
     });
 }
@@ -52,13 +80,13 @@ Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
 }
 
 std::vector<MirrorGradient> CoupledBending::mirror_gradients(const Positions& x) const {
-    return folds.mirror_gradients(x, moments(changes(x)));
+    return folds.mirror_gradients(x, moments(changes(x, needed)));
 }
 
 /// The derivative of the energy by the angles, N m: S dtheta.
 VectorXd CoupledBending::moments(const VectorXd& changes) const {
     VectorXd all = VectorXd::Zero(changes.size());
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
+    for (const Index face : counted) {
         const Vector3d moment = rigidity(face) * curvature.of(face, changes);
         for (const auto& [fold, per_angle] : curvature.terms(face)) all[fold] += per_angle.dot(moment);
     }
@@ -66,9 +94,9 @@ VectorXd CoupledBending::moments(const VectorXd& changes) const {
 }
 
 double CoupledBending::value(const Positions& x) const {
-    const VectorXd all = changes(x);
+    const VectorXd all = changes(x, needed);
     double sum = 0;
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
+    for (const Index face : counted) {
         const Vector3d bent = curvature.of(face, all);
         sum += 0.5 * bent.dot(rigidity(face) * bent);
     }
@@ -77,20 +105,20 @@ double CoupledBending::value(const Positions& x) const {
 
 double CoupledBending::round_off() const {
     double sum = 0;
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face)
+    for (const Index face : counted)
         for (const auto& [fold, per_angle] : curvature.terms(face))
             sum += per_angle.dot(rigidity(face) * per_angle);
     return 4 * std::numeric_limits<double>::epsilon() * sum;
 }
 
 void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const {
-    folds.add_gradient(x, moments(changes(x)), gradient);
+    folds.add_gradient(x, moments(changes(x, needed)), gradient, needed);
 }
 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
-    const std::vector<Folds::Slope> all = folds.slopes(x);
+    const std::vector<Folds::Slope> all = folds.slopes(x, needed);
     std::vector<VertexCurvature> local;
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
+    for (const Index face : counted) {
         local.clear();
         for (const auto& [fold, per_angle] : curvature.terms(face)) {
             const auto& [vertices, gradient] = all[fold];
@@ -108,12 +136,12 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
                 hessian.add(local[a].vertex, local[b].vertex, local[a].slope.transpose() * local[b].slope);
     }
     // What the angles' own second derivatives add.
-    if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x)), hessian);
+    if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, needed)), hessian, needed);
 }
 
 void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
     std::vector<Index> vertices;
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
+    for (const Index face : counted) {
         vertices.clear();
         for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
         add_pairs(pairs, std::span<const Index>(vertices));

@@ -17,19 +17,30 @@ class CoupledBending : public Energy {
     /// The shell must outlive this object.
     CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors);
     CoupledBending(const CoupledBending&) = delete;  // its parts refer to each other's shell and mirrors
+    /// Counts the energy of these faces only, whatever becomes of the shell, until the next call. Angles,
+    /// curvatures and the questions below stay those of all faces.
+    void count_only(std::vector<Index> faces);
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
     void start_from(const Positions& x, double scale);
 
     /// Changes of the angles of all folds, rad.
-    VectorXd changes(const Positions& x) const;
+    VectorXd changes(const Positions& x) const { return changes(x, folds.present()); }
     /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
+
+    const Folds& all_folds() const { return folds; }
+    const FaceCurvature& face_curvature() const { return curvature; }
+    /// What a face's change of curvature costs, J m^2: twice the energy is k^T of this k.
+    Matrix3d rigidity(Index face) const;
 
     /// See Folds::mirror_gradients().
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
 
     void begin(const StepContext& step) override { folds.begin(step); }
-    void topology_changed(const ShellChange& change, const StepContext& step) override;
+    void topology_changed(const ShellChange& change, const StepContext&) override { follow(change); }
+    /// Does what topology_changed() does, and returns the faces whose curvature depends on other folds or in
+    /// another way than before.
+    std::vector<Index> follow(const ShellChange& change);
     double value(const Positions& x) const override;
     double round_off() const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -37,13 +48,18 @@ class CoupledBending : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
-    Matrix3d rigidity(std::size_t face) const;
+    void count_all();
+    void find_needed();
+    VectorXd changes(const Positions& x, std::span<const Index> some) const;
     VectorXd moments(const VectorXd& changes) const;
 
     const Shell& shell;
     Folds folds;
     FaceCurvature curvature;
-    VectorXd start;  ///< angles of all folds, rad, from which changes are measured
+    bool of_all = true;          ///< whether all faces count
+    std::vector<Index> counted;  ///< faces that count
+    std::vector<Index> needed;   ///< present folds on which their curvature depends
+    VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bending/cubic_hinge.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <cmath>
 #include <limits>
+
+#include "core/elements/triple_product.h"
 
 namespace sherd {
 namespace {
@@ -15,20 +16,6 @@ constexpr int stencil_edges[5][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}};
 /// Positions relative to x0: the energy is translation invariant, and small numbers lose fewer digits.
 HingePositions relative(const HingePositions& x) {
     return x.colwise() - Vector3d(x.col(0));
-}
-
-double triple(const HingePositions& r) {
-    return r.col(1).cross(r.col(2)).dot(r.col(3));
-}
-
-/// Gradient of the triple product [e0, e1, e2].
-HingePositions triple_gradient(const HingePositions& r) {
-    HingePositions g;
-    g.col(1) = r.col(2).cross(r.col(3));
-    g.col(2) = r.col(3).cross(r.col(1));
-    g.col(3) = r.col(1).cross(r.col(2));
-    g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
-    return g;
 }
 
 /// The hinge of eq. 7 without the constant.
@@ -84,7 +71,8 @@ CubicHinge cubic_hinge(const HingePositions& rest, double stiffness) {
 
 double value(const CubicHinge& hinge, const HingePositions& x) {
     const HingePositions r = relative(x);
-    return 0.5 * (r * hinge.quadratic).cwiseProduct(r).sum() - hinge.cubic * triple(r) + hinge.constant;
+    return 0.5 * (r * hinge.quadratic).cwiseProduct(r).sum() - hinge.cubic * triple_product(r) +
+           hinge.constant;
 }
 
 double round_off(const CubicHinge& hinge) {
@@ -102,20 +90,7 @@ HingeHessian hessian(const CubicHinge& hinge, const HingePositions& x, bool cubi
         for (int b = 0; b < 4; ++b)
             h.block<3, 3>(3 * a, 3 * b) = hinge.quadratic(a, b) * Matrix3d::Identity();
     if (!cubic_part || hinge.cubic == 0) return h;
-    const HingePositions r = relative(x);
-    const auto add = [&](int a, int b, const Matrix3d& block) {
-        h.block<3, 3>(3 * a, 3 * b) -= hinge.cubic * block;
-        h.block<3, 3>(3 * b, 3 * a) -= hinge.cubic * block.transpose();
-    };
-    // d(r2 x r3)/dr2 = -[r3] and d(r2 x r3)/dr3 = [r2], and cyclically; the blocks of x0 follow from
-    // translation invariance.
-    const Matrix3d d12 = -cross_matrix(r.col(3)), d13 = cross_matrix(r.col(2)), d23 = -cross_matrix(r.col(1));
-    add(1, 2, d12);
-    add(1, 3, d13);
-    add(2, 3, d23);
-    add(1, 0, -(d12 + d13));
-    add(2, 0, -(d12.transpose() + d23));
-    add(3, 0, -(d13.transpose() + d23.transpose()));
+    add_triple_hessian(-hinge.cubic, x, h);
     return h;
 }
 

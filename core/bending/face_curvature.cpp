@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <numeric>
 
 namespace sherd {
 namespace {
@@ -29,10 +30,13 @@ void FaceCurvature::build() {
     for (Index face = 0; face < static_cast<Index>(faces.size()); ++face) update_face(face);
 }
 
-void FaceCurvature::follow(const ShellChange& change) {
+std::vector<Index> FaceCurvature::follow(const ShellChange& change) {
     if (!change.faces.empty()) {
         patches.build();
-        return build();
+        build();
+        std::vector<Index> all(faces.size());
+        std::iota(all.begin(), all.end(), 0);
+        return all;
     }
     std::vector<char> gone(folds_of_edges() + shares.size(), 0);  // by fold
     std::vector<Index> changed;                                   // faces
@@ -54,6 +58,7 @@ void FaceCurvature::follow(const ShellChange& change) {
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const Index face : changed) update_face(face);
+    return changed;
 }
 
 std::vector<Patches::Share> FaceCurvature::shares_of(Index edge) const {

@@ -29,8 +29,8 @@ class FaceCurvature {
     FaceCurvature(const Shell& shell, const Folds& folds);
 
     /// Must be called when the shell has changed. Only the faces around removed hinges are computed anew,
-    /// unless faces were born.
-    void follow(const ShellChange& change);
+    /// which it returns by ascending number; all, if faces were born.
+    std::vector<Index> follow(const ShellChange& change);
 
     /// What the change of curvature of a face consists of.
     std::span<const Term> terms(std::size_t face) const { return faces[face]; }
@@ -40,6 +40,9 @@ class FaceCurvature {
         for (const Term& term : faces[face]) sum += changes[term.fold] * term.per_angle;
         return sum;
     }
+
+    /// The faces' sides and what folds are there.
+    const Patches& around() const { return patches; }
 
   private:
     void build();

@@ -2,6 +2,7 @@
 #include "core/bending/folds.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sherd {
 
@@ -31,26 +32,37 @@ VectorXd Folds::rest_angles() const {
     return all;
 }
 
-VectorXd Folds::angles(const Positions& x) const {
-    VectorXd all = VectorXd::Zero(size());
-    for (std::size_t m = 0; m < mirrors.size(); ++m)
-        all[static_cast<Eigen::Index>(m)] = hinge_angle(mirrors.with_image(m, x));
-    for (std::size_t h = 0; h < shell.hinges.size(); ++h)
-        all[folds_of_edges() + shell.hinge_edge[h]] = hinge_angle(columns(x, shell.hinges[h].vertices));
+std::vector<Index> Folds::present() const {
+    std::vector<Index> all(mirrors.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const Index edge : shell.hinge_edge) all.push_back(folds_of_edges() + edge);
     return all;
 }
 
-std::vector<Folds::Slope> Folds::slopes(const Positions& x) const {
+HingePositions Folds::positions(Index fold, const Positions& x) const {
+    if (fold < folds_of_edges()) return mirrors.with_image(fold, x);
+    return columns(x, vertices(fold));
+}
+
+HingePositions Folds::slope(Index fold, const Positions& x) const {
+    HingePositions gradient = DihedralAngle(positions(fold, x)).gradient();
+    if (fold < folds_of_edges()) gradient.col(2) += mirrors.reflection(fold) * gradient.col(3);
+    return gradient;
+}
+
+VectorXd Folds::angles(const Positions& x) const {
+    return angles(x, present());
+}
+
+VectorXd Folds::angles(const Positions& x, std::span<const Index> some) const {
+    VectorXd all = VectorXd::Zero(size());
+    for (const Index fold : some) all[fold] = hinge_angle(positions(fold, x));
+    return all;
+}
+
+std::vector<Folds::Slope> Folds::slopes(const Positions& x, std::span<const Index> some) const {
     std::vector<Slope> all(size());
-    for (std::size_t m = 0; m < mirrors.size(); ++m) {
-        all[m] = {vertices(static_cast<Index>(m)), DihedralAngle(mirrors.with_image(m, x)).gradient()};
-        all[m].gradient.col(2) += mirrors.reflection(m) * all[m].gradient.col(3);
-    }
-    for (std::size_t h = 0; h < shell.hinges.size(); ++h) {
-        const std::array<Index, 4>& of_hinge = shell.hinges[h].vertices;
-        all[folds_of_edges() + shell.hinge_edge[h]] = {of_hinge,
-                                                       DihedralAngle(columns(x, of_hinge)).gradient()};
-    }
+    for (const Index fold : some) all[fold] = {vertices(fold), slope(fold, x)};
     return all;
 }
 
@@ -63,41 +75,32 @@ void Folds::follow(const ShellChange& change, VectorXd& angles) const {
             angles[folds_of_edges() + edge] = rest_angle(folds_of_edges() + edge);
 }
 
-void Folds::add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient) const {
-    const std::vector<Slope> all = slopes(x);
-    const auto add = [&](Index fold) {
-        const Slope& slope = all[fold];
+void Folds::add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient,
+                         std::span<const Index> some) const {
+    for (const Index fold : some) {
+        const std::array<Index, 4> at = vertices(fold);
+        const HingePositions by_vertex = slope(fold, x);
         for (int v = 0; v < 4; ++v)
-            if (slope.vertices[v] >= 0)
-                gradient.col(slope.vertices[v]) += of_angles[fold] * slope.gradient.col(v);
-    };
-    for (Index m = 0; m < folds_of_edges(); ++m) add(m);
-    for (const Index edge : shell.hinge_edge) add(folds_of_edges() + edge);
+            if (at[v] >= 0) gradient.col(at[v]) += of_angles[fold] * by_vertex.col(v);
+    }
 }
 
-void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {
-    for (std::size_t m = 0; m < mirrors.size(); ++m) {
+void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
+                        std::span<const Index> some) const {
+    for (const Index fold : some) {
         HingeHessian full = HingeHessian::Zero();
-        DihedralAngle(mirrors.with_image(m, x)).add_hessian(of_angles[static_cast<Eigen::Index>(m)], full);
-        add_element(hessian, mirrors.vertices(m), mirrors.folded(m, full));
-    }
-    for (std::size_t h = 0; h < shell.hinges.size(); ++h) {
-        const std::array<Index, 4>& of_hinge = shell.hinges[h].vertices;
-        HingeHessian full = HingeHessian::Zero();
-        DihedralAngle(columns(x, of_hinge))
-            .add_hessian(of_angles[folds_of_edges() + shell.hinge_edge[h]], full);
-        add_element(hessian, of_hinge, full);
+        DihedralAngle(positions(fold, x)).add_hessian(of_angles[fold], full);
+        if (fold < folds_of_edges())
+            add_element(hessian, mirrors.vertices(fold), mirrors.folded(fold, full));
+        else
+            add_element(hessian, vertices(fold), full);
     }
 }
 
 std::vector<MirrorGradient> Folds::mirror_gradients(const Positions& x, const VectorXd& of_angles) const {
     std::vector<MirrorGradient> gradients;
-    for (std::size_t m = 0; m < mirrors.size(); ++m) {
-        HingePositions slope = DihedralAngle(mirrors.with_image(m, x)).gradient();
-        slope.col(2) += mirrors.reflection(m) * slope.col(3);
-        gradients.push_back(
-            {vertices(static_cast<Index>(m)), of_angles[static_cast<Eigen::Index>(m)] * slope});
-    }
+    for (Index m = 0; m < folds_of_edges(); ++m)
+        gradients.push_back({vertices(m), of_angles[m] * slope(m, x)});
     return gradients;
 }
 

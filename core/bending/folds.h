@@ -34,21 +34,39 @@ class Folds {
     /// Appends the vertices of a fold that are not among `vertices` yet.
     void collect(Index fold, std::vector<Index>& vertices) const;
 
-    double rest_angle(Index fold) const;                  ///< rad
-    VectorXd rest_angles() const;                         ///< of all folds, rad
-    VectorXd angles(const Positions& x) const;            ///< of all folds, rad
-    std::vector<Slope> slopes(const Positions& x) const;  ///< of all folds
+    double rest_angle(Index fold) const;        ///< rad
+    VectorXd rest_angles() const;               ///< of all folds, rad
+    VectorXd angles(const Positions& x) const;  ///< of all folds, rad
+    /// Those that have an angle: mirrors, then edges with a hinge, in the order of hinges.
+    std::vector<Index> present() const;
+    // With a list of present folds, the functions below look at these alone. What they say of others has no
+    // meaning, but is an angle of zero.
+    VectorXd angles(const Positions& x, std::span<const Index> some) const;
+    std::vector<Slope> slopes(const Positions& x) const { return slopes(x, present()); }
+    std::vector<Slope> slopes(const Positions& x, std::span<const Index> some) const;
     /// Appends the rest angles of new edges to angles of all folds.
     void follow(const ShellChange& change, VectorXd& angles) const;
 
     /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
-    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient) const;
+    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient) const {
+        add_gradient(x, of_angles, gradient, present());
+    }
+    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient,
+                      std::span<const Index> some) const;
     /// Adds what the angles' own second derivatives give to its Hessian.
-    void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const;
+    void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {
+        add_hessian(x, of_angles, hessian, present());
+    }
+    void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
+                     std::span<const Index> some) const;
     /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
     std::vector<MirrorGradient> mirror_gradients(const Positions& x, const VectorXd& of_angles) const;
 
   private:
+    /// A fold at x as a hinge; the fourth vertex of a mirror is the image.
+    HingePositions positions(Index fold, const Positions& x) const;
+    HingePositions slope(Index fold, const Positions& x) const;  ///< Slope::gradient
+
     const Shell& shell;
     Mirrors mirrors;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/shell_energies.h"
 
-#include "core/bending/coupled_bending.h"
+#include "core/bending/coupled_cubic_bending.h"
 #include "core/bending/hinge_curvature.h"
 #include "core/membrane/arc_membrane.h"
 #include "core/shell/face_fields.h"
@@ -11,7 +11,7 @@ namespace {
 
 /// The mirrors that have an energy of their own: coupled hinges count theirs.
 std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
-    return options.bending.model == BendingModel::coupled ? std::vector<MirrorHinge>() : options.mirrors;
+    return is_coupled(options.bending.model) ? std::vector<MirrorHinge>() : options.mirrors;
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
     : shell(shell),
       bending(bending_energy(shell, options.bending, options.mirrors)),
-      coupled(dynamic_cast<const CoupledBending*>(bending.get())),
+      coupled(coupled_hinges(*bending)),
       membrane(membrane_energy(shell, options.membrane, options.mirrors)),
       arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
       mirrors(shell, uncoupled_mirrors(options)),

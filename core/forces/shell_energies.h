@@ -54,7 +54,7 @@ class ShellEnergies {
   private:
     const Shell& shell;
     std::unique_ptr<Energy> bending;
-    const CoupledBending* coupled;  ///< bending, if it is of coupled hinges
+    const CoupledBending* coupled;  ///< those of bending, if it has coupled hinges
     std::unique_ptr<Energy> membrane;
     const ArcMembrane* arcs;  ///< membrane, if its sides are arcs
     MirrorEnergy mirrors;
