@@ -180,7 +180,7 @@ TEST(Scene, TellsHowManyFacesBendAsAPolynomial) {
     };
     const std::string cubic = "solver.bending=coupled-cubic", thickness = "sheet.plate.material.thickness=";
     EXPECT_EQ(words({}), "");
-    const std::string thin = words({cubic, thickness + "1e-5"}), thick = words({cubic, thickness + "1e-2"});
+    const std::string thin = words({cubic, thickness + "1e-5"}), thick = words({cubic, thickness + "0.1"});
     EXPECT_NE(thin.find("faces as a polynomial\n"), std::string::npos) << thin;
     EXPECT_EQ(thick.find("bending: 0 of "), 0u) << thick;
     EXPECT_NE(thick.find("thicker than a quarter of their shortest side"), std::string::npos) << thick;
