@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
+#include "app/bench/cost_tables.h"
 #include "app/bench/shell_run.h"
 #include "app/commands.h"
 #include "app/json/json.h"
@@ -23,18 +25,12 @@ struct BenchOptions {
 
 std::vector<ShellCase> chosen_cases(const BenchOptions& options) {
     std::vector<ShellCase> chosen;
-    for (ShellCase& one : sze_cases())
+    for (ShellCase& one : shell_cases())
         if (one.name.find(options.only) != std::string::npos) chosen.push_back(std::move(one));
     if (!chosen.empty()) return chosen;
     std::string names;
-    for (const ShellCase& one : sze_cases()) names += "\n  " + one.name;
+    for (const ShellCase& one : shell_cases()) names += "\n  " + one.name;
     throw Error(fmt::format("--only {}: no case has this in its name; there are:{}", options.only, names));
-}
-
-/// BENDING or BENDING+MEMBRANE, as solver.bending and solver.membrane have them.
-ShellVariant variant_of(const std::string& model, double edge, bool structured) {
-    const std::size_t plus = model.find('+');
-    return {edge, structured, model.substr(0, plus), plus == std::string::npos ? "" : model.substr(plus + 1)};
 }
 
 /// Quickly: the two coarser meshes, unstructured, of coupled hinges.
@@ -43,24 +39,22 @@ std::vector<ShellVariant> variants_of(const ShellCase& one, const BenchOptions& 
     if (options.quick) return {{one.edges[0]}, {one.edges[1]}};
     for (const std::string& model : options.models)
         for (const bool structured : {false, true})
-            for (const double edge : one.edges) variants.push_back(variant_of(model, edge, structured));
+            for (const double edge : one.edges)
+                if (!structured || one.has_structured)
+                    variants.push_back(shell_variant(model, edge, structured));
     return variants;
 }
 
-std::string model_words(const ShellVariant& variant) {
-    return variant.bending + (variant.membrane.empty() ? "" : "+" + variant.membrane);
-}
-
 void print_row(const ShellVariant& variant, const ShellRun& run) {
-    fmt::print("| {} | {} | {} | {} |", model_words(variant),
-               variant.structured ? "structured" : "unstructured", variant.edge, run.faces);
+    fmt::print("| {} | {} | {} | {} |", variant.model(), variant.structured ? "structured" : "unstructured",
+               variant.edge, run.faces);
     for (const ShellResult& result : run.results) fmt::print(" {:.1f}", result.error());
-    fmt::print(" | {} | {:.1f} |{}\n", run.iterations, run.seconds, run.failure.empty() ? "" : " (1)");
+    fmt::print(" | {} | {:.2f} |{}\n", run.iterations, run.seconds, run.failure.empty() ? "" : " (1)");
     std::fflush(stdout);
 }
 
 Json row_json(const ShellCase& one, const ShellVariant& variant, const ShellRun& run) {
-    Json row{{"case", one.name},        {"model", model_words(variant)},
+    Json row{{"case", one.name},        {"model", variant.model()},
              {"edge", variant.edge},    {"structured", variant.structured},
              {"faces", run.faces},      {"iterations", run.iterations},
              {"seconds", run.seconds},  {"failure", run.failure},
@@ -71,17 +65,24 @@ Json row_json(const ShellCase& one, const ShellVariant& variant, const ShellRun&
     return row;
 }
 
+std::string known_numbers(const ShellCase& one) {
+    std::vector<std::string> names;
+    for (const ShellReference& reference : one.references)
+        names.push_back(one.step < 1 ? fmt::format("{} at {}", reference.name, reference.load)
+                                     : reference.name);
+    if (!one.limits.empty()) names.emplace_back("highest load, -W there, lowest load, -W there");
+    if (!one.frequencies.empty()) names.push_back(fmt::format("f1 to f{}", one.frequencies.size()));
+    if (!one.measured.empty()) names.push_back(one.measured);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void print_head(const ShellCase& one) {
-    fmt::print("\n**{}**: errors in % of", one.name);
-    const char* separator = " ";
-    for (const ShellReference& reference : one.references) {
-        fmt::print("{}{} at {}", separator, reference.name, reference.load);
-        separator = ", ";
-    }
-    if (!one.limits.empty()) fmt::print(" highest load, -W there, lowest load, -W there");
+    fmt::print("\n**{}**{}{}: errors in % of {}\n\n", one.name, one.source.empty() ? "" : ", beside ",
+               one.source, known_numbers(one));
     fmt::print(
-        "\n\n| model | mesh | edges | faces | errors | iterations | s |\n"
+        "| model | mesh | edges | faces | errors | iterations | s |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n");
+    std::fflush(stdout);
 }
 
 int bench_shells(const BenchOptions& options) {
@@ -96,8 +97,8 @@ int bench_shells(const BenchOptions& options) {
             else
                 print_row(variant, run);
             if (!run.failure.empty())
-                failures += fmt::format("{}, {}, {}: {}\n", one.name, model_words(variant), variant.edge,
-                                        run.failure);
+                failures +=
+                    fmt::format("{}, {}, {}: {}\n", one.name, variant.model(), variant.edge, run.failure);
         }
     }
     if (options.json) fmt::print("{}\n", rows.dump(2));
@@ -105,19 +106,36 @@ int bench_shells(const BenchOptions& options) {
     return 0;
 }
 
+int bench_cost(const BenchOptions& options) {
+    std::vector<double> edges(hemisphere_edges.begin(), hemisphere_edges.end());
+    std::vector<ShellCase> cases = chosen_cases(options);
+    if (options.quick) {
+        edges.resize(1);
+        if (options.only.empty())
+            std::erase_if(cases, [](const ShellCase& one) { return !one.name.starts_with("plate"); });
+    }
+    const Json costs = iteration_costs(options.models, edges, !options.json);
+    const Json equal = costs_at_equal_error(cases, options.models, !options.json);
+    if (options.json) fmt::print("{}\n", Json{{"iterations", costs}, {"equal_error", equal}}.dump(2));
+    return 0;
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("bench", "Compare with published numbers, in a table that anyone can make");
+    CLI::App* command = program.add_subcommand(
+        "bench", "Compare with theory and published numbers, in tables that anyone can make");
     auto options = std::make_shared<BenchOptions>();
     command
         ->add_option("name", options->name,
-                     "shells: large deflections of plates and shells (Sze, Liu, Lo 2004)")
+                     "shells: errors of plates and shells beside theory and published numbers; cost: what an "
+                     "iteration and what a given error cost with each model")
         ->required()
-        ->check(CLI::IsMember({"shells"}));
-    command->add_flag("--quick", options->quick,
-                      "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges");
+        ->check(CLI::IsMember({"shells", "cost"}));
+    command->add_flag(
+        "--quick", options->quick,
+        "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges; of "
+        "cost the coarsest mesh and plates only");
     command->add_option("--only", options->only, "Take the cases with this in their names")
         ->option_text("TEXT");
     command
@@ -125,9 +143,13 @@ void add_bench(CLI::App& program, Command& chosen) {
                      "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
                      "coupled coupled+arc)")
         ->option_text("MODEL ...");
-    command->add_flag("--json", options->json, "For scripts: one JSON array");
+    command->add_flag("--json", options->json, "For scripts: one JSON array, of cost one JSON object");
     command->footer("Example:\n  sherd bench shells --quick --only hemisphere");
-    command->callback([&chosen, options] { chosen = [options] { return bench_shells(*options); }; });
+    command->callback([&chosen, options] {
+        chosen = [options] {
+            return options->name == "cost" ? bench_cost(*options) : bench_shells(*options);
+        };
+    });
 }
 
 }  // namespace sherd

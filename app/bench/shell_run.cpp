@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
+#include "core/vibration/vibration.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -26,18 +27,18 @@ Station station(const StepReport& report) {
     return one;
 }
 
-std::vector<Station> stations(const Scene& scene, ShellRun& run) {
-    std::vector<std::string> warnings;
-    BuiltScene built = build_scene(scene, warnings);
-    Simulation simulation(std::move(built.sheets), built.options);
-    run.faces = simulation.shell().mechanics().triangles.size();
+/// Steps to the end, or to the first step that cannot be solved. Returns what was on the way.
+std::vector<Station> stations(const ShellCase& one, const Scene& scene, Simulation& simulation,
+                              ShellRun& run) {
     std::vector<Station> all;
+    StepReport report;
     try {
         while (simulation.time() < scene.duration && !simulation.arrived()) {
-            const StepReport report = simulation.step();
+            report = simulation.step();
             run.iterations += report.newton_iterations;
             all.push_back(station(report));
         }
+        if (one.measure) run.results = one.measure(simulation, report);
     } catch (const Error& error) {
         run.failure = error.what();
     }
@@ -83,17 +84,38 @@ void add_limits(const ShellLimit& limit, const std::vector<Station>& path, Shell
     run.results.push_back({"-W there", at_down, limit.at_lowest});
 }
 
+void add_frequencies(const ShellCase& one, const Shell& shell, const ShellEnergyOptions& energies,
+                     ShellRun& run) {
+    const Vibration found = vibration(shell, energies, static_cast<Index>(one.frequencies.size()));
+    for (std::size_t i = 0; i < found.modes.size(); ++i)
+        run.results.push_back({fmt::format("f{}", i + 1), found.modes[i].frequency(), one.frequencies[i]});
+}
+
 }  // namespace
 
+double ShellRun::largest_error() const {
+    double largest = 0;
+    for (const ShellResult& result : results) largest = std::max(largest, std::abs(result.error()));
+    return largest;
+}
+
 ShellRun run_case(const ShellCase& one, const ShellVariant& variant) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     const Scene scene = parse_scene(scene_text(one, variant), "bench", {});
+    std::vector<std::string> warnings;
+    BuiltScene built = build_scene(scene, warnings);
+    if (one.add_loads) one.add_loads(built.sheets.mechanics(), built.options);
+    Simulation simulation(std::move(built.sheets), built.options);
     ShellRun run;
-    const std::vector<Station> path = stations(scene, run);
-    add_references(one, scene, path, run);
-    if (!one.limits.empty() && !path.empty()) add_limits(one.limits.front(), path, run);
-    run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    run.faces = simulation.shell().mechanics().triangles.size();
+    if (one.frequencies.empty()) {
+        const std::vector<Station> path = stations(one, scene, simulation, run);
+        add_references(one, scene, path, run);
+        if (!one.limits.empty() && !path.empty()) add_limits(one.limits.front(), path, run);
+    } else {
+        add_frequencies(one, simulation.shell().mechanics(), built.options.stepper.shell, run);
+    }
+    run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return run;
 }
 

@@ -9,20 +9,14 @@
 
 namespace sherd {
 
-/// A computed number beside its reference.
-struct ShellResult {
-    std::string name;  ///< "W_A at 0.5"
-    double value = 0, reference = 0;
-
-    double error() const { return 100 * (value / reference - 1); }  ///< %
-};
-
 struct ShellRun {
     std::size_t faces = 0;
     std::int64_t iterations = 0;
-    double seconds = 0;  ///< of wall time
+    double seconds = 0;  ///< of processor time
     std::vector<ShellResult> results;
     std::string failure;  ///< why there are none, or too few; empty: all is well
+
+    double largest_error() const;  ///< %, of all results, without sign
 };
 
 /// Computes a case; a step that cannot be solved ends it.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/solver/factor_size.h"
 #include "core/solver/linear_solver.h"
 
 // Declared here because OpenMP's header belongs to one compiler's runtime, and CHOLMOD may use another. The
@@ -58,6 +59,7 @@ class CholeskySolver : public LinearSolver {
     void analyze(const BlockMatrix& matrix) override;
     bool factorize(const BlockMatrix& matrix) override;
     VectorXd solve(const VectorXd& right_side) override;
+    double factor_entries() const { return common.lnz; }
 
   private:
     void require(bool success, const char* action) const {
@@ -108,6 +110,12 @@ std::unique_ptr<LinearSolver> cholesky_solver() {
 
 std::unique_ptr<LinearSolver> indefinite_solver() {
     return std::make_unique<CholeskySolver>(false);
+}
+
+double factor_size(const BlockMatrix& matrix) {
+    CholeskySolver solver(true);
+    solver.analyze(matrix);
+    return solver.factor_entries();
 }
 
 }  // namespace sherd

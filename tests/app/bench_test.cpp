@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Published shells, computed by statics from scenes: the bounds are what was measured plus a little. Loads,
-// supports, gauges and paths are held by it as much as hinges are.
+// Plates and shells beside theory and published numbers, computed from scenes: the bounds are what was
+// measured plus a little. Loads, supports, gauges and paths are held by it as much as hinges are.
 #include <gtest/gtest.h>
 
 #include "app/bench/shell_run.h"
@@ -19,11 +19,15 @@ class ShellBench : public testing::TestWithParam<Bound> {};
 
 TEST_P(ShellBench, OfCoupledHingesIsNearPublishedNumbers) {
     const auto& [name, edge, error, membrane] = GetParam();
-    for (const ShellCase& one : sze_cases()) {
+    for (const ShellCase& one : shell_cases()) {
         if (one.name != name) continue;
         const ShellRun run = run_case(one, {.edge = edge, .membrane = membrane});
         EXPECT_EQ(run.failure, "");
-        ASSERT_EQ(run.results.size(), one.references.size() + 4 * one.limits.size());
+        const std::size_t known = one.references.size() + 4 * one.limits.size() + one.frequencies.size();
+        if (one.measure)
+            ASSERT_GT(run.results.size(), known);
+        else
+            ASSERT_EQ(run.results.size(), known);
         for (const ShellResult& result : run.results)
             EXPECT_NEAR(result.error(), 0, error) << result.name << ": " << result.value;
         return;
@@ -39,7 +43,47 @@ INSTANTIATE_TEST_SUITE_P(
                     Bound{"cylinder, pulled", 0.3, 1.5}, Bound{"semi-cylinder, pinched", 10, 3},
                     Bound{"hinged roof, h = 12.7", 32, 4}, Bound{"hinged roof, h = 6.35", 32, 7}));
 
-// Why there are coupled hinges at all.
+INSTANTIATE_TEST_SUITE_P(Plates, ShellBench,
+                         testing::Values(Bound{"plate, free square, frequencies", 0.05, 2},
+                                         Bound{"plate, supported square under pressure", 0.05, 0.6},
+                                         Bound{"plate, clamped square under pressure", 0.025, 0.8},
+                                         Bound{"plate, orthotropic strips", 0.05, 2},
+                                         Bound{"strip, heavy elastica", 0.1, 0.8},
+                                         Bound{"plate, twisted strip", 0.1, 0.05},
+                                         Bound{"plate, clamped ring under pressure", 0.03, 2.5},
+                                         Bound{"plate with a hole, bent", 0.08, 4},
+                                         Bound{"hyperboloid, free ends, t = 0.1", 0.1, 0.6},
+                                         Bound{"hyperboloid, free ends, t = 0.01", 0.1, 0.6},
+                                         Bound{"hyperboloid, free ends, t = 0.001", 0.1, 1, "arc"}));
+
+// Why there are coupled hinges at all, and what core/bending/README.md says of the others: correct it when
+// they become better.
+struct Range {
+    const char* name;
+    double edge;
+    double least, most;  ///< %, of the largest error
+};
+
+class PlainShellBench : public testing::TestWithParam<Range> {};
+
+TEST_P(PlainShellBench, IsAsFarFromThemAsIsSaid) {
+    const auto& [name, edge, least, most] = GetParam();
+    for (const ShellCase& one : shell_cases()) {
+        if (one.name != name) continue;
+        const ShellRun run = run_case(one, {.edge = edge, .bending = "cubic"});
+        EXPECT_EQ(run.failure, "");
+        EXPECT_GT(run.largest_error(), least);
+        EXPECT_LT(run.largest_error(), most);
+        return;
+    }
+    FAIL() << "no such case";
+}
+
+INSTANTIATE_TEST_SUITE_P(Plates, PlainShellBench,
+                         testing::Values(Range{"plate, free square, frequencies", 0.05, 30, 45},
+                                         Range{"plate, supported square under pressure", 0.05, 9, 15},
+                                         Range{"strip, heavy elastica", 0.05, 2, 12}));
+
 TEST(ShellBenchOfPlainHinges, IsFarFromIt) {
     for (const ShellCase& one : sze_cases()) {
         if (one.name != "hemisphere with a hole") continue;

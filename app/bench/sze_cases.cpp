@@ -4,71 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/scene_words.h"
 #include "app/bench/shell_case.h"
-#include "core/vector.h"
 
 namespace sherd {
 namespace {
 
-constexpr double near = 1e-6;  // of a point that a box is to catch
-constexpr const char* planes_x_y =
-    "symmetry = [{ point = [0, 0, 0], normal = [0, 1, 0] }, "
-    "{ point = [0, 0, 0], normal = [1, 0, 0] }]\n";
-constexpr const char* planes_x_y_z =
-    "symmetry = [{ point = [0, 0, 0], normal = [0, 1, 0] }, "
-    "{ point = [0, 0, 0], normal = [1, 0, 0] }, "
-    "{ point = [0, 0, 0], normal = [0, 0, 1] }]\n";
-
-std::string box_at(const Vector3d& p) {
-    return fmt::format("[[{}, {}, {}], [{}, {}, {}]]", p.x() - near, p.y() - near, p.z() - near, p.x() + near,
-                       p.y() + near, p.z() + near);
-}
-
-std::string force_at(const Vector3d& p, const Vector3d& force) {
-    return fmt::format("[[force.load]]\npoint = [{}, {}, {}]\nbox = {}\n", force.x(), force.y(), force.z(),
-                       box_at(p));
-}
-
-std::string gauge_at(const std::string& name, const Vector3d& p) {
-    return fmt::format("[[gauge]]\nname = \"{}\"\nat = [{}, {}, {}]\n", name, p.x(), p.y(), p.z());
-}
-
-std::string material(double thickness, double young, double poisson) {
-    return fmt::format("material = {{ density = 1, thickness = {}, young = {}, poisson = {} }}\n", thickness,
-                       young, poisson);
-}
-
-std::string rectangle(double width, double height) {
-    return fmt::format("mesh = {{ generate = \"rectangle\", width = {}, height = {}, MESH }}\n", width,
-                       height);
-}
-
-std::string revolution(const std::string& profile, double angle) {
-    return fmt::format("mesh = {{ generate = \"revolution\", profile = {}, angle = {}, MESH }}\n", profile,
-                       angle);
-}
-
-std::string line(double r0, double z0, double r1, double z1) {
-    return fmt::format("[[{}, {}], [{}, {}]]", r0, z0, r1, z1);
-}
-
-/// So many points that the polyline is a circle to the eye of the finest mesh.
-std::string arc(double radius, double from_degrees, double to_degrees) {
-    constexpr int pieces = 200;
-    std::string points;
-    for (int i = 0; i <= pieces; ++i) {
-        const double angle =
-            (from_degrees + (to_degrees - from_degrees) * i / pieces) * std::numbers::pi / 180;
-        points +=
-            fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", radius * std::sin(angle), radius * std::cos(angle));
-    }
-    return "[" + points + "]";
-}
-
 ShellCase end_shear() {
     return {.name = "cantilever, end shear",
-            .sheet = rectangle(10, 1) + material(0.1, 1.2e6, 0) +
-                     "clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }\n",
+            .sheet = rectangle(10, 1) + material(0.1, 1.2e6, 0) + clamp_at_y_axis,
             .rest = "[[force.load]]\nline = [0, 0, 4]\nbox = [[9.99999, -1, -1], [11, 2, 1]]\n" +
                     gauge_at("tip", {10, 0.5, 0}),
             .references = {{0.4, "tip", 0, -1.184, "-U"},
@@ -81,8 +25,7 @@ ShellCase end_shear() {
 /// Half of the width: a whole strip under moments of constant direction buckles sideways before it is a ring.
 ShellCase end_moment() {
     return {.name = "cantilever, end moment",
-            .sheet = rectangle(12, 0.5) + material(0.1, 1.2e6, 0) +
-                     "clamp = { box = [[-1, -1, -1], [1e-6, 2, 1]] }\n"
+            .sheet = rectangle(12, 0.5) + material(0.1, 1.2e6, 0) + clamp_at_y_axis +
                      "symmetry = { point = [0, 0, 0], normal = [0, 1, 0] }\n",
             .rest = fmt::format("[[force.load]]\nmoment = {}\nbox = [[11.99999, -1, -1], [13, 2, 1]]\n",
                                 -50 * std::numbers::pi / 3) +
@@ -196,19 +139,6 @@ std::vector<ShellCase> sze_cases() {
             semi_cylinder(),
             hinged_roof(12.7, {0.7421, -11.293, 0.1729, -19.852}),
             hinged_roof(6.35, {0.1953, -12.892, -0.1288, -15.778})};
-}
-
-std::string scene_text(const ShellCase& one, const ShellVariant& variant) {
-    std::string sheet = one.sheet;
-    const std::string mesh =
-        fmt::format("edge_length = {}, structured = {}", variant.edge, variant.structured);
-    sheet.replace(sheet.find("MESH"), 4, mesh);
-    return fmt::format(
-        "[sheet.shell]\n{}\n{}\n[force]\ngravity = [0, 0, 0]\n[contact]\nsheets = false\n"
-        "[solver]\nscheme = \"static\"\nbending = \"{}\"\nmax_iterations = 200\nstep = {}\narc_length = "
-        "{}\n{}",
-        sheet, one.rest, variant.bending, one.step, !one.limits.empty(),
-        variant.membrane.empty() ? "" : fmt::format("membrane = \"{}\"\n", variant.membrane));
 }
 
 }  // namespace sherd

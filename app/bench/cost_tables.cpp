@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/cost_tables.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+
+#include "app/bench/newton_cost.h"
+#include "app/bench/shell_run.h"
+
+namespace sherd {
+namespace {
+
+const ShellCase& hemisphere_case(const std::vector<ShellCase>& all) {
+    for (const ShellCase& one : all)
+        if (one.name.starts_with("hemisphere")) return one;
+    throw std::logic_error("no hemisphere");
+}
+
+void print_cost(const std::string& model, const NewtonCost& cost, const NewtonCost& first) {
+    fmt::print(
+        "| {} | {} | {:.0f} ({:.1f}) | {:.0f} ({:.1f}) | {:.2f} ({:.1f}) | {:.2f} ({:.1f}) | "
+        "{:.2f} ({:.1f}) | {:.2f} ({:.1f}) |\n",
+        cost.vertices, model, cost.hessian_entries, cost.hessian_entries / first.hessian_entries,
+        cost.factor_entries, cost.factor_entries / first.factor_entries, 1e3 * cost.gradient,
+        cost.gradient / first.gradient, 1e3 * cost.hessian, cost.hessian / first.hessian,
+        1e3 * cost.factorization, cost.factorization / first.factorization, 1e3 * cost.iteration,
+        cost.iteration / first.iteration);
+    std::fflush(stdout);
+}
+
+Json cost_json(const std::string& model, const NewtonCost& cost) {
+    return {{"model", model},
+            {"vertices", cost.vertices},
+            {"hessian_entries", cost.hessian_entries},
+            {"factor_entries", cost.factor_entries},
+            {"gradient", cost.gradient},
+            {"hessian", cost.hessian},
+            {"factorization", cost.factorization},
+            {"iteration", cost.iteration}};
+}
+
+/// A mesh, and what it cost to compute the case on it.
+struct Solved {
+    double edge;
+    ShellRun run;
+};
+
+/// The coarsest of the case's meshes from which on no error is above `error`; none: the finest has more.
+struct Needed {
+    std::optional<Solved> solved;
+    double finest_error;  ///< %
+};
+
+Needed needed_for(const ShellCase& one, const std::string& model, double error) {
+    std::vector<Solved> all;
+    for (const double edge : one.edges)
+        all.push_back({edge, run_case(one, shell_variant(model, edge, false))});
+    Needed needed{std::nullopt, all.back().run.largest_error()};
+    for (std::size_t i = all.size(); i-- > 0;) {
+        if (!all[i].run.failure.empty() || all[i].run.largest_error() > error) break;
+        needed.solved = all[i];
+    }
+    return needed;
+}
+
+Json equal_json(const ShellCase& one, const Solved& coupled, const std::string& model, const Needed& needed) {
+    Json row{
+        {"case", one.name},  {"error", coupled.run.largest_error()}, {"coupled_seconds", coupled.run.seconds},
+        {"model", model},    {"finest_error", needed.finest_error},  {"edge", nullptr},
+        {"seconds", nullptr}};
+    if (needed.solved) row["edge"] = needed.solved->edge, row["seconds"] = needed.solved->run.seconds;
+    return row;
+}
+
+void print_equal(const ShellCase& one, const Solved& coupled, const std::string& model,
+                 const Needed& needed) {
+    fmt::print("| {} | {:.2f} | {}: {} | {} | ", one.name, coupled.run.largest_error(), coupled.edge,
+               coupled.run.faces, model);
+    if (needed.solved)
+        fmt::print("{}: {} | {:.1f} |\n", needed.solved->edge, needed.solved->run.faces,
+                   needed.solved->run.seconds / coupled.run.seconds);
+    else
+        fmt::print("never: {:.1f} % at {} | |\n", needed.finest_error, one.edges.back());
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+Json iteration_costs(const std::vector<std::string>& models, const std::vector<double>& edges, bool print) {
+    const std::vector<ShellCase> all = sze_cases();
+    if (print)
+        fmt::print(
+            "\n**An iteration of Newton's method** on the hemisphere with a hole: entries a vertex, and ms "
+            "of processor time of one thread (times that of {})\n\n"
+            "| vertices | model | Hessian | factor | gradient | assembly of the Hessian | factorization | "
+            "iteration |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+            models.front());
+    Json rows = Json::array();
+    for (const double edge : edges) {
+        std::optional<NewtonCost> first;
+        for (const std::string& model : models) {
+            const NewtonCost cost =
+                newton_cost(scene_text(hemisphere_case(all), shell_variant(model, edge, false)));
+            if (!first) first = cost;
+            if (print) print_cost(model, cost, *first);
+            rows.push_back(cost_json(model, cost));
+        }
+    }
+    return rows;
+}
+
+Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector<std::string>& models,
+                          bool print) {
+    if (print)
+        fmt::print(
+            "\n**At equal error**: the coarsest mesh from which on the largest of a case's errors stays "
+            "below "
+            "that of coupled hinges on the coarse mesh, and its processor time over theirs\n\n"
+            "| case | error, % | edges: faces, `coupled` | model | edges: faces | times the cost |\n"
+            "| --- | --- | --- | --- | --- | --- |\n");
+    Json rows = Json::array();
+    for (const ShellCase& one : cases) {
+        const Solved coupled{one.edges[0], run_case(one, {.edge = one.edges[0]})};
+        for (const std::string& model : models) {
+            if (model == "coupled") continue;
+            const Needed needed = needed_for(one, model, coupled.run.largest_error());
+            if (print) print_equal(one, coupled, model, needed);
+            rows.push_back(equal_json(one, coupled, model, needed));
+        }
+    }
+    return rows;
+}
+
+}  // namespace sherd

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/newton_cost.h"
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <limits>
+
+#include "app/scene/build/built_scene.h"
+#include "app/scene/read/scene.h"
+#include "core/solver/factor_size.h"
+#include "core/solver/linear_solver.h"
+
+namespace sherd {
+namespace {
+
+double least_seconds(const std::function<void()>& work) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const std::clock_t start = std::clock();
+        work();
+        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+}  // namespace
+
+NewtonCost newton_cost(const std::string& scene) {
+    std::vector<std::string> warnings;
+    const BuiltScene built = build_scene(parse_scene(scene, "bench", {}), warnings);
+    const Shell& shell = built.sheets.mechanics();
+    ShellEnergies energies(shell, built.options.stepper.shell);
+    const std::vector<Energy*> all = energies.elastic();
+    const Positions& x = shell.position;
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : all) energy->add_pattern(pairs);
+    BlockMatrix matrix(static_cast<Index>(x.cols()), pairs, shell.fixed, shell.guide, shell.guides);
+    const std::unique_ptr<LinearSolver> solver = cholesky_solver();
+    solver->analyze(matrix);
+    Positions gradient = Positions::Zero(3, x.cols());
+    double sum = 0;
+    const auto assemble = [&] {
+        matrix.set_zero();
+        for (const Energy* energy : all) energy->add_hessian(x, Curvature::exact, matrix);
+    };
+    NewtonCost cost;
+    cost.vertices = shell.mass.size();
+    const auto vertices = static_cast<double>(cost.vertices);
+    cost.hessian_entries = (2 * static_cast<double>(matrix.values().size()) - matrix.size()) / vertices;
+    cost.factor_entries = factor_size(matrix) / vertices;
+    cost.gradient = least_seconds([&] {
+        for (const Energy* energy : all) energy->add_gradient(x, gradient);
+    });
+    cost.hessian = least_seconds(assemble);
+    cost.factorization = least_seconds([&] { solver->factorize(matrix); });
+    const VectorXd right_side = VectorXd::Ones(matrix.size());
+    const double solution = least_seconds([&] { sum += solver->solve(right_side).sum(); });
+    const double energy = least_seconds([&] {
+        for (const Energy* one : all) sum += one->value(x);
+    });
+    cost.iteration = cost.gradient + cost.hessian + cost.factorization + solution + energy;
+    return cost;
+}
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace sherd {
+
+/// What an iteration of Newton's method costs, in processor time of one thread, s: each is the least of
+/// three.
+struct NewtonCost {
+    std::size_t vertices = 0;
+    double hessian_entries = 0, factor_entries = 0;  ///< a vertex; of the whole symmetric Hessian
+    double gradient = 0, hessian = 0, factorization = 0;
+    double iteration = 0;  ///< all three, the solution with the factor and an energy for the line search
+};
+
+/// Measures it on the elastic energies of a scene where it starts. scene: as TOML.
+NewtonCost newton_cost(const std::string& scene);
+
+}  // namespace sherd

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/bench/elastica.h"
+#include "app/bench/scene_words.h"
+#include "app/bench/shell_case.h"
+
+namespace sherd {
+namespace {
+
+using Vector4d = Eigen::Vector4d;
+
+constexpr double pi = std::numbers::pi;
+
+/// Of omega a^2 sqrt(rho t / D), converged Ritz values, up to 0.9 % under the upper bounds of Leissa, J.
+/// Sound Vib. 31 (1973), 257-293 (13.489, 19.789, 24.432, 35.024, 35.024, 61.526).
+ShellCase free_square() {
+    std::vector<double> frequencies;
+    for (const double omega : {13.468, 19.596, 24.270, 34.801, 34.801, 61.093})
+        frequencies.push_back(omega / std::sqrt(plate_thickness) / (2 * pi));
+    return {.name = "plate, free square, frequencies",
+            .sheet = rectangle(1, 1) + unit_plate(),
+            .rest = "",
+            .frequencies = frequencies,
+            .edges = {0.05, 0.025, 0.0125},
+            .source = "Leissa 1973, with the digits of converged Ritz values; nu 0.3"};
+}
+
+/// Over q a^4 / D, of the middle of a supported square (Navier's series).
+double navier() {
+    double sum = 0;
+    for (int m = 1; m < 200; m += 2)
+        for (int n = 1; n < 200; n += 2)
+            sum +=
+                ((m + n) / 2 % 2 == 0 ? -1 : 1) * 16 / std::pow(pi, 6) / (m * n * std::pow(m * m + n * n, 2));
+    return sum;
+}
+
+/// A quarter of a square of side 1 under pressure, whose middle is the origin.
+ShellCase pressed_square(const std::string& name, const std::string& support, double factor,
+                         const std::string& source) {
+    const std::string sides =
+        fmt::format("{0} = [{{ box = {1} }}, {{ box = {2} }}]\n", support, box({0.499999, -1, -1}, {1, 1, 1}),
+                    box({-1, 0.499999, -1}, {1, 1, 1}));
+    return {.name = "plate, " + name + " square under pressure",
+            .sheet = rectangle(0.5, 0.5) + unit_plate() + planes_x_y + sides,
+            .rest = fmt::format("[[force.load]]\npressure = {}\n", small) + gauge_at("middle", {0, 0, 0}),
+            .step = 1,
+            .references = {{1, "middle", 2, small * factor, "middle"}},
+            .edges = {0.05, 0.025, 0.0125},
+            .source = source};
+}
+
+/// What a moment bends a strip along itself, over the rigidity along the first axis: S11 at an angle to it.
+double compliance(double degrees, double young1, double shear) {
+    const double w = degrees * pi / 180, c = std::pow(std::cos(w), 2), s = std::pow(std::sin(w), 2);
+    return c * c + s * s / young1 + s * c / shear;
+}
+
+/// A strip of its own at a place along y: held at three corners, so that moments at its two ends are all the
+/// forces on it, and its curvature is the same everywhere.
+std::string bent_strip(const std::string& name, double y, double degrees, double young1, double shear) {
+    const double young = young_of_unit_plate(0);
+    return fmt::format(
+               "place = {{ translate = [0, {}, 0] }}\n"
+               "material = {{ density = 1, thickness = {}, young = [{}, {}], poisson = 0, shear = {}, "
+               "axis = {{ degrees = {} }} }}\n"
+               "pin = [{{ box = {} }}, {{ box = {}, free = [\"x\"] }}, {{ box = {}, free = [\"x\", \"y\"] "
+               "}}]\n",
+               y, plate_thickness, young, young1 * young, shear * young, degrees, box_at({0, y, 0}),
+               box_at({1, y, 0}), box_at({0, y + 0.25, 0})) +
+           fmt::format(
+               "[[force.load]]\nsheet = \"{0}\"\nmoment = {1}\nbox = {2}\n"
+               "[[force.load]]\nsheet = \"{0}\"\nmoment = {1}\nbox = {3}\n",
+               name, 0.1 * small, box({-1, -1, -1}, {1e-6, 100, 1}), box({0.999999, -1, -1}, {2, 100, 1})) +
+           gauge_at(name, {0.5, y, 0});
+}
+
+ShellCase orthotropic_strips() {
+    constexpr double young1 = 0.2, shear = 0.16;  // over Y0
+    ShellCase all{.name = "plate, orthotropic strips",
+                  .sheet = "",
+                  .rest = "",
+                  .step = 1,
+                  .edges = {0.1, 0.05, 0.025},
+                  .source =
+                      "1/S11 of strips at angles to the first axis, in pure bending between free sides; "
+                      "Y1 = 0.2 Y0, G01 = 0.16 Y0, Poisson's ratios 0"};
+    for (int i = 0; i <= 6; ++i) {
+        const int degrees = 15 * i;
+        const std::string name = i == 0 ? "shell" : fmt::format("strip{}", degrees);
+        const std::string mesh = rectangle(1, 0.25);
+        (i == 0 ? all.sheet : all.rest) += (i == 0 ? "" : fmt::format("[sheet.{}]\n", name)) + mesh +
+                                           bent_strip(name, i, degrees, young1, shear);
+        all.references.push_back({1, name, 2, 0.1 * small / 8 * compliance(degrees, young1, shear),
+                                  fmt::format("{} degrees", degrees)});
+    }
+    return all;
+}
+
+ShellCase heavy_elastica() {
+    const Vector2d tip = elastica_tip(8);
+    return {.name = "strip, heavy elastica",
+            .sheet = rectangle(1, 0.25) + unit_plate(0) + clamp_at_y_axis,
+            .rest = "[[force.load]]\narea = [0, 0, -8]\n" + gauge_at("tip", {1, 0.125, 0}),
+            .step = 0.1,
+            .references = {{1, "tip", 0, -tip.x(), "-U"}, {1, "tip", 2, -tip.y(), "-W"}},
+            .edges = {0.1, 0.05, 0.025},
+            .source = "the elastica's equation; q L^3 / D = 8, nu 0"};
+}
+
+/// Three corners are held, and a force P at the fourth makes forces of P at all: m_xy is half of it.
+ShellCase twisted_strip() {
+    constexpr double width = 0.25, force = 0.1 * small;
+    return {.name = "plate, twisted strip",
+            .sheet = rectangle(1, width) + unit_plate() +
+                     fmt::format("pin = [{{ box = {} }}, {{ box = {}, free = [\"x\"] }}, "
+                                 "{{ box = {}, free = [\"x\", \"y\"] }}]\n",
+                                 box_at({0, 0, 0}), box_at({1, 0, 0}), box_at({0, width, 0})),
+            .rest = force_at({1, width, 0}, {0, 0, force}) + gauge_at("corner", {1, width, 0}),
+            .step = 1,
+            .references = {{1, "corner", 2, force * width / (2 * (1 - plate_poisson)), "corner"}},
+            .edges = {0.1, 0.05, 0.025},
+            .source = "forces at the corners, w = P x y / (2 D (1 - nu)); nu 0.3"};
+}
+
+/// The energy of a ring of rigidity 1 and radii `inner` and 1 that is clamped at both rims, under a pressure
+/// of 1: half the work of w = r^4 / 64 + a + b r^2 + c ln r + d r^2 ln r.
+double clamped_ring_energy(double inner) {
+    const auto shapes = [](double r) { return Vector4d(1, r * r, std::log(r), r * r * std::log(r)); };
+    const auto slopes = [](double r) { return Vector4d(0, 2 * r, 1 / r, 2 * r * std::log(r) + r); };
+    Eigen::Matrix4d rims;
+    rims << shapes(inner).transpose(), slopes(inner).transpose(), shapes(1).transpose(),
+        slopes(1).transpose();
+    const double r3 = std::pow(inner, 3);
+    const Vector4d found = -rims.inverse() * Vector4d(r3 * inner / 64, r3 / 16, 1.0 / 64, 1.0 / 16);
+    constexpr int pieces = 1000;
+    double work = 0;
+    for (int i = 0; i < pieces; ++i) {  // midpoint rule
+        const double r = inner + (1 - inner) * (i + 0.5) / pieces;
+        work += 2 * pi * r * (std::pow(r, 4) / 64 + shapes(r).dot(found)) * (1 - inner) / pieces;
+    }
+    return work / 2;
+}
+
+ShellCase clamped_ring() {
+    constexpr double inner = 0.4;
+    return {.name = "plate, clamped ring under pressure",
+            .sheet = revolution(line(inner, 0, 1, 0), 360) + unit_plate() + "clamp = { boundary = true }\n",
+            .rest = fmt::format("[[force.load]]\npressure = {}\n", small),
+            .step = 1,
+            .edges = {0.06, 0.03, 0.015},
+            .has_structured = false,
+            .measure = energy_beside(small * small * clamped_ring_energy(inner)),
+            .measured = "energy",
+            .source = "radii 0.4 and 1, the plate's equation; nu 0.3"};
+}
+
+}  // namespace
+
+std::vector<ShellCase> plate_cases() {
+    return {free_square(),
+            pressed_square("supported", "pin", navier(), "Navier's series; nu 0.3"),
+            pressed_square("clamped", "clamp", 0.00126532, "0.00126532 q a^4 / D (Timoshenko); nu 0.3"),
+            orthotropic_strips(),
+            heavy_elastica(),
+            twisted_strip(),
+            clamped_ring()};
+}
+
+}  // namespace sherd

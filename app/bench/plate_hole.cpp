@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/plate_hole.h"
+
+#include <cmath>
+
+#include "app/bench/scene_words.h"
+#include "app/bench/shell_case.h"
+
+namespace sherd {
+namespace {
+
+constexpr double hole_outer = 3;  // radius of the computed part of the plate
+// Within this radius moments are looked at. Along the outer rim faces know nothing of the moment that loads
+// it: to coupled hinges a free side carries none.
+constexpr double hole_seen = 2;
+constexpr double hole_moment = 1e-4;  // so small that the theory is linear
+
+}  // namespace
+
+// w = -r^2 / (4 (1 + nu)) + axial ln r + (-square r^2 + even + inverse / r^2) cos 2 angle, with constants for
+// which the rim bears no moment and no force, m_rr = 0 and q_r + d m_rt / (r d angle) = 0.
+PlateHole::PlateHole(double poisson)
+    : poisson(poisson),
+      axial(-1 / (2 * (1 - poisson))),
+      square(1 / (4 * (1 - poisson))),
+      even(-2 * (1 - poisson) / (3 + poisson) * square),
+      inverse((1 - poisson) / (3 + poisson) * square) {}
+
+Eigen::Matrix2d PlateHole::moments(const Vector2d& p) const {
+    const double r2 = p.squaredNorm(), r = std::sqrt(r2);
+    const double cos2 = (p.x() * p.x() - p.y() * p.y()) / r2, sin2 = 2 * p.x() * p.y() / r2;
+    const double plain = -1 / (2 * (1 + poisson)), b = even / r2, c = inverse / (r2 * r2);
+    Eigen::Matrix2d second;  // derivatives of w along the radius and across it
+    second(0, 0) = plain - axial / r2 + (-2 * square + 6 * c) * cos2;
+    second(1, 1) = plain + axial / r2 + (2 * square - 4 * b - 6 * c) * cos2;
+    second(0, 1) = second(1, 0) = (2 * square + 2 * b + 6 * c) * sin2;
+    Eigen::Matrix2d polar;
+    polar << p / r, Vector2d(-p.y(), p.x()) / r;
+    return -polar * ((1 - poisson) * second + poisson * second.trace() * Eigen::Matrix2d::Identity()) *
+           polar.transpose();
+}
+
+// Minus the gradient of the Laplacian -4 even cos 2 angle / r^2 + constant.
+Vector2d PlateHole::shear(const Vector2d& p) const {
+    const double r2 = p.squaredNorm(), r = std::sqrt(r2);
+    const double cos2 = (p.x() * p.x() - p.y() * p.y()) / r2, sin2 = 2 * p.x() * p.y() / r2;
+    return -8 * even / (r2 * r) * (cos2 * p + sin2 * Vector2d(-p.y(), p.x())) / r;
+}
+
+double PlateHole::rim_moment() const {
+    return (5 + 3 * poisson) / (3 + poisson);
+}
+
+namespace {
+
+/// 1 where normals point to z, else -1.
+double side_of(const Shell& shell, Index face) {
+    const auto& [a, b, c] = shell.triangles[face].vertices;
+    const Vector3d u = shell.rest.col(b) - shell.rest.col(a), v = shell.rest.col(c) - shell.rest.col(a);
+    return u.cross(v).z() > 0 ? 1 : -1;
+}
+
+/// The exact field's moment, twist and shear on a side: its twist is a couple of forces at the ends.
+void add_rim_load(const Shell& shell, const PlateHole& hole, const TriangleEdge& side, Load& load) {
+    const auto [from, to, apex] = edge_and_apex(shell, side);
+    const Vector2d a = shell.rest.col(from).head<2>(), b = shell.rest.col(to).head<2>();
+    const Vector2d along = (b - a).normalized(), middle = (a + b) / 2;
+    Vector2d outward(along.y(), -along.x());
+    if (outward.dot(middle) < 0) outward = -outward;
+    const Eigen::Matrix2d m = hole_moment * hole.moments(middle);
+    const double length = (b - a).norm(), twist = outward.dot(m * along);
+    const double half = hole_moment * hole.shear(middle).dot(outward) * length / 2;
+    for (const EdgeMoment& one :
+         edge_moments(shell, std::array{side}, side_of(shell, side.triangle) * outward.dot(m * outward)))
+        load.moments.push_back(one);
+    load.dead.push_back({side.triangle, (side.corner + 1) % 3, {0, 0, half + twist}});
+    load.dead.push_back({side.triangle, (side.corner + 2) % 3, {0, 0, half - twist}});
+}
+
+void add_hole_loads(const Shell& shell, SimulationOptions& options) {
+    const PlateHole hole(plate_poisson);
+    std::vector<char> at_rim(shell.mass.size());
+    for (std::size_t v = 0; v < at_rim.size(); ++v)
+        at_rim[v] = shell.rest.col(static_cast<Eigen::Index>(v)).norm() > hole_outer - 1e-9;
+    Load load;
+    for (const TriangleEdge& side : boundary_triangle_edges(shell, at_rim))
+        add_rim_load(shell, hole, side, load);
+    options.stepper.shell.loads.push_back(load);
+    options.fields.stress = true;
+}
+
+/// Moments of a face, along x and y, by the stress at its two surfaces.
+Eigen::Matrix2d face_moments(const Shell& shell, const FaceFields& fields, Index face) {
+    const Vector3d m = plate_thickness * plate_thickness / 12 * side_of(shell, face) *
+                       (fields.stress_top.col(face) - fields.stress_bottom.col(face));
+    TrianglePositions rest;
+    for (int corner = 0; corner < 3; ++corner)
+        rest.col(corner) = shell.rest.col(shell.triangles[face].vertices[corner]);
+    const Eigen::Matrix2d axes = frame_axes(rest).topRows<2>();
+    return axes * (Eigen::Matrix2d() << m[0], m[2], m[2], m[1]).finished() * axes.transpose();
+}
+
+std::vector<ShellResult> measure_hole(const Simulation& simulation, const StepReport&) {
+    const PlateHole hole(plate_poisson);
+    const Shell& shell = simulation.shell().mechanics();
+    const FaceFields fields = simulation.snapshot().fields;
+    double error = 0, whole = 0, at_rim = 0, exact_at_rim = 0;
+    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face) {
+        Vector2d middle = Vector2d::Zero();
+        int on_rim = 0;
+        for (const Index v : shell.triangles[face].vertices) {
+            middle += shell.rest.col(v).head<2>() / 3;
+            on_rim += shell.rest.col(v).norm() < 1 + 1e-9;
+        }
+        const double area = shell.triangles[face].membrane.area;
+        const Eigen::Matrix2d found = face_moments(shell, fields, face) / hole_moment,
+                              exact = hole.moments(middle);
+        if (middle.norm() < hole_seen) {
+            error += area * (found - exact).squaredNorm();
+            whole += area * exact.squaredNorm();
+        }
+        if (on_rim < 2) continue;
+        const Vector2d around = Vector2d(-middle.y(), middle.x()).normalized();
+        at_rim += around.dot(found * around) * around.dot(exact * around);
+        exact_at_rim += std::pow(around.dot(exact * around), 2);
+    }
+    return {{"moments, rms", std::sqrt(error / whole)},
+            {"moment at the rim", hole.rim_moment() * at_rim / exact_at_rim, hole.rim_moment()}};
+}
+
+}  // namespace
+
+ShellCase plate_hole_case() {
+    return {.name = "plate with a hole, bent",
+            .sheet = revolution(line(1, 0, hole_outer, 0), 90) + unit_plate() + planes_x_y +
+                     "pin = { box = " + box_at({1, 0, 0}) + ", free = [\"x\", \"y\"] }\n",
+            .rest = "",
+            .step = 1,
+            .edges = {0.08, 0.04, 0.02},
+            .add_loads = add_hole_loads,
+            .measure = measure_hole,
+            .measured = "moments (rms), moment at the rim",
+            .source =
+                "Goodier 1936: moments of the faces within two radii of the hole's, those along its rim "
+                "in the least squares; at three radii the exact moments and forces are the load; nu 0.3"};
+}
+
+}  // namespace sherd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// An infinite plate of rigidity 1 in the plane z = 0 with a hole of radius 1 about the origin, bent by the
+/// moment 1 across x (m_xx = 1 far away): Goodier, The influence of circular and elliptical holes on the
+/// transverse flexure of elastic plates, Phil. Mag. 22 (1936). Moments are positive where they stretch the
+/// side z > 0, m = -((1 - nu) grad grad w + nu tr(grad grad w) 1), and p is a point with |p| >= 1.
+class PlateHole {
+  public:
+    explicit PlateHole(double poisson);
+    Eigen::Matrix2d moments(const Vector2d& p) const;  ///< m_xx, m_xy, m_yy
+    Vector2d shear(const Vector2d& p) const;           ///< the divergence of the moments
+    double rim_moment() const;                         ///< along the rim where it crosses the y axis
+
+  private:
+    double poisson;
+    double axial;          ///< of ln r in w
+    double square;         ///< of -r^2 cos 2 angle
+    double even, inverse;  ///< of cos 2 angle, and over r^2
+};
+
+}  // namespace sherd
