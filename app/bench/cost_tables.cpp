@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <stdexcept>
 
 #include "app/bench/newton_cost.h"
 #include "app/bench/shell_run.h"

@@ -41,10 +41,10 @@ struct SlidingPoint {
 /// to the normal, which sampled shapes give with a length near one only; lag: s.
 inline SlidingPoint sliding_point(const Vector3d& anchor, const Overlap& at, const Matrix3d& turn,
                                   double coefficient, double stiffness, double lag) {
-    const double length = at.normal.norm(), force = stiffness * at.depth * length;
+    const double length = at.normal.norm();
     return {anchor,
             length > 0 ? Vector3d(turn * at.normal / length) : at.normal,
-            {coefficient * force, smoothing_speed * lag}};
+            {coefficient * stiffness * at.depth * length, smoothing_speed * lag}};
 }
 
 }  // namespace sherd
