@@ -50,7 +50,7 @@ STEPS = (1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6)  # s; the last for the discs only
 def peaks(program, folder, scene, step):
     file = folder / "scene.toml"
     file.write_text(SCENES[scene])
-    settings = ["--set", f"solver.step={step}", "--set", "output.every=0.001"]
+    settings = ["--set", f"solver.step={step}", "--set", "output.every=0.001", "--set", "solver.bending=cubic"]
     command = [program, "run", file, "-o", folder / "run.h5", "--force", *settings]
     table = subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     row = re.search(r"stress, Pa((?: +[0-9.e+-]+)+)$", table, re.MULTILINE)
