@@ -39,8 +39,8 @@ class TurningNormals {
 
   private:
     using Columns = Eigen::Matrix3Xd;
-    Columns::ConstColXpr first(Eigen::Index g, Eigen::Index e) const { return firsts.col(g * count + e); }
-    Columns::ConstColXpr second(Eigen::Index g, Eigen::Index h, Eigen::Index e) const {
+    Vector3d first(Eigen::Index g, Eigen::Index e) const { return firsts.col(g * count + e); }
+    Vector3d second(Eigen::Index g, Eigen::Index h, Eigen::Index e) const {
         return seconds.col((g * count + h) * count + e);
     }
     void add_normal(const FoldTree& tree, Eigen::Index joint, int triangle, const Vector3d& normal);
