@@ -50,18 +50,18 @@ struct Solved {
 
 /// The coarsest of the case's meshes from which on no error is above `error`; none: the finest has more.
 struct Needed {
-    std::optional<Solved> solved;
-    double finest_error;  ///< %
+    std::optional<Solved> solved = {};
+    double finest_error = 0;  ///< %
 };
 
 Needed needed_for(const ShellCase& one, const std::string& model, double error) {
-    std::vector<Solved> all;
-    for (const double edge : one.edges)
-        all.push_back({edge, run_case(one, shell_variant(model, edge, false))});
-    Needed needed{std::nullopt, all.back().run.largest_error()};
-    for (std::size_t i = all.size(); i-- > 0;) {
-        if (!all[i].run.failure.empty() || all[i].run.largest_error() > error) break;
-        needed.solved = all[i];
+    Needed needed;
+    for (std::size_t i = one.edges.size(); i-- > 0;) {  // a mesh that is too coarse ends the search
+        const Solved solved{one.edges[i], run_case(one, shell_variant(model, one.edges[i], false))};
+        const double found = solved.run.largest_error();
+        if (i + 1 == one.edges.size()) needed.finest_error = found;
+        if (!solved.run.failure.empty() || found > error) break;
+        needed.solved = solved;
     }
     return needed;
 }
@@ -117,8 +117,7 @@ Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector
     if (print)
         fmt::print(
             "\n**At equal error**: the coarsest mesh from which on the largest of a case's errors stays "
-            "below "
-            "that of coupled hinges on the coarse mesh, and its processor time over theirs\n\n"
+            "below that of coupled hinges on the coarse mesh, and its processor time over theirs\n\n"
             "| case | error, % | edges: faces, `coupled` | model | edges: faces | times the cost |\n"
             "| --- | --- | --- | --- | --- | --- |\n");
     Json rows = Json::array();

@@ -93,9 +93,7 @@ void add_hole_loads(const Shell& shell, SimulationOptions& options) {
 Eigen::Matrix2d face_moments(const Shell& shell, const FaceFields& fields, Index face) {
     const Vector3d m = plate_thickness * plate_thickness / 12 * side_of(shell, face) *
                        (fields.stress_top.col(face) - fields.stress_bottom.col(face));
-    TrianglePositions rest;
-    for (int corner = 0; corner < 3; ++corner)
-        rest.col(corner) = shell.rest.col(shell.triangles[face].vertices[corner]);
+    const TrianglePositions rest = columns(shell.rest, shell.triangles[face].vertices);
     const Eigen::Matrix2d axes = frame_axes(rest).topRows<2>();
     return axes * (Eigen::Matrix2d() << m[0], m[2], m[2], m[1]).finished() * axes.transpose();
 }
