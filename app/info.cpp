@@ -158,6 +158,14 @@ void add_last_step(std::string& text, const RunInfo& info) {
         out,
         "energy       kinetic {:.5g}, bending {:.5g}, membrane {:.5g}, gravity {:.5g}, contact {:.5g} J\n",
         last.kinetic, last.bending, last.membrane, last.gravity, last.contact);
+    fmt::format_to(
+        out, "work         loads {:.5g}, wind {:.5g}, supports {:.5g}, obstacles {:.5g} J since the start\n",
+        last.work_of_loads, last.work_of_wind, last.work_of_supports, last.work_of_obstacles);
+    fmt::format_to(out,
+                   "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, time scheme {:.5g} J; "
+                   "unexplained {:.2g} J\n",
+                   last.lost_to_friction, last.lost_to_damping, last.lost_to_cracks, last.lost_to_scheme,
+                   last.unexplained);
     fmt::format_to(out,
                    "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",
                    last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),

@@ -56,6 +56,15 @@ std::string run_info_json(const RunInfo& info) {
                       {"membrane", last.membrane},
                       {"gravity", last.gravity},
                       {"contact", last.contact}};
+    json["balance"] = {{"work_of_loads", last.work_of_loads},
+                       {"work_of_wind", last.work_of_wind},
+                       {"work_of_supports", last.work_of_supports},
+                       {"work_of_obstacles", last.work_of_obstacles},
+                       {"lost_to_friction", last.lost_to_friction},
+                       {"lost_to_damping", last.lost_to_damping},
+                       {"lost_to_cracks", last.lost_to_cracks},
+                       {"lost_to_scheme", last.lost_to_scheme},
+                       {"unexplained", last.unexplained}};
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};
     json["reactions"] = Json::array();

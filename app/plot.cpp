@@ -53,6 +53,24 @@ Chart elastic_chart(const std::vector<StepReport>& steps) {
     return chart;
 }
 
+/// Where the energy went, and what came from outside: what is zero throughout has no line.
+Chart balance_chart(const std::vector<StepReport>& steps) {
+    Chart chart{"Work and losses since the start", time_axis, {.name = "energy", .unit = "J"}, {}};
+    const auto add = [&](const char* name, const char* colour, const Value& value) {
+        if (std::ranges::any_of(steps, [&](const StepReport& step) { return value(step) != 0; }))
+            chart.series.push_back(over_time(steps, name, colour, value));
+    };
+    add("work", black, [](const StepReport& step) {
+        return step.work_of_loads + step.work_of_wind + step.work_of_supports + step.work_of_obstacles;
+    });
+    add("friction", orange, &StepReport::lost_to_friction);
+    add("damping", purple, &StepReport::lost_to_damping);
+    add("cracks", vermillion, &StepReport::lost_to_cracks);
+    add("scheme", blue, &StepReport::lost_to_scheme);
+    add("unexplained", green, &StepReport::unexplained);
+    return chart;
+}
+
 Chart fragment_chart(const std::vector<StepReport>& steps) {
     Chart chart{"Fragments", time_axis, {.name = "number", .whole = true, .from_zero = true}, {}};
     chart.series.push_back(over_time(steps, "fragments", blue, &StepReport::fragments));
@@ -228,7 +246,8 @@ std::string plot_svg(const Recording& recording) {
                          .stepped = true}}};
     std::vector<Chart> charts{motion_chart(steps),   elastic_chart(steps),
                               fragment_chart(steps), cracks,
-                              strain_chart(steps),   size_chart(fragment_sizes(last))};
+                              strain_chart(steps),   size_chart(fragment_sizes(last)),
+                              balance_chart(steps)};
     if (!header.supports.empty()) charts.push_back(reaction_chart(header, steps));
     add_gauge_charts(charts, header, steps);
     if (header.time_unit != "s") {

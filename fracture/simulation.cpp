@@ -234,6 +234,7 @@ void Simulation::finish(StepReport& report) {
     report.membrane = potential.membrane;
     report.gravity = potential.gravity;
     report.contact = potential.contact;
+    static_cast<EnergyBalance&>(report) = stepper.balance();
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     for (const RigidBody& body : bodies()) {

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "core/reaction.h"
+#include "core/energy_balance.h"
 #include "fracture/gauge.h"
 
 namespace sherd {
 
-/// What one time step did, and the state at its end.
-struct StepReport {
+/// What one time step did, and the state at its end. The balance is since the start of the run.
+struct StepReport : EnergyBalance {
     std::int64_t step = 0;  ///< number of the step, from 1
     double time = 0;        ///< s, at its end
     double step_size = 0;   ///< s

@@ -71,8 +71,11 @@ template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
     static constexpr std::int64_t since = 2;
-    /// Recordings of before there were statics lack it.
-    static constexpr bool may_lack(std::string_view name) { return name == "load"; }
+    /// Recordings of before there were statics, or a balance of energy, lack it.
+    static constexpr bool may_lack(std::string_view name) {
+        return name == "load" || name == "unexplained" || name.starts_with("work_of_") ||
+               name.starts_with("lost_to_");
+    }
     template <class Visit>
     static void visit(Visit visit) {
         using R = StepReport;
@@ -85,6 +88,26 @@ struct Table<StepReport> {
         visit("membrane", {"J"}, &R::membrane);
         visit("gravity", {"J", "potential energy, zero at the origin"}, &R::gravity);
         visit("contact", {"J"}, &R::contact);
+        // These are sums since the start of the run.
+        const auto since_start = [&](const char* name, const char* meaning, double R::*part) {
+            visit(name, hdf5::Meaning{"J", meaning}, part);
+        };
+        since_start("work_of_loads", "since the start, on sheets; in statics weight is a load",
+                    &R::work_of_loads);
+        since_start("work_of_wind", "since the start, on sheets", &R::work_of_wind);
+        since_start("work_of_supports", "since the start, of pins and clamps that move as told",
+                    &R::work_of_supports);
+        since_start("work_of_obstacles", "since the start, of those that move as told",
+                    &R::work_of_obstacles);
+        since_start("lost_to_friction", "since the start, all friction of contact", &R::lost_to_friction);
+        since_start("lost_to_damping", "since the start", &R::lost_to_damping);
+        since_start("lost_to_cracks",
+                    "since the start: stored in what carried before edges opened, and not after",
+                    &R::lost_to_cracks);
+        since_start("lost_to_scheme", "since the start: what the time scheme takes, by its formula",
+                    &R::lost_to_scheme);
+        since_start("unexplained", "since the start: change of all energies, less work, plus losses",
+                    &R::unexplained);
         visit("linear_momentum", {"kg m/s"}, &R::linear_momentum);
         visit("angular_momentum", {"kg m^2/s", "about the origin"}, &R::angular_momentum);
         visit("newton_iterations", {"1", "over all stages"}, &R::newton_iterations);

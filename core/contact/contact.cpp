@@ -66,6 +66,34 @@ double Contact::stored_energy(const Positions& x) const {
     return sum;
 }
 
+double Contact::stored_at_start() const {
+    double sum = 0;
+    for (const auto& contact : obstacle_contact) sum += contact->stored_at_start();
+    if (body_contact) sum += body_contact->stored_at_start();
+    if (sheet_contact) sum += sheet_contact->stored_at_start();
+    if (options.sheets) sum += lips.value(shell.position);
+    return sum;
+}
+
+double Contact::friction_loss(const Positions& x) const {
+    double sum = 0;
+    for (const auto& contact : obstacle_contact) sum += contact->friction_loss(x);
+    if (body_contact) sum += body_contact->friction_loss(x);
+    if (sheet_friction) sum += sheet_friction->friction_loss(x);
+    return sum;
+}
+
+double Contact::obstacle_work(const StepContext& step, const Positions& x) const {
+    const std::vector<Obstacle>& obstacles = options.obstacles;
+    if (std::ranges::none_of(obstacles, [](const Obstacle& obstacle) { return obstacle.moves(); })) return 0;
+    const std::vector<Reaction> all = reactions(x);
+    double sum = 0;
+    for (std::size_t o = 0; o < all.size(); ++o)
+        if (obstacles[o].moves())
+            sum += work(all[o], obstacles[o].motion.at(step.begin), obstacles[o].motion.at(step.end()));
+    return sum;
+}
+
 std::vector<Reaction> Contact::reactions(const Positions& x) const {
     std::vector<Reaction> all(options.obstacles.size());
     for (std::size_t o = 0; o < all.size(); ++o) obstacle_contact[o]->add_reaction(x, all[o]);

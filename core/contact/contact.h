@@ -8,6 +8,7 @@
 #include "core/contact/penalty/obstacle_contact.h"
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/contact/sheets/sheet_friction.h"
+#include "core/energy_balance.h"
 
 namespace sherd {
 
@@ -46,7 +47,14 @@ class Contact {
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const;
     double stored_energy(const Positions& x) const;  ///< elastic energy of all contacts, J
-    Touch touch(const Positions& x) const;           ///< with obstacles and bodies
+    double stored_at_start() const;                  ///< the same at the beginning of the step
+    /// What friction takes in the step that ends at x, J.
+    double friction_loss(const Positions& x) const;
+    /// Work, J, of the obstacles that move as they are told, in the step that ends at x.
+    double obstacle_work(const StepContext& step, const Positions& x) const;
+    /// Null if there are no bodies.
+    const BodyContact* of_bodies() const { return body_contact.get(); }
+    Touch touch(const Positions& x) const;  ///< with obstacles and bodies
     /// The reactions of the obstacles: their forces on sheets and bodies.
     std::vector<Reaction> reactions(const Positions& x) const;
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m

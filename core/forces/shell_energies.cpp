@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/forces/shell_energies.h"
 
+#include <algorithm>
+
 #include "core/bending/coupled_cubic_bending.h"
 #include "core/bending/hinge_curvature.h"
 #include "core/membrane/arc_membrane.h"
@@ -24,12 +26,18 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
       arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
-    if (!options.loads.empty()) outer.push_back(std::make_unique<LoadEnergy>(shell, options.loads));
-    if (!options.winds.empty()) outer.push_back(std::make_unique<WindEnergy>(shell, options.winds));
+    for (const MirrorHinge& mirror : options.mirrors) mirror_scripts.push_back(mirror.script);
+    using B = EnergyBalance;
+    if (!options.loads.empty())
+        outer.push_back({&B::work_of_loads, std::make_unique<LoadEnergy>(shell, options.loads)});
+    if (!options.winds.empty())
+        outer.push_back({&B::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds)});
     if (options.damping.stiffness > 0)
-        outer.push_back(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness,
-                                                           options.bending.model, options.membrane));
-    if (options.damping.mass > 0) outer.push_back(std::make_unique<MassDamping>(shell, options.damping.mass));
+        outer.push_back({&B::lost_to_damping,
+                         std::make_unique<StiffnessDamping>(shell, options.damping.stiffness,
+                                                            options.bending.model, options.membrane)});
+    if (options.damping.mass > 0)
+        outer.push_back({&B::lost_to_damping, std::make_unique<MassDamping>(shell, options.damping.mass)});
 }
 
 std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
@@ -55,20 +63,53 @@ Eigen::Matrix3Xd ShellEnergies::face_curvatures(const Positions& x) const {
 
 std::vector<Energy*> ShellEnergies::loads() {
     std::vector<Energy*> all;
-    for (const std::unique_ptr<Energy>& energy : outer) all.push_back(energy.get());
+    for (const Outer& one : outer) all.push_back(one.energy.get());
+    return all;
+}
+
+void ShellEnergies::add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
+                              Positions& gradient) const {
+    for (const auto& [part, energy] : outer) {
+        Positions own = Positions::Zero(3, x.cols());
+        energy->add_gradient(x, own);
+        const double taken = own.cwiseProduct(moved).sum();
+        balance.*part += part == &EnergyBalance::lost_to_damping ? taken : -taken;
+        gradient += own;
+    }
+}
+
+std::vector<Reaction> ShellEnergies::mirror_reactions(const Positions& x) const {
+    std::vector<Reaction> all(mirror_scripts.size());
+    const auto add = [&](const std::vector<MirrorGradient>& gradients) {
+        for (std::size_t m = 0; m < gradients.size(); ++m)
+            for (int k = 0; k < 4; ++k)
+                if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
+                    all[m].add(x.col(vertex), -gradients[m].gradient.col(k));
+    };
+    add(coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x));
+    if (arcs != nullptr) add(arcs->mirror_gradients(x));
     return all;
 }
 
 void ShellEnergies::add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const {
     if (mirror_supports.empty()) return;
-    const auto add = [&](const std::vector<MirrorGradient>& gradients) {
-        for (std::size_t m = 0; m < gradients.size(); ++m)
-            for (int k = 0; k < 4; ++k)
-                if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
-                    of_supports[mirror_supports[m]].add(x.col(vertex), -gradients[m].gradient.col(k));
-    };
-    add(coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x));
-    if (arcs != nullptr) add(arcs->mirror_gradients(x));
+    const std::vector<Reaction> all = mirror_reactions(x);
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        of_supports[mirror_supports[m]].force += all[m].force;
+        of_supports[mirror_supports[m]].moment += all[m].moment;
+    }
+}
+
+double ShellEnergies::mirror_work(const StepContext& step, const Positions& x) const {
+    if (std::ranges::all_of(mirror_scripts, [](Index script) { return script == 0; })) return 0;
+    const std::vector<Reaction> all = mirror_reactions(x);
+    double sum = 0;
+    for (std::size_t m = 0; m < all.size(); ++m)
+        if (mirror_scripts[m] > 0) {
+            const Motion& motion = shell.motions[mirror_scripts[m] - 1];
+            sum += work(all[m], motion.at(step.begin), motion.at(step.end()));
+        }
+    return sum;
 }
 
 }  // namespace sherd

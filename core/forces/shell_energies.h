@@ -6,6 +6,7 @@
 
 #include "core/bending/bending.h"
 #include "core/bending/mirror_hinge.h"
+#include "core/energy_balance.h"
 #include "core/forces/damping.h"
 #include "core/forces/loads.h"
 #include "core/forces/wind.h"
@@ -39,6 +40,12 @@ class ShellEnergies {
 
     /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
     void add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const;
+    /// Work, J, of the clamps and symmetry planes that move as they are told, in the step that ends at x.
+    double mirror_work(const StepContext& step, const Positions& x) const;
+    /// Enters what loads, wind and damping do in the step that ends at x, in which the vertices moved by
+    /// `moved`, and adds their gradients.
+    void add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
+                   Positions& gradient) const;
 
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
@@ -52,14 +59,22 @@ class ShellEnergies {
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
   private:
+    /// An energy of what is not elastic, and the part of the balance that it belongs to.
+    struct Outer {
+        double EnergyBalance::*part;
+        std::unique_ptr<Energy> energy;
+    };
+    std::vector<Reaction> mirror_reactions(const Positions& x) const;  ///< of each mirror
+
     const Shell& shell;
     std::unique_ptr<Energy> bending;
     const CoupledBending* coupled;  ///< those of bending, if it has coupled hinges
     std::unique_ptr<Energy> membrane;
     const ArcMembrane* arcs;  ///< membrane, if its sides are arcs
     MirrorEnergy mirrors;
-    std::vector<Index> mirror_supports;          ///< ShellEnergyOptions::mirror_supports
-    std::vector<std::unique_ptr<Energy>> outer;  ///< loads, wind and damping, as far as there are any
+    std::vector<Index> mirror_supports;  ///< ShellEnergyOptions::mirror_supports
+    std::vector<Index> mirror_scripts;   ///< MirrorHinge::script of each mirror
+    std::vector<Outer> outer;            ///< loads, wind and damping, as far as there are any
 };
 
 }  // namespace sherd

@@ -40,6 +40,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
       forces(shell, shell_options(shell, options)),
       loads(forces.loads()),
       contact(shell, options.contact, options.gravity),
+      ledger(shell, forces, contact, options.gravity, options.scheme != Scheme::statics),
       potential(shell, all_energies(), spent),
       minimiser(std::make_unique<Newton>(options.tolerance)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
@@ -57,7 +58,9 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
 bool ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
     if (path) path->begin(length, step);
+    ledger.begin(step);
     potential.begin(step);
+    ledger.begun();
     require_apart();
     return predict();
 }
@@ -101,8 +104,10 @@ Positions ImplicitStepper::pushed_along() const {
 
 MinimiserResult ImplicitStepper::solve(int max_iterations) {
     const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
-    if (path) return path->solve(potential, loads, step, max_iterations, position);
-    return minimiser->minimise(potential, max_iterations, position);
+    const MinimiserResult result = path ? path->solve(potential, loads, step, max_iterations, position)
+                                        : minimiser->minimise(potential, max_iterations, position);
+    ledger.solved(position);
+    return result;
 }
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {
@@ -113,10 +118,12 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
         path->topology_changed(change, potential, position);
     else
         minimiser->topology_changed(change, potential, position);
+    ledger.topology_changed(position);
 }
 
 void ImplicitStepper::finish() {
     contact.finish(position);
+    ledger.finish(step, position);
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     time = step.end();

@@ -6,6 +6,7 @@
 #include "core/contact/contact.h"
 #include "core/forces/shell_energies.h"
 #include "core/solver/newton.h"
+#include "core/time/energy_ledger.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
 #include "core/time/time_scheme.h"
@@ -59,7 +60,8 @@ class ImplicitStepper {
     double load() const { return step.load; }
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
     bool arrived() const { return path && path->arrived(); }
-    PotentialEnergies energies() const;  ///< at `position`
+    PotentialEnergies energies() const;                                ///< at `position`
+    const EnergyBalance& balance() const { return ledger.balance(); }  ///< of the finished steps
     /// Those of ShellEnergies at `position`.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
@@ -99,6 +101,7 @@ class ImplicitStepper {
     ShellEnergies forces;
     std::vector<Energy*> loads;  ///< of `forces`
     Contact contact;
+    EnergyLedger ledger;
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
     std::optional<EquilibriumPath> path;  ///< instead of the minimiser

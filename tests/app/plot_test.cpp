@@ -93,15 +93,15 @@ TEST(Plot, FragmentSizesShareOutTheSheet) {
     EXPECT_NEAR(area, std::accumulate(run.header.rest_area.begin(), run.header.rest_area.end(), 0.0), 1e-14);
 }
 
-// Eight charts with their units, in XML that an odd scene name does not break.
+// Nine charts with their units, in XML that an odd scene name does not break.
 TEST(Plot, DrawsChartsWithUnits) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
     const std::string svg = plot_svg(Recording(folder.path / "run.h5"));
-    EXPECT_EQ(count(svg, "<g>"), 8);
-    for (const char* word :
-         {"Energy", "Fragments", "Length of all cracks", "Fragment sizes", "kinetic", "membrane", ">time (",
-          "Forces of supports", "Gauges", ">floor<", ">tip<", "strip &amp; &quot;strip&quot;.toml", "</svg>"})
+    EXPECT_EQ(count(svg, "<g>"), 9);
+    for (const char* word : {"Energy", "Work and losses", "Fragments", "Length of all cracks",
+                             "Fragment sizes", "kinetic", "membrane", ">time (", "Forces of supports",
+                             "Gauges", ">floor<", ">tip<", "strip &amp; &quot;strip&quot;.toml", "</svg>"})
         EXPECT_GT(count(svg, word), 0) << word;
     EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
     EXPECT_EQ(count(svg, "<circle"), 3) << "a dot for each fragment";

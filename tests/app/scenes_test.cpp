@@ -102,6 +102,18 @@ void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
             << "step " << steps[i].step;
 }
 
+/// What neither work nor a loss accounts for: were it more, a force would be missing in the balance, or the
+/// losses that are told wrong.
+void expect_balance(const std::vector<StepReport>& steps) {
+    double largest = 0, unexplained = 0;
+    for (const StepReport& step : steps) {
+        largest = std::max({largest, step.kinetic, step.bending, step.membrane, step.contact});
+        unexplained = std::max(unexplained, std::abs(step.unexplained));
+    }
+    EXPECT_GT(steps.back().lost_to_scheme, 0);
+    EXPECT_LT(unexplained, 1e-6 * largest);
+}
+
 // What the scene promises: shards, not dust.
 void expect_shards(const Snapshot& last) {
     std::map<Index, std::size_t> faces;
@@ -165,6 +177,7 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(),
                      [](const ObstacleSpec& obstacle) { return !obstacle.motion.keys.empty(); }))
         expect_no_energy_from_nowhere(steps);
+    expect_balance(steps);
     const double thickness = scene.sheets.front().material.thickness;
     for (const StepReport& step : steps) {
         EXPECT_LT(step.lip_overlap, 0.1 * thickness) << "step " << step.step;

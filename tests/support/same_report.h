@@ -38,6 +38,7 @@ inline void expect_same(const StepReport& a, const StepReport& b) {
           &StepReport::lip_overlap, &StepReport::obstacle_overlap, &StepReport::peak_stress,
           &StepReport::peak_bending_strain, &StepReport::peak_overload})
         EXPECT_TRUE(same(a.*member, b.*member));
+    for (const auto member : balance_parts) EXPECT_TRUE(same(a.*member, b.*member));
     EXPECT_TRUE(same(a.linear_momentum, b.linear_momentum));
     EXPECT_TRUE(same(a.angular_momentum, b.angular_momentum));
     EXPECT_EQ(a.newton_iterations, b.newton_iterations);

@@ -136,6 +136,8 @@ inline StepReport step(Index i) {
     report.membrane = number(i, 3);
     report.gravity = -number(i, 4);
     report.contact = number(i, 5);
+    for (Index k = 0; k < static_cast<Index>(balance_parts.size()); ++k)
+        report.*balance_parts[k] = number(i, 20 + k);
     report.linear_momentum = Vector3d(number(i, 6), number(i + 1, 6), number(i + 2, 6));
     report.angular_momentum = Vector3d(number(i, 7), number(i + 1, 7), number(i + 2, 7));
     report.newton_iterations = i % 5;

@@ -44,11 +44,20 @@ void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
         steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get());
-    obstacle_places.clear();
-    for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(step.end()));
+    lag = step.lag;
     last.resize(3, 0);
     find_point_contacts();
+    sliding.clear();
+    place_obstacles(step.begin);
+    start_stored =
+        potential(shell.position, VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()))).stored;
+    place_obstacles(step.end());
     find_sliding(step);
+}
+
+void BodyContact::place_obstacles(double time) {
+    obstacle_places.clear();
+    for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(time));
 }
 
 void BodyContact::find_point_contacts() {
@@ -303,6 +312,41 @@ void BodyContact::finish(const Positions& x) {
 
 double BodyContact::stored_energy(const Positions& x) const {
     return solve(x).stored;
+}
+
+double BodyContact::friction_loss(const Positions& x) const {
+    solve(x);
+    double sum = 0;
+    for (std::size_t b = 0; b < steps.size(); ++b) sum += steps[b].friction_loss(x, part(best, b));
+    each_point_force(best,
+                     [&](const std::vector<BodyPose>&, std::size_t, std::size_t, const PointForce& force,
+                         const Vector3d& at, const Vector3d& anchor, bool elastic) {
+                         if (!elastic) sum += force.gradient.dot(at - anchor);
+                     });
+    return sum;
+}
+
+double BodyContact::work_of_all() const {
+    double sum = 0;
+    for (std::size_t b = 0; b < steps.size(); ++b) {
+        const Vector6d motion = part(best, b);
+        sum += finished[b].mass * (finished[b].velocity - started[b].velocity).dot(motion.head<3>());
+        sum += (finished[b].angular_momentum - started[b].angular_momentum).dot(motion.tail<3>());
+    }
+    return sum / lag;
+}
+
+double BodyContact::contact_work() const {
+    double weight = 0;
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        weight += started[b].mass * gravity.dot(part(best, b).head<3>());
+    return work_of_all() - weight;
+}
+
+double BodyContact::kinetic_before() const {
+    double sum = 0;
+    for (const RigidBody& body : started) sum += body.kinetic_energy();
+    return sum;
 }
 
 void BodyContact::add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {

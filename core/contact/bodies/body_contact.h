@@ -41,7 +41,15 @@ class BodyContact : public Energy {
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
 
-    double stored_energy(const Positions& x) const;  ///< elastic energy of the contacts, J
+    double stored_energy(const Positions& x) const;          ///< elastic energy of the contacts, J
+    double stored_at_start() const { return start_stored; }  ///< the same at the beginning of the step
+    /// What friction takes in the step that ends at x, J.
+    double friction_loss(const Positions& x) const;
+    /// Work of the forces of contact and of all forces, weight included, on the bodies in the step that was
+    /// finished last, J.
+    double contact_work() const;
+    double work_of_all() const;
+    double kinetic_before() const;  ///< J, of the bodies at the beginning of the step
     void add_touch(const Positions& x, Touch& touch) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
@@ -69,6 +77,7 @@ class BodyContact : public Energy {
 
     /// Makes the bodies' potentials for the step from their poses at its beginning.
     void make_steps(const StepContext& step);
+    void place_obstacles(double time);
     void find_point_contacts();
     void find_sliding(const StepContext& step);
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
@@ -109,7 +118,9 @@ class BodyContact : public Energy {
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
     std::vector<PointContact> point_contacts;
     std::vector<SlidingContact> sliding;
-    VectorXd base;  ///< [6 B] poses free of overlap with the shell, where solve() starts
+    double start_stored = 0;  ///< J
+    double lag = 0;           ///< s, of the step
+    VectorXd base;            ///< [6 B] poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

@@ -99,23 +99,40 @@ void BodyStep::add_pairs(const Positions& x, const BodyPose& here, BodyPotential
 }
 
 void BodyStep::add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const {
+    for (const SlidingPair& pair : sliding_pairs) {
+        const PairPositions way = moved(pair, x, here);
+        sum.value += pair.value(way);
+        sum.add_element(here, pair.vertices, body.surface->size(), body.surface->points, pair.gradient(way),
+                        pair.hessian(way));
+    }
+}
+
+PairPositions BodyStep::moved(const SlidingPair& pair, const Positions& x, const BodyPose& here) const {
     const Positions& points = body.surface->points;
     const Eigen::Isometry3d before = pose(Vector6d::Zero()).place;
-    for (const SlidingPair& pair : sliding_pairs) {
-        PairPositions moved;
-        for (int i = 0; i < 4; ++i) {
-            const Index vertex = pair.vertices[i];
-            if (vertex < body.surface->size())
-                moved.col(i) =
-                    here.place * Vector3d(points.col(vertex)) - before * Vector3d(points.col(vertex));
-            else
-                moved.col(i) =
-                    x.col(vertex - body.surface->size()) - shell.position.col(vertex - body.surface->size());
-        }
-        sum.value += pair.value(moved);
-        sum.add_element(here, pair.vertices, body.surface->size(), points, pair.gradient(moved),
-                        pair.hessian(moved));
+    PairPositions way;
+    for (int i = 0; i < 4; ++i) {
+        const Index vertex = pair.vertices[i];
+        if (vertex < body.surface->size())
+            way.col(i) = here.place * Vector3d(points.col(vertex)) - before * Vector3d(points.col(vertex));
+        else
+            way.col(i) =
+                x.col(vertex - body.surface->size()) - shell.position.col(vertex - body.surface->size());
     }
+    return way;
+}
+
+double BodyStep::friction_loss(const Positions& x, const Vector6d& q) const {
+    const BodyPose here = pose(q);
+    double sum = 0;
+    vertices.add_friction(x, here.place, [&](Index vertex, const PointForce& force, const Vector3d& anchor) {
+        sum += force.gradient.dot(x.col(vertex) - anchor);
+    });
+    for (const SlidingPair& pair : sliding_pairs) {
+        const PairPositions way = moved(pair, x, here);
+        sum += pair.gradient(way).cwiseProduct(way).sum();
+    }
+    return sum;
 }
 
 BodyPotential BodyStep::potential(const Positions& x, const Vector6d& q) const {

@@ -33,6 +33,8 @@ class BodyStep {
     BodyPose pose(const Vector6d& q) const;
     const RigidBody& start() const { return body; }
     RigidBody moved(const Vector6d& q) const;
+    /// What friction with the shell takes in the step, J.
+    double friction_loss(const Positions& x, const Vector6d& q) const;
 
     /// Fraction, 0 to 1, of the way from one q to another on which the body does not reach the shell at x.
     double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
@@ -51,6 +53,8 @@ class BodyStep {
     void add_vertices(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
     void add_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
     void add_sliding_pairs(const Positions& x, const BodyPose& here, BodyPotential& sum) const;
+    /// Displacements of a sliding pair's vertices in the step, m.
+    PairPositions moved(const SlidingPair& pair, const Positions& x, const BodyPose& here) const;
 
     const Shell& shell;
     const RigidBody& body;

@@ -4,7 +4,7 @@
 namespace sherd {
 
 void ObstacleContact::begin(const StepContext& step) {
-    const Eigen::Isometry3d before = obstacle.motion.at(step.begin);
+    before = obstacle.motion.at(step.begin);
     pose = obstacle.motion.at(step.end());
     // An obstacle at rest moves by exactly the identity, which the product of pose and inverse misses by
     // round-off.
@@ -14,10 +14,19 @@ void ObstacleContact::begin(const StepContext& step) {
                   [&](Index vertex, const Vector3d& x) { return step.at_rest_on(vertex, x, moved * x); });
 }
 
-double ObstacleContact::stored_energy(const Positions& x) const {
+double ObstacleContact::stored_energy(const Positions& x, const Eigen::Isometry3d& there) const {
     double sum = 0;
-    contact.add_springs(x, pose, Curvature::convex,
+    contact.add_springs(x, there, Curvature::convex,
                         [&](Index, const PointForce& force) { sum += force.value; });
+    return sum;
+}
+
+double ObstacleContact::friction_loss(const Positions& x) const {
+    double sum = 0;
+    contact.add_friction(x, Eigen::Isometry3d::Identity(),
+                         [&](Index vertex, const PointForce& force, const Vector3d& anchor) {
+                             sum += force.gradient.dot(x.col(vertex) - anchor);
+                         });
     return sum;
 }
 

@@ -12,27 +12,32 @@ class ObstacleContact : public Energy {
   public:
     /// Shell and obstacle must outlive this object.
     ObstacleContact(const Shell& shell, const Obstacle& obstacle)
-        : obstacle(obstacle), contact(shell, obstacle) {}
+        : shell(shell), obstacle(obstacle), contact(shell, obstacle) {}
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::contact; }
 
-    /// Elastic energy stored in the contacts, J.
-    double stored_energy(const Positions& x) const;
+    /// Elastic energy stored in the contacts, J, at x and at the beginning of the step.
+    double stored_energy(const Positions& x) const { return stored_energy(x, pose); }
+    double stored_at_start() const { return stored_energy(shell.position, before); }
+    /// What friction takes in the step that ends at x, J.
+    double friction_loss(const Positions& x) const;
     /// Adds the obstacle's forces on the shell at x.
     void add_reaction(const Positions& x, Reaction& reaction) const;
     void add_touch(const Positions& x, Touch& touch) const { contact.add_touch(x, pose, touch); }
 
   private:
+    double stored_energy(const Positions& x, const Eigen::Isometry3d& there) const;
     /// Calls add(vertex, force) for each force on a vertex.
     template <class Add>
     void each_force(const Positions& x, Curvature curvature, Add add) const;
 
+    const Shell& shell;
     const Obstacle& obstacle;
-    VertexContact contact;   ///< its anchors are in space
-    Eigen::Isometry3d pose;  ///< at the end of the step
+    VertexContact contact;           ///< its anchors are in space
+    Eigen::Isometry3d before, pose;  ///< at the beginning and at the end of the step
 };
 
 }  // namespace sherd

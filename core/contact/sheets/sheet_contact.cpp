@@ -57,6 +57,10 @@ double SheetContact::value(const Positions& x) const {
     return sum_of_values(pairs_at(at_end(x)), x);
 }
 
+double SheetContact::stored_at_start() const {
+    return sum_of_values(pairs_at(with(start, shell.position)), shell.position);
+}
+
 void SheetContact::add_gradient(const Positions& x, Positions& gradient) const {
     add_gradients(pairs_at(at_end(x)), x, gradient);
 }

@@ -27,6 +27,7 @@ class SheetContact : public Energy {
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;
     double safe_fraction(const Positions& x, const Positions& motion) const override;
+    double stored_at_start() const;  ///< value() at the beginning of the step, J
 
     /// safe_fraction() from the shell at x and the colliders at the beginning of the step, with the motion of
     /// the colliders in the step included.

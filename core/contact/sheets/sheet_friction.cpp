@@ -87,6 +87,15 @@ void SheetFriction::begin(const StepContext& step) {
     }
 }
 
+double SheetFriction::friction_loss(const Positions& x) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const PairPositions moved = elements.gather(i, x);
+        sum += elements.gradient(i, moved).cwiseProduct(moved).sum();
+    }
+    return sum;
+}
+
 void SheetFriction::add_contacts(const Positions&, bool, std::vector<std::pair<Index, Index>>& all) const {
     add_patterns(elements, all);
 }

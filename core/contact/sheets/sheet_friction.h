@@ -59,6 +59,8 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
     void add_contacts(const Positions& x, bool ahead,
                       std::vector<std::pair<Index, Index>>& pairs) const override;
+    /// What friction takes in the step that ends at x, J.
+    double friction_loss(const Positions& x) const;
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         contact.add_reactions(elements, x, of_obstacles);
     }
