@@ -53,7 +53,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     else
         add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
-    add_row(text, "Newton iterations",
+    add_row(text, scene.solver.scheme == Scheme::explicit_differences ? "substeps" : "Newton iterations",
             fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
                         static_cast<double>(totals.newton_iterations) /
                             static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));

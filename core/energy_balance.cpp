@@ -10,6 +10,12 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
     return *this;
 }
 
+void EnergyBalance::take(double EnergyBalance::*part, double against) {
+    const bool loses = part == &EnergyBalance::lost_to_friction || part == &EnergyBalance::lost_to_damping ||
+                       part == &EnergyBalance::lost_to_cracks || part == &EnergyBalance::lost_to_scheme;
+    this->*part += loses ? against : -against;
+}
+
 double work(const Reaction& forces, const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
     const Eigen::Isometry3d back = from * to.inverse();
     const Matrix3d turn = back.linear().transpose() - back.linear();

@@ -26,6 +26,8 @@ struct EnergyBalance {
     double unexplained = 0;  ///< the change of the energy, less all of the above
 
     EnergyBalance& operator+=(const EnergyBalance& other);
+    /// Enters work (J) against a force: less work of those parts that work, more loss of those that lose.
+    void take(double EnergyBalance::*part, double against);
 };
 
 /// All of its members.

@@ -66,7 +66,7 @@ double largest(const VectorXd& measures) {
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
       breakable(supported(std::move(sheets), options.held)),
-      stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics())),
+      stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
@@ -113,10 +113,10 @@ void Simulation::give_up(const StepReport& report) const {
 }
 
 bool Simulation::attempt(StepReport& report) {
-    if (!stepper.begin(step_size.size())) return false;
+    if (!stepper->begin(step_size.size())) return false;
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
-    const Stopwatch watch(stepper.time_spent(), Task::breaking);
+    const Stopwatch watch(stepper->time_spent(), Task::breaking);
     const HingeMeasures measures = measured();
     ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
@@ -125,7 +125,7 @@ bool Simulation::attempt(StepReport& report) {
     const bool in_stages = options.rule == BreakingRule::staged && !ends_at_crack;
     if (in_stages) newton = break_in_stages(report, newton, measures);
     // By the paper's rule hinges break after the solution that balances the reactions.
-    report.reactions = stepper.reactions();
+    report.reactions = stepper->reactions();
     if (in_stages) return newton.converged;
     if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
@@ -139,6 +139,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         report.stage_cap_reached = !failing.empty() && report.stages == options.max_stages;
         if (!failing.empty() && !report.stage_cap_reached) {
             break_edges(failing, measures, report.stages++);
+            if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
         } else if (!newton.converged && newton.iterations == iterations_between_stages) {
             newton = solve_stage(report, options.max_iterations);
@@ -150,11 +151,12 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
 }
 
 HingeMeasures Simulation::measured() const {
-    return hinge_measures(breakable, stepper.position, stepper.coupled_curvatures(), stepper.face_strains());
+    return hinge_measures(breakable, stepper->position, stepper->coupled_curvatures(),
+                          stepper->face_strains());
 }
 
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {
-    const MinimiserResult result = stepper.solve(max_iterations);
+    const MinimiserResult result = stepper->solve(max_iterations);
     report.newton_iterations += result.iterations;
     return result;
 }
@@ -164,7 +166,7 @@ void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& m
     const BreakableShell::Change change = breakable.fail(edges);
     record_change(change.cracks);
     follow(breakable.mechanics(), change.shell, options.gauges);
-    stepper.topology_changed(change.shell);
+    stepper->topology_changed(change.shell);
 }
 
 void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
@@ -196,7 +198,7 @@ void Simulation::record_change(const CrackMesh::Change& change) {
 }
 
 void Simulation::update_fragments() {
-    const Stopwatch watch(stepper.time_spent(), Task::breaking);
+    const Stopwatch watch(stepper->time_spent(), Task::breaking);
     const Index before = fragments.count();
     fragments.update(breakable.mesh(), breakable.face_areas());
     for (Index fragment = before; fragment < fragments.count(); ++fragment)
@@ -204,8 +206,8 @@ void Simulation::update_fragments() {
 }
 
 void Simulation::release_lips() {
-    const Stopwatch watch(stepper.time_spent(), Task::contact);
-    if (breakable.release_lips()) stepper.topology_changed({});
+    const Stopwatch watch(stepper->time_spent(), Task::contact);
+    if (breakable.release_lips()) stepper->topology_changed({});
 }
 
 void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
@@ -221,20 +223,20 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
 
 void Simulation::finish(StepReport& report) {
     report.step_size = step_size.size();
-    stepper.finish();
+    stepper->finish();
     hinge_peaks.finish_step();
     step_size.advance();
     report.time = time();
-    report.load = stepper.load();
+    report.load = stepper->load();
     if (report.stages > 0) update_fragments();
     set_time(events, steps, time());
-    const PotentialEnergies potential = stepper.energies();
+    const PotentialEnergies potential = stepper->energies();
     report.kinetic = kinetic_energy(breakable.mechanics());
     report.bending = potential.bending;
     report.membrane = potential.membrane;
     report.gravity = potential.gravity;
     report.contact = potential.contact;
-    static_cast<EnergyBalance&>(report) = stepper.balance();
+    static_cast<EnergyBalance&>(report) = stepper->balance();
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     for (const RigidBody& body : bodies()) {
@@ -244,12 +246,12 @@ void Simulation::finish(StepReport& report) {
     }
     add_touch(report);
     read_gauges(report);
-    report.lip_overlap = stepper.lip_overlap();
+    report.lip_overlap = stepper->lip_overlap();
     report.fragments = fragments.count();
 }
 
 void Simulation::add_touch(StepReport& report) {
-    const Touch touch = stepper.touch();
+    const Touch touch = stepper->touch();
     report.contacts = static_cast<Index>(touch.vertices.size());
     report.obstacle_overlap = touch.deepest;
     for (const std::size_t obstacle : touch.obstacles) obstacles_touched[obstacle] = 1;
@@ -260,8 +262,8 @@ void Simulation::read_gauges(StepReport& report) const {
     const Shell& shell = breakable.mechanics();
     Eigen::Matrix3Xd strains, curvatures;
     if (std::ranges::any_of(options.gauges, [](const Gauge& gauge) { return gauge.fields.any(); })) {
-        strains = stepper.face_strains();
-        curvatures = stepper.face_curvatures();
+        strains = stepper->face_strains();
+        curvatures = stepper->face_curvatures();
     }
     for (const Gauge& gauge : options.gauges) {
         std::optional<FaceState> state;
@@ -276,8 +278,8 @@ Snapshot Simulation::snapshot() const {
     snapshot.step = steps;
     snapshot.time = time();
     if (options.fields.any())
-        snapshot.fields = face_fields(breakable.mechanics(), stepper.face_strains(),
-                                      stepper.face_curvatures(), options.fields);
+        snapshot.fields = face_fields(breakable.mechanics(), stepper->face_strains(),
+                                      stepper->face_curvatures(), options.fields);
     return snapshot;
 }
 

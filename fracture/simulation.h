@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/time/implicit_stepper.h"
+#include "core/time/stepper.h"
 #include "fracture/breaking.h"
 #include "fracture/events.h"
 #include "fracture/fragments.h"
@@ -56,7 +56,7 @@ class Simulation {
     Snapshot snapshot() const;
     const BreakableShell& shell() const { return breakable; }
     const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
-    const std::vector<RigidBody>& bodies() const { return stepper.bodies(); }
+    const std::vector<RigidBody>& bodies() const { return stepper->bodies(); }
     const std::vector<Gauge>& gauges() const { return options.gauges; }
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
@@ -66,10 +66,10 @@ class Simulation {
     /// Returns the crack events since the last call.
     CrackEvents take_events();
     double time() const { return step_size.time(); }  ///< s; see StepperOptions::scheme
-    /// Whether there is no step to do any more: SimulationOptions::until_crack, ImplicitStepper::arrived().
-    bool arrived() const { return ends_at_crack || stepper.arrived(); }
+    /// Whether there is no step to do any more: SimulationOptions::until_crack, Stepper::arrived().
+    bool arrived() const { return ends_at_crack || stepper->arrived(); }
     /// The wall time of all steps by task.
-    const TimeSpent& time_spent() const { return stepper.time_spent(); }
+    const TimeSpent& time_spent() const { return stepper->time_spent(); }
 
   private:
     [[noreturn]] void give_up(const StepReport& report) const;
@@ -92,7 +92,7 @@ class Simulation {
 
     SimulationOptions options;
     BreakableShell breakable;
-    ImplicitStepper stepper;
+    std::unique_ptr<Stepper> stepper;
     Fragments fragments;
     HingePeaks hinge_peaks;
     std::vector<char> obstacles_touched, bodies_touched;

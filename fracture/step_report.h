@@ -23,9 +23,10 @@ struct StepReport : EnergyBalance {
     Vector3d linear_momentum = Vector3d::Zero();   ///< kg m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the origin
 
-    Index newton_iterations = 0;  ///< iterations over all stages, and attempts at longer steps
-    Index halvings = 0;           ///< halvings of this step because longer ones could not be solved
-    Index stages = 0;             ///< stages of breaking
+    /// Iterations over all stages, and attempts at longer steps; in explicit steps substeps.
+    Index newton_iterations = 0;
+    Index halvings = 0;  ///< halvings of this step because longer ones could not be solved
+    Index stages = 0;    ///< stages of breaking
     bool stage_cap_reached = false;
     Index contacts = 0;           ///< number of vertices in contact with obstacles or bodies
     double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body

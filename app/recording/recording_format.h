@@ -110,7 +110,8 @@ struct Table<StepReport> {
                     &R::unexplained);
         visit("linear_momentum", {"kg m/s"}, &R::linear_momentum);
         visit("angular_momentum", {"kg m^2/s", "about the origin"}, &R::angular_momentum);
-        visit("newton_iterations", {"1", "over all stages"}, &R::newton_iterations);
+        visit("newton_iterations", {"1", "over all stages; in explicit steps substeps"},
+              &R::newton_iterations);
         visit("halvings", {"1", "of this step, because longer ones could not be solved"}, &R::halvings);
         visit("stages", {"1", "stages of breaking"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/contact/bodies/body_contact.h"
+#include "core/contact/contact_options.h"
 #include "core/contact/lips/lip.h"
 #include "core/contact/penalty/obstacle_contact.h"
 #include "core/contact/sheets/sheet_contact.h"
@@ -11,13 +12,6 @@
 #include "core/energy_balance.h"
 
 namespace sherd {
-
-struct ContactOptions {
-    std::vector<Obstacle> obstacles = {};
-    std::vector<RigidBody> bodies = {};  ///< at the start of the run
-    bool sheets = false;                 ///< whether sheets collide with each other and with themselves
-    double friction = 0;                 ///< Coulomb coefficient between sheets
-};
 
 /// All contact of a run: of sheets and their fragments, obstacles and free bodies.
 class Contact {

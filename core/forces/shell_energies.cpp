@@ -27,17 +27,21 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
     for (const MirrorHinge& mirror : options.mirrors) mirror_scripts.push_back(mirror.script);
-    using B = EnergyBalance;
+    const auto add = [&](double EnergyBalance::*part, std::unique_ptr<Energy> energy, bool of_velocity) {
+        others.push_back({part, std::move(energy), of_velocity});
+    };
     if (!options.loads.empty())
-        outer.push_back({&B::work_of_loads, std::make_unique<LoadEnergy>(shell, options.loads)});
+        add(&EnergyBalance::work_of_loads, std::make_unique<LoadEnergy>(shell, options.loads), false);
     if (!options.winds.empty())
-        outer.push_back({&B::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds)});
+        add(&EnergyBalance::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds), true);
     if (options.damping.stiffness > 0)
-        outer.push_back({&B::lost_to_damping,
-                         std::make_unique<StiffnessDamping>(shell, options.damping.stiffness,
-                                                            options.bending.model, options.membrane)});
+        add(&EnergyBalance::lost_to_damping,
+            std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model,
+                                               options.membrane),
+            true);
     if (options.damping.mass > 0)
-        outer.push_back({&B::lost_to_damping, std::make_unique<MassDamping>(shell, options.damping.mass)});
+        add(&EnergyBalance::lost_to_damping, std::make_unique<MassDamping>(shell, options.damping.mass),
+            true);
 }
 
 std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
@@ -63,17 +67,16 @@ Eigen::Matrix3Xd ShellEnergies::face_curvatures(const Positions& x) const {
 
 std::vector<Energy*> ShellEnergies::loads() {
     std::vector<Energy*> all;
-    for (const Outer& one : outer) all.push_back(one.energy.get());
+    for (const OuterEnergy& one : others) all.push_back(one.energy.get());
     return all;
 }
 
 void ShellEnergies::add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
                               Positions& gradient) const {
-    for (const auto& [part, energy] : outer) {
+    for (const auto& [part, energy, of_velocity] : others) {
         Positions own = Positions::Zero(3, x.cols());
         energy->add_gradient(x, own);
-        const double taken = own.cwiseProduct(moved).sum();
-        balance.*part += part == &EnergyBalance::lost_to_damping ? taken : -taken;
+        balance.take(part, own.cwiseProduct(moved).sum());
         gradient += own;
     }
 }
@@ -100,8 +103,12 @@ void ShellEnergies::add_mirror_reactions(const Positions& x, std::span<Reaction>
     }
 }
 
+bool ShellEnergies::mirrors_move() const {
+    return std::ranges::any_of(mirror_scripts, [](Index script) { return script != 0; });
+}
+
 double ShellEnergies::mirror_work(const StepContext& step, const Positions& x) const {
-    if (std::ranges::all_of(mirror_scripts, [](Index script) { return script == 0; })) return 0;
+    if (!mirrors_move()) return 0;
     const std::vector<Reaction> all = mirror_reactions(x);
     double sum = 0;
     for (std::size_t m = 0; m < all.size(); ++m)

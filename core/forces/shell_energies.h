@@ -28,6 +28,14 @@ struct ShellEnergyOptions {
     Damping damping = {};
 };
 
+/// An energy of what is not elastic, in a step.
+struct OuterEnergy {
+    double EnergyBalance::*part;
+    std::unique_ptr<Energy> energy;
+    /// Whether its force is one of the velocity (x - origin) / lag of the step (StepContext), and not of x.
+    bool of_velocity;
+};
+
 /// The energies of a shell without inertia and contact: elasticity, loads, wind and damping.
 class ShellEnergies {
   public:
@@ -37,6 +45,9 @@ class ShellEnergies {
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
     std::vector<Energy*> loads();
+    const std::vector<OuterEnergy>& outer() const { return others; }
+    /// Whether a clamp or a symmetry plane moves as it is told.
+    bool mirrors_move() const;
 
     /// Adds the forces of clamps and symmetry planes, at x [3, V] m in the open step, to their reactions.
     void add_mirror_reactions(const Positions& x, std::span<Reaction> of_supports) const;
@@ -59,11 +70,6 @@ class ShellEnergies {
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
 
   private:
-    /// An energy of what is not elastic, and the part of the balance that it belongs to.
-    struct Outer {
-        double EnergyBalance::*part;
-        std::unique_ptr<Energy> energy;
-    };
     std::vector<Reaction> mirror_reactions(const Positions& x) const;  ///< of each mirror
 
     const Shell& shell;
@@ -74,7 +80,7 @@ class ShellEnergies {
     MirrorEnergy mirrors;
     std::vector<Index> mirror_supports;  ///< ShellEnergyOptions::mirror_supports
     std::vector<Index> mirror_scripts;   ///< MirrorHinge::script of each mirror
-    std::vector<Outer> outer;            ///< loads, wind and damping, as far as there are any
+    std::vector<OuterEnergy> others;     ///< loads, wind and damping, as far as there are any
 };
 
 }  // namespace sherd

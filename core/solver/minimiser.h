@@ -6,7 +6,7 @@
 namespace sherd {
 
 struct MinimiserResult {
-    int iterations = 0;
+    int iterations = 0;  ///< in explicit steps substeps
     bool converged = false;
     double correction = 0;  ///< m, largest coordinate of the last correction
 };

@@ -13,34 +13,14 @@ std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     return std::make_unique<ImplicitEuler>();
 }
 
-/// In statics weight is a load like others: it grows with the load factor.
-Load weight(const Shell& shell, const Vector3d& gravity) {
-    Load load;
-    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
-        for (int corner = 0; corner < 3; ++corner)
-            load.dead.push_back({t, corner, shell.face_mass[t] / 3 * gravity});
-    return load;
-}
-
-ShellEnergyOptions shell_options(const Shell& shell, const StepperOptions& options) {
-    ShellEnergyOptions all = options.shell;
-    if (options.scheme == Scheme::statics && !options.gravity.isZero(0))
-        all.loads.push_back(weight(shell, options.gravity));
-    return all;
-}
-
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
-    : position(shell.position),
-      shell(shell),
-      options(options),
+    : Stepper(shell, options),
       scheme(time_scheme(options.scheme)),
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
-      forces(shell, shell_options(shell, options)),
       loads(forces.loads()),
       contact(shell, options.contact, options.gravity),
-      ledger(shell, forces, contact, options.gravity, options.scheme != Scheme::statics),
       potential(shell, all_energies(), spent),
       minimiser(std::make_unique<Newton>(options.tolerance)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
@@ -58,9 +38,9 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
 bool ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
     if (path) path->begin(length, step);
-    ledger.begin(step);
+    const double elastic = elastic_at_start(step);
     potential.begin(step);
-    ledger.begun();
+    ledger.begin(elastic + contact.stored_at_start(), moving(shell.velocity, shell.position));
     require_apart();
     return predict();
 }
@@ -106,7 +86,7 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
     const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
     const MinimiserResult result = path ? path->solve(potential, loads, step, max_iterations, position)
                                         : minimiser->minimise(potential, max_iterations, position);
-    ledger.solved(position);
+    ledger.solved(stored());
     return result;
 }
 
@@ -118,12 +98,12 @@ void ImplicitStepper::topology_changed(const ShellChange& change) {
         path->topology_changed(change, potential, position);
     else
         minimiser->topology_changed(change, potential, position);
-    ledger.topology_changed(position);
+    ledger.topology_changed(stored());
 }
 
 void ImplicitStepper::finish() {
     contact.finish(position);
-    ledger.finish(step, position);
+    ledger.finish(work(), stored(), moving(step.velocity(position), position));
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     time = step.end();
@@ -148,14 +128,38 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
     return all;
 }
 
-PotentialEnergies ImplicitStepper::energies() const {
-    PotentialEnergies sum;
-    sum.bending = forces.bending_value(position);
-    sum.membrane = forces.membrane_value(position);
-    sum.gravity = -step.load * options.gravity.dot(position * shell.mass);
-    for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
-    sum.contact = contact.stored_energy(position);
-    return sum;
+void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) const {
+    if (step.inertia == 0) return;
+    const Positions force = step.acceleration(position) * shell.mass.asDiagonal();
+    gradient += force - options.gravity * shell.mass.transpose();
+    const auto kinetic = [&](const Positions& velocity) {
+        return 0.5 * velocity.colwise().squaredNorm().dot(shell.mass);
+    };
+    balance.lost_to_scheme = force.cwiseProduct(position - shell.position).sum() -
+                             kinetic(step.velocity(position)) + kinetic(shell.velocity);
+    if (const BodyContact* bodies = contact.of_bodies())
+        balance.lost_to_scheme += bodies->work_of_all() - bodies->kinetic_change();
+}
+
+StepWork ImplicitStepper::work() {
+    const Positions moved = position - shell.position;
+    Positions gradient = Positions::Zero(3, position.cols());
+    for (const std::vector<Energy*>& some : {forces.elastic(), contact.energies(), contact.frictions()})
+        for (const Energy* energy : some) energy->add_gradient(position, gradient);
+    StepWork all;
+    all.against_stored = gradient.cwiseProduct(moved).sum();
+    if (const BodyContact* bodies = contact.of_bodies()) all.against_stored -= bodies->contact_work();
+    EnergyBalance& balance = all.balance;
+    forces.add_outer(position, moved, balance, gradient);
+    add_inertia(balance, gradient);
+    Positions free = gradient;
+    constrain(shell, free);
+    const double of_mirrors = forces.mirror_work(step, position);
+    balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
+    balance.work_of_obstacles = contact.obstacle_work(step, position);
+    balance.lost_to_friction = contact.friction_loss(position);
+    all.against_stored += of_mirrors + balance.work_of_obstacles - balance.lost_to_friction;
+    return all;
 }
 
 }  // namespace sherd

@@ -9,6 +9,8 @@
 namespace sherd {
 namespace {
 
+constexpr double explicit_step =
+    2e-6;                             // s, between two looks at what breaks: a crack runs a millimetre or so
 constexpr double static_step = 0.05;  // of load factor: a step should turn a shell by some degrees only
 
 bool has_keys(const std::vector<PinSpec>& pins) {
@@ -27,9 +29,16 @@ void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
 }  // namespace
 
 void read_scheme(TomlTable& table, SolverSpec& solver) {
-    constexpr std::array<std::string_view, 2> schemes{"implicit-euler", "static"};
-    if (table.has("scheme") && table.choice("scheme", schemes) == "static") solver.scheme = Scheme::statics;
+    constexpr std::array<std::string_view, 3> names{"implicit-euler", "static", "explicit"};
+    constexpr std::array schemes{Scheme::implicit_euler, Scheme::statics, Scheme::explicit_differences};
+    if (table.has("scheme"))
+        solver.scheme = schemes[std::ranges::find(names, table.choice("scheme", names)) - names.begin()];
     const bool statics = solver.scheme == Scheme::statics;
+    const bool is_explicit = solver.scheme == Scheme::explicit_differences;
+    if (is_explicit) solver.step = explicit_step;
+    for (const char* key : {"jacobian", "max_iterations", "tolerance", "max_stages"})
+        if (is_explicit && table.has(key))
+            table.report(key, "is for steps that are solved, not for scheme = \"explicit\"");
     solver.load = table.number("load", "times the loads", positive, solver.load);
     solver.arc_length = table.flag("arc_length", solver.arc_length);
     solver.longest_path = table.number("longest_path", "times the loads", positive, solver.longest_path);

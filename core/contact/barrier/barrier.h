@@ -9,22 +9,27 @@ namespace sherd {
 /// The barrier potential of a gap between two elements: it is infinite at zero, zero from `range` on, and
 /// twice continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020,
 /// eq. 6). It is scaled so that at a gap of half the range its force is that of a spring of stiffness 1 N/m
-/// compressed by half the range.
+/// compressed by half the range. As a spring it is that spring instead, for explicit steps, which follow no
+/// force that rises without bound.
 struct Barrier {
     double range;  ///< m
+    bool spring = false;
 
     double value(double gap) const {  ///< J
         if (gap >= range) return 0;
+        if (spring) return 0.5 * (range - gap) * (range - gap);
         if (gap <= 0) return std::numeric_limits<double>::infinity();
         return -scale * (range - gap) * (range - gap) * std::log(gap / range);
     }
     double slope(double gap) const {  ///< N; the force is its negative
         if (gap >= range) return 0;
+        if (spring) return gap - range;
         const double left = range - gap;
         return scale * left * (2 * std::log(gap / range) - left / gap);
     }
     double curvature(double gap) const {  ///< N/m, positive
         if (gap >= range) return 0;
+        if (spring) return 1;
         const double ratio = (range - gap) / gap;
         return scale * (-2 * std::log(gap / range) + ratio * (4 + ratio));
     }

@@ -17,9 +17,10 @@ struct ContactPair {
     double activation_distance;     ///< m, activation distance of the middle surfaces
     EdgeMollifier mollifier;        ///< used by edge-edge pairs only
     double closest = 0.75;          ///< minimum distance, as a share of the activation distance
+    bool spring = false;            ///< see Barrier
 
     double minimum() const { return closest * activation_distance; }  ///< m
-    Barrier barrier() const { return {activation_distance - minimum()}; }
+    Barrier barrier() const { return {activation_distance - minimum(), spring}; }
 };
 
 /// Distance of the two elements, m.

@@ -15,10 +15,6 @@ namespace {
 constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
 
-bool is_ball(const RigidBody& body) {
-    return body.contact_points.size() == 1;
-}
-
 }  // namespace
 
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
@@ -46,7 +42,7 @@ void BodyContact::make_steps(const StepContext& step) {
         steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get());
     lag = step.lag;
     last.resize(3, 0);
-    find_point_contacts();
+    points = point_contacts(started, obstacles.size());
     sliding.clear();
     place_obstacles(step.begin);
     start_stored =
@@ -60,24 +56,10 @@ void BodyContact::place_obstacles(double time) {
     for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(time));
 }
 
-void BodyContact::find_point_contacts() {
-    point_contacts.clear();
-    for (std::size_t body = 0; body < steps.size(); ++body)
-        for (std::size_t other = 0; other < steps.size() + obstacles.size(); ++other) {
-            // A ball finds its contacts by itself, so the corners of a box, or a second ball, must not count
-            // them again.
-            const bool found_by_other =
-                is_free(other) && is_ball(started[other]) && (!is_ball(started[body]) || other < body);
-            if (body == other || found_by_other) continue;
-            for (const Vector3d& point : started[body].contact_points)
-                point_contacts.push_back({body, other, point});
-        }
-}
-
 void BodyContact::find_sliding(const StepContext& step) {
     sliding.clear();
     const std::vector<BodyPose> start = poses(VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size())));
-    for (const auto& [one, other, point] : point_contacts) {
+    for (const auto& [one, other, point] : points) {
         const RigidBody& body = started[one];
         const double coefficient = friction_between(body, collider(other));
         if (coefficient == 0) continue;
@@ -135,7 +117,7 @@ Overlap BodyContact::overlap_of(const PointContact& contact, const std::vector<B
 template <class Add>
 void BodyContact::each_point_force(const VectorXd& q, Add add) const {
     const std::vector<BodyPose> at_q = poses(q);
-    for (const PointContact& contact : point_contacts) {
+    for (const PointContact& contact : points) {
         const Overlap at = overlap_of(contact, at_q);
         if (at.depth <= 0) continue;
         const Vector3d x = at_q[contact.body].place * contact.point;
@@ -183,7 +165,7 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
     };
     const std::vector<BodyPose> at_q = poses(q);
-    for (const PointContact& contact : point_contacts) {
+    for (const PointContact& contact : points) {
         if (!is_free(contact.other)) continue;
         const double size = started[contact.other].shape->bounds().diagonal().norm();
         if (overlap_of(contact, at_q, ahead ? ahead_of_contact * size : 0).depth > 0)
@@ -343,9 +325,10 @@ double BodyContact::contact_work() const {
     return work_of_all() - weight;
 }
 
-double BodyContact::kinetic_before() const {
+double BodyContact::kinetic_change() const {
     double sum = 0;
-    for (const RigidBody& body : started) sum += body.kinetic_energy();
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        sum += finished[b].kinetic_energy() - started[b].kinetic_energy();
     return sum;
 }
 
@@ -365,7 +348,7 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
         touch.include(own);
     }
     const std::vector<BodyPose> at_best_poses = poses(best);
-    for (const PointContact& contact : point_contacts) {
+    for (const PointContact& contact : points) {
         if (overlap_of(contact, at_best_poses).depth <= 0) continue;
         touch.bodies.insert(contact.body);
         if (is_free(contact.other))

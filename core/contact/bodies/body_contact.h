@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/contact/bodies/body_step.h"
+#include "core/contact/bodies/point_contacts.h"
 #include "core/contact/colliders/obstacle.h"
 #include "core/energy.h"
 #include "core/reaction.h"
@@ -49,7 +50,7 @@ class BodyContact : public Energy {
     /// finished last, J.
     double contact_work() const;
     double work_of_all() const;
-    double kinetic_before() const;  ///< J, of the bodies at the beginning of the step
+    double kinetic_change() const;  ///< J, in that step
     void add_touch(const Positions& x, Touch& touch) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
@@ -62,12 +63,6 @@ class BodyContact : public Energy {
         Eigen::MatrixXd hessian;
         std::vector<BodyPotential> bodies;
     };
-    /// A contact point of a body against the shape of another collider. Bodies are numbered first, then
-    /// obstacles.
-    struct PointContact {
-        std::size_t body, other;
-        Vector3d point;  ///< m, contact point in the body's frame
-    };
     /// A contact point that touched another collider at the beginning of the step.
     struct SlidingContact {
         std::size_t body, other;
@@ -78,7 +73,6 @@ class BodyContact : public Energy {
     /// Makes the bodies' potentials for the step from their poses at its beginning.
     void make_steps(const StepContext& step);
     void place_obstacles(double time);
-    void find_point_contacts();
     void find_sliding(const StepContext& step);
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
@@ -116,7 +110,7 @@ class BodyContact : public Energy {
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
     std::vector<BodyStep> steps;
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
-    std::vector<PointContact> point_contacts;
+    std::vector<PointContact> points;
     std::vector<SlidingContact> sliding;
     double start_stored = 0;  ///< J
     double lag = 0;           ///< s, of the step

@@ -20,8 +20,8 @@ PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
 
 }  // namespace
 
-ContactSurface surface_with(const Shell& shell, const RigidBody& body) {
-    return ContactSurface(shell, {{body.surface.get(), body.young, body.friction, {}}}, false);
+ContactSurface surface_with(const Shell& shell, const RigidBody& body, bool springs) {
+    return ContactSurface(shell, {{body.surface.get(), body.young, body.friction, {}}}, false, springs);
 }
 
 BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity,

@@ -13,8 +13,9 @@ namespace sherd {
 /// Contact is expected soon within this share of a body's size.
 constexpr double ahead_of_contact = 0.1;
 
-/// The contact surface of the shell and of a body that has a surface, for NearPairs.
-ContactSurface surface_with(const Shell& shell, const RigidBody& body);
+/// The contact surface of the shell and of a body that has a surface, for NearPairs. springs: see
+/// ContactSurface.
+ContactSurface surface_with(const Shell& shell, const RigidBody& body, bool springs = false);
 
 /// The incremental potential P(x, q) of one free rigid body in one step, as a function of the positions x of
 /// the shell and the motion q of the body at its end. It consists of the body's inertia and weight (as for

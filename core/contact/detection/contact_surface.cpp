@@ -30,8 +30,12 @@ double width_of(const std::vector<std::array<Index, 2>>& edges, const std::vecto
 }  // namespace
 
 ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders,
-                               bool sheets_meet)
-    : shell(&shell), colliders(colliders), sheets(sheets_meet), has_twin(shell.rest.cols(), 0) {
+                               bool sheets_meet, bool springs)
+    : shell(&shell),
+      colliders(colliders),
+      sheets(sheets_meet),
+      springs(springs),
+      has_twin(shell.rest.cols(), 0) {
     add_colliders();
     const Index start = collider_vertices();
     for (const TriangleStencil& stencil : shell.triangles)
@@ -166,7 +170,10 @@ ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vert
         share * on / column(kind, vertices),
         activation_distance,
         kind == PairKind::edge_edge ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{},
-        on_collider ? closest_to_collider : closest_to_sheet};
+        springs       ? 0
+        : on_collider ? closest_to_collider
+                      : closest_to_sheet,
+        springs};
 }
 
 }  // namespace sherd

@@ -40,8 +40,9 @@ class ContactSurface {
   public:
     /// Sheet and colliders' surfaces must outlive this object, which must be made anew when the shell's
     /// vertices or triangles have changed. sheets_meet: whether elements of sheets collide with each other.
+    /// springs: whether pairs are springs (Barrier), which give way up to the middle surfaces.
     explicit ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders = {},
-                            bool sheets_meet = true);
+                            bool sheets_meet = true, bool springs = false);
 
     Index collider_vertices() const { return static_cast<Index>(collider.size()); }
     Index vertices() const { return collider_vertices() + static_cast<Index>(has_twin.size()); }
@@ -49,6 +50,7 @@ class ContactSurface {
     /// The number of the collider that a vertex of colliders belongs to.
     Index collider_number(Index vertex) const { return collider[vertex]; }
     bool sheets_meet() const { return sheets; }
+    bool has_springs() const { return springs; }
 
     // These describe the sheets:
     const std::vector<std::array<Index, 3>>& triangles() const { return triangle; }
@@ -97,7 +99,7 @@ class ContactSurface {
 
     const Shell* shell;
     std::vector<ContactCollider> colliders;
-    bool sheets;
+    bool sheets, springs;
     std::vector<Index> collider;  ///< the collider of each vertex of colliders
     std::vector<Start> start_of;  ///< of each collider
     std::vector<std::array<Index, 3>> triangle, collider_triangle;

@@ -83,6 +83,15 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
     return fraction;
 }
 
+std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const Positions& motion) const {
+    std::vector<ContactPair> reached;
+    for (const ContactPair& pair : candidates(x, motion)) {
+        const double way = approach(pair.kind, columns(motion, pair.vertices));
+        if (within(pair.activation_distance + way, pair, x)) reached.push_back(pair);
+    }
+    return reached;
+}
+
 void NearPairs::add_contacts(const Positions& x, bool ahead,
                              std::vector<std::pair<Index, Index>>& blocks) const {
     for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : active_pairs(x))

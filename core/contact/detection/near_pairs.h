@@ -23,6 +23,8 @@ class NearPairs {
     double safe_fraction(const Positions& x, const Positions& motion) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, valid until the next call.
     const std::vector<ContactPair>& candidates(const Positions& x, const Positions& motion) const;
+    /// The pairs that may be active somewhere in a straight motion from x.
+    std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;
     /// Appends the pairs of shell vertices, numbered as in the shell, that have a block in a Hessian at x;
     /// `ahead`: those of pairs that may become active soon.
     void add_contacts(const Positions& x, bool ahead, std::vector<std::pair<Index, Index>>& pairs) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "core/vector.h"
 
 namespace sherd {
@@ -33,5 +35,12 @@ struct Friction {
         return limit * block;
     }
 };
+
+/// The force, N, of Coulomb friction in an explicit step of `length` s on what slides at `velocity` (m/s)
+/// with an effective mass (kg): it stops the sliding, but never turns it round. limit: N.
+inline Vector3d explicit_friction(double limit, const Vector3d& velocity, double mass, double length) {
+    const double speed = velocity.norm();
+    return speed > 0 ? Vector3d(-std::min(limit / speed, mass / length) * velocity) : Vector3d::Zero();
+}
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/contact/colliders/touch.h"
@@ -56,6 +57,15 @@ class VertexContact {
     }
     void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);
+    }
+    /// The largest stiffness of a contact over the mass of its vertex, 1/s^2, of the vertices of x that are
+    /// within `margin` (m) of the collider.
+    double largest_rate(const Positions& x, const Eigen::Isometry3d& pose, double margin) const {
+        double largest = 0;
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+            if (overlap(x, v, pose, margin).depth > 0)
+                largest = std::max(largest, stiffness(v) / shell.mass[v]);
+        return largest;
     }
     /// Overlap of a vertex with the collider; margin: m, added to half the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,

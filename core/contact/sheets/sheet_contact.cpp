@@ -22,11 +22,11 @@ std::string message(const ContactSurface& surface, const ContactPair& pair, doub
 
 }  // namespace
 
-SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool sheets_meet)
+SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool sheets_meet, bool springs)
     : shell(shell),
       obstacles(std::move(given)),
       colliders(contact_colliders(shell, obstacles)),
-      near(ContactSurface(shell, colliders, sheets_meet)) {
+      near(ContactSurface(shell, colliders, sheets_meet, springs)) {
     for (std::size_t i = 0; i < obstacles.size(); ++i)
         if (obstacles[i].surface) obstacle_of.push_back(i);
     start = end = collider_positions(obstacles, 0);
@@ -37,8 +37,12 @@ void SheetContact::begin(const StepContext& step) {
     end = collider_positions(obstacles, step.end());
 }
 
+void SheetContact::surface_changed() {
+    near.surface_changed(ContactSurface(shell, colliders, surface().sheets_meet(), surface().has_springs()));
+}
+
 void SheetContact::topology_changed(const ShellChange&, const StepContext& step) {
-    near.surface_changed(ContactSurface(shell, colliders, surface().sheets_meet()));
+    surface_changed();
     begin(step);
 }
 

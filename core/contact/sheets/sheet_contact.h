@@ -15,10 +15,14 @@ namespace sherd {
 class SheetContact : public Energy {
   public:
     /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
-    explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true);
+    /// springs: see ContactSurface.
+    explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true,
+                          bool springs = false);
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
+    /// The shell has other vertices, triangles or lips.
+    void surface_changed();
 
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -48,6 +52,12 @@ class SheetContact : public Energy {
     /// The same with the colliders where they are at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
+    }
+    /// The pairs that may be active somewhere in a straight motion of the shell from x.
+    std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const {
+        Positions way = Positions::Zero(3, end.cols() + motion.cols());
+        way.rightCols(motion.cols()) = motion;
+        return near.pairs_within_reach(at_end(x), way);
     }
     /// Adds the forces of the colliders' surfaces on sheets at x to the reactions, one for each obstacle.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/contact/colliders/rigid_body.h"
+
+namespace sherd {
+
+/// A contact point of a body against the shape of another collider. Bodies are numbered first, then
+/// obstacles.
+struct PointContact {
+    std::size_t body, other;
+    Vector3d point;  ///< m, contact point in the body's frame
+};
+
+/// All that may occur, each once.
+std::vector<PointContact> point_contacts(const std::vector<RigidBody>& bodies, std::size_t obstacles);
+
+}  // namespace sherd

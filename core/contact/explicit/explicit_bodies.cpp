@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/explicit/explicit_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/bodies/body_potential.h"
+#include "core/contact/bodies/body_step.h"
+#include "core/contact/bodies/point_contacts.h"
+#include "core/contact/explicit/moving_collider.h"
+
+namespace sherd {
+
+ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies,
+                               const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
+    : shell(shell), obstacles(obstacles), gravity(gravity), all(std::move(bodies)), started(all) {
+    for (const RigidBody& body : all) {
+        at_vertices.emplace_back(shell, body);
+        pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(shell, body, true))
+                                     : nullptr);
+    }
+    points = point_contacts(all, obstacles.size());
+    forces.resize(all.size());
+    before.resize(all.size());
+    moved.resize(all.size());
+}
+
+void ExplicitBodies::shell_changed() {
+    for (std::size_t b = 0; b < all.size(); ++b)
+        if (pairs[b]) pairs[b]->surface_changed(surface_with(shell, all[b], true));
+}
+
+void ExplicitBodies::begin() {
+    started = all;
+    of_contact = of_weight = 0;
+}
+
+const Collider& ExplicitBodies::collider(std::size_t number) const {
+    if (number < all.size()) return all[number];
+    return obstacles[number - all.size()];
+}
+
+void ExplicitBodies::kick(double length) {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        all[b].velocity += length / 2 * (forces[b].force / all[b].mass + gravity);
+        all[b].angular_momentum += length / 2 * forces[b].torque;
+    }
+}
+
+void ExplicitBodies::drift(double length) {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        moved[b] << length * all[b].velocity, length * all[b].spin();
+        all[b].centre += moved[b].head<3>();
+        const Matrix3d rotation = turned(moved[b].tail<3>()) * all[b].rotation;
+        all[b].rotation = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+    }
+}
+
+void ExplicitBodies::push(std::size_t body, const Vector3d& at, const Vector3d& force) {
+    forces[body].force += force;
+    forces[body].torque += (at - all[body].centre).cross(force);
+}
+
+Vector3d ExplicitBodies::velocity_at(std::size_t body, const Vector3d& at) const {
+    return all[body].velocity + all[body].spin().cross(at - all[body].centre);
+}
+
+Positions ExplicitBodies::seen_from(std::size_t body, const Positions& x) const {
+    const Positions& of_body = all[body].surface->points;
+    Positions together(3, of_body.cols() + x.cols());
+    together << of_body, all[body].pose().inverse() * x;
+    return together;
+}
+
+void ExplicitBodies::add_vertices(std::size_t body, const Substep& substep, ContactForces& sum) {
+    const double coefficient = all[body].friction;
+    at_vertices[body].add_springs(
+        substep.position, all[body].pose(), Curvature::convex, [&](Index v, const PointForce& spring) {
+            const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
+            Vector3d force = -spring.gradient;
+            if (coefficient > 0) {
+                const Vector3d way = substep.velocity.col(v) - velocity_at(body, at);
+                const Vector3d slip = way - normal * normal.dot(way);
+                const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
+                                                          shell.mass[v], substep.length);
+                sum.lost_to_friction -= substep.length * rubbed.dot(slip);
+                force += rubbed;
+            }
+            sum.force.col(v) += force;
+            push(body, at, -force);
+        });
+}
+
+void ExplicitBodies::add_pairs(std::size_t body, const Substep& substep, ContactForces& sum) {
+    const Positions local = seen_from(body, substep.position);
+    const Eigen::Isometry3d pose = all[body].pose();
+    const Index first = all[body].surface->size();
+    for (const ContactPair& pair : pairs[body]->active_pairs(local)) {
+        const PairPositions at = columns(local, pair.vertices);
+        const PairPositions by_x = pose.linear() * gradient(pair, at);
+        for (int i = 0; i < 4; ++i) {
+            if (pair.vertices[i] < first)
+                push(body, pose * Vector3d(at.col(i)), -by_x.col(i));
+            else
+                sum.force.col(pair.vertices[i] - first) -= by_x.col(i);
+        }
+    }
+}
+
+template <class Add>
+void ExplicitBodies::each_point(std::span<const Eigen::Isometry3d> places, Add add) const {
+    for (const PointContact& contact : points) {
+        const auto& [body, other, point] = contact;
+        const Eigen::Isometry3d there = other < all.size() ? all[other].pose() : places[other - all.size()];
+        const Vector3d at = all[body].pose() * point;
+        const Overlap found = overlap(*collider(other).shape, there, at, all[body].contact_radius);
+        if (found.depth > 0) add(body, other, found, at);
+    }
+}
+
+void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
+                                std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
+    before = forces;
+    forces.assign(all.size(), {});
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        add_vertices(b, substep, sum);
+        if (pairs[b]) add_pairs(b, substep, sum);
+    }
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap& found, const Vector3d& at) {
+        const bool free = other < all.size();
+        const double stiffness = all[body].point_stiffness(collider(other));
+        const PointForce pressed = spring(found, stiffness, Curvature::convex);
+        const Vector3d normal = found.normal.normalized();
+        const Vector3d touched = at - all[body].contact_radius * normal;
+        const Vector3d there = free ? velocity_at(other, touched)
+                                    : velocity_of_point(places_before[other - all.size()],
+                                                        places[other - all.size()], touched, substep.length);
+        const Vector3d way = velocity_at(body, touched) - there, slip = way - normal * normal.dot(way);
+        const double arm = (touched - all[body].centre).squaredNorm();
+        const double mass = all[body].mass / (1 + all[body].mass * arm / all[body].inertia.minCoeff());
+        const Vector3d rubbed =
+            explicit_friction(friction_between(all[body], collider(other)) * pressed.gradient.norm(), slip,
+                              mass, substep.length);
+        sum.lost_to_friction -= substep.length * rubbed.dot(slip);
+        push(body, at, -pressed.gradient);
+        push(body, touched, rubbed);
+        if (free) {
+            push(other, at, pressed.gradient);
+            push(other, touched, -rubbed);
+        } else {
+            sum.obstacles[other - all.size()].add(touched, rubbed - pressed.gradient);
+        }
+    });
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        of_contact += 0.5 * (before[b].force + forces[b].force).dot(moved[b].head<3>()) +
+                      0.5 * (before[b].torque + forces[b].torque).dot(moved[b].tail<3>());
+        of_weight += all[b].mass * gravity.dot(moved[b].head<3>());
+        moved[b].setZero();  // counted
+    }
+}
+
+double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        at_vertices[b].add_springs(x, all[b].pose(), Curvature::convex,
+                                   [&](Index, const PointForce& spring) { sum += spring.value; });
+        if (!pairs[b]) continue;
+        const Positions local = seen_from(b, x);
+        for (const ContactPair& pair : pairs[b]->active_pairs(local))
+            sum += value(pair, columns(local, pair.vertices));
+    }
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap& found, const Vector3d&) {
+        sum += spring(found, all[body].point_stiffness(collider(other)), Curvature::convex).value;
+    });
+    return sum;
+}
+
+double ExplicitBodies::largest_rate(const Positions& x, double margin) const {
+    double largest = 0;
+    // A vertex feels the body's shape and, between vertices, its surface by half a column each.
+    for (std::size_t b = 0; b < all.size(); ++b)
+        largest = std::max(largest, 2 * at_vertices[b].largest_rate(x, all[b].pose(), reach(b, margin)));
+    for (const auto& [body, other, point] : points) {
+        const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
+        const double stiffness = all[body].point_stiffness(collider(other));
+        largest = std::max(largest, 2 * stiffness / all[body].mass * (1 + turning));
+    }
+    return largest;
+}
+
+/// Vertices may be as far from a body that touches an edge or a face between them as these are long.
+double ExplicitBodies::reach(std::size_t body, double margin) const {
+    if (!pairs[body]) return margin;
+    double longest = 0;
+    for (const TriangleStencil& triangle : shell.triangles)
+        longest = std::max(longest, std::sqrt(2 * triangle.membrane.area));
+    return margin + longest;
+}
+
+void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places,
+                               Touch& touch) const {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        Touch own;
+        at_vertices[b].add_touch(x, all[b].pose(), own);
+        std::set<const ColliderSurface*> itself;
+        if (pairs[b]) pairs[b]->add_touched(seen_from(b, x), own.vertices, itself);
+        if (!own.vertices.empty()) touch.bodies.insert(b);
+        touch.include(own);
+    }
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
+        touch.bodies.insert(body);
+        if (other < all.size())
+            touch.bodies.insert(other);
+        else
+            touch.obstacles.insert(other - all.size());
+    });
+}
+
+double ExplicitBodies::kinetic_change() const {
+    double sum = 0;
+    for (std::size_t b = 0; b < all.size(); ++b) sum += all[b].kinetic_energy() - started[b].kinetic_energy();
+    return sum;
+}
+
+}  // namespace sherd

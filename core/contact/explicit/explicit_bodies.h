@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/contact/bodies/point_contacts.h"
+#include "core/contact/colliders/obstacle.h"
+#include "core/contact/colliders/touch.h"
+#include "core/contact/detection/near_pairs.h"
+#include "core/contact/explicit/contact_forces.h"
+#include "core/contact/penalty/vertex_contact.h"
+#include "core/step_context.h"
+
+namespace sherd {
+
+/// Free rigid bodies in explicit steps: they meet vertices of the shell, their surface its elements, and
+/// their contact points obstacles and each other.
+class ExplicitBodies {
+  public:
+    /// bodies: at the start of the run. Shell and obstacles must outlive this object. gravity: m/s^2.
+    ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
+                   const Vector3d& gravity);
+    ExplicitBodies(const ExplicitBodies&) = delete;  // its contacts refer to its bodies
+
+    /// Begins a step, from which work is counted and to whose beginning restart() goes back.
+    void begin();
+    void restart() { all = started; }
+    void shell_changed();
+    /// Half a substep of `length` s, with the forces that were added last.
+    void kick(double length);
+    /// Moves the bodies through the substep.
+    void drift(double length);
+    /// Adds all forces on the bodies, and those on the shell and of the obstacles, which are at these places
+    /// and were at those `before`.
+    void add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> before,
+                    std::span<const Eigen::Isometry3d> places, ContactForces& sum);
+
+    const std::vector<RigidBody>& bodies() const { return all; }
+    /// Stored in the contacts with the shell at x and with obstacles at these places, J.
+    double stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const;
+    /// See ExplicitContact; margin: m, how far shell and bodies may come nearer.
+    double largest_rate(const Positions& x, double margin) const;
+    void add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places, Touch& touch) const;
+
+    /// Work, J, of the forces of contact on the bodies and of all forces on them, since begin().
+    double contact_work() const { return of_contact; }
+    double work_of_all() const { return of_contact + of_weight; }
+    double kinetic_change() const;  ///< J, since begin()
+
+  private:
+    struct Force {
+        Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();  ///< about the centre of mass
+    };
+    /// Adds a force (N) at a point to a body.
+    void push(std::size_t body, const Vector3d& at, const Vector3d& force);
+    Vector3d velocity_at(std::size_t body, const Vector3d& at) const;
+    void add_vertices(std::size_t body, const Substep& substep, ContactForces& sum);
+    void add_pairs(std::size_t body, const Substep& substep, ContactForces& sum);
+    /// Calls add(body, other, overlap, point in space) for each contact point in another collider: a body, or
+    /// an obstacle, numbered after the bodies.
+    template <class Add>
+    void each_point(std::span<const Eigen::Isometry3d> places, Add add) const;
+    double reach(std::size_t body, double margin) const;  ///< m
+    Positions seen_from(std::size_t body, const Positions& x) const;
+    const Collider& collider(std::size_t number) const;
+
+    const Shell& shell;
+    const std::vector<Obstacle>& obstacles;
+    Vector3d gravity;
+    std::vector<RigidBody> all, started;
+    std::vector<VertexContact> at_vertices;         ///< of each body
+    std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
+    std::vector<PointContact> points;
+    std::vector<Force> forces, before;     ///< on each body, at the last two evaluations
+    std::vector<Vector6d> moved;           ///< m, rad, of each body in the last substep
+    double of_contact = 0, of_weight = 0;  ///< J
+};
+
+}  // namespace sherd

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/explicit/explicit_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/contact/explicit/moving_collider.h"
+#include "core/energy_balance.h"
+
+namespace sherd {
+
+ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
+    : options(std::move(given)),
+      bodies(shell, options.bodies, options.obstacles, gravity),
+      shell(shell),
+      lips(shell.lips) {
+    const std::vector<Obstacle>& obstacles = options.obstacles;
+    for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle);
+    place(0, 0);
+    const bool surfaces =
+        std::ranges::any_of(obstacles, [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
+    if (options.sheets || surfaces)
+        sheets = std::make_unique<SheetContact>(shell, obstacles, options.sheets, true);
+}
+
+void ExplicitContact::place(double from, double time) {
+    before.clear();
+    now.clear();
+    for (const Obstacle& obstacle : options.obstacles) {
+        before.push_back(obstacle.motion.at(from));
+        now.push_back(obstacle.motion.at(time));
+    }
+    if (!sheets) return;
+    StepContext step;
+    step.begin = from;
+    step.length = time - from;
+    sheets->begin(step);
+}
+
+void ExplicitContact::shell_changed() {
+    bodies.shell_changed();
+    if (sheets) sheets->surface_changed();
+}
+
+ContactForces ExplicitContact::forces(const Substep& substep) {
+    ContactForces sum;
+    sum.force = Positions::Zero(3, substep.position.cols());
+    sum.obstacles.resize(options.obstacles.size());
+    add_obstacles(substep, sum);
+    bodies.add_forces(substep, before, now, sum);
+    if (sheets) add_sheets(substep, sum);
+    return sum;
+}
+
+void ExplicitContact::add_obstacles(const Substep& substep, ContactForces& sum) const {
+    for (std::size_t o = 0; o < at_vertices.size(); ++o) {
+        const double coefficient = options.obstacles[o].friction;
+        at_vertices[o].add_springs(
+            substep.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
+                const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
+                const Vector3d way =
+                    substep.velocity.col(v) - velocity_of_point(before[o], now[o], at, substep.length);
+                const Vector3d slip = way - normal * normal.dot(way);
+                const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
+                                                          shell.mass[v], substep.length);
+                sum.lost_to_friction -= substep.length * rubbed.dot(slip);
+                sum.force.col(v) += rubbed - spring.gradient;
+                sum.obstacles[o].add(at, rubbed - spring.gradient);
+            });
+    }
+}
+
+void ExplicitContact::add_sheets(const Substep& substep, ContactForces& sum) const {
+    Positions gradient = Positions::Zero(3, substep.position.cols());
+    sheets->add_gradient(substep.position, gradient);
+    if (options.sheets) lips.add_gradient(substep.position, gradient);
+    sum.force -= gradient;
+    sheets->add_reactions(substep.position, sum.obstacles);
+    add_sheet_friction(substep, sum);
+}
+
+void ExplicitContact::add_sheet_friction(const Substep& substep, ContactForces& sum) const {
+    const Index first = sheets->surface().collider_vertices();
+    const Positions& all = sheets->at_end(substep.position);
+    Positions velocity(3, all.cols());
+    velocity << (all - sheets->at_start(substep.position)).leftCols(first) / substep.length, substep.velocity;
+    for (const ContactPair& pair : sheets->active_pairs(substep.position)) {
+        const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
+        const double coefficient = collider ? collider->friction : options.friction;
+        if (coefficient == 0) continue;
+        const SlidingPair sliding =
+            sliding_pair(pair, columns(all, pair.vertices), coefficient, substep.length);
+        const Vector3d slip = sliding.slip * columns(velocity, pair.vertices).reshaped();
+        if (slip.isZero(0)) continue;
+        const PairPositions along = (sliding.slip.transpose() * slip.normalized()).reshaped(3, 4);
+        double mobility = 0;  // of the slip, 1/kg
+        for (int i = 0; i < 4; ++i)
+            if (pair.vertices[i] >= first)
+                mobility += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
+        const Vector3d rubbed = explicit_friction(sliding.friction.limit, slip, 1 / mobility, substep.length);
+        sum.lost_to_friction -= substep.length * rubbed.dot(slip);
+        for (int i = 0; i < 4; ++i)
+            if (pair.vertices[i] >= first)
+                sum.force.col(pair.vertices[i] - first) -= rubbed.norm() * along.col(i);
+    }
+}
+
+double ExplicitContact::stored_energy(const Positions& x) const {
+    double sum = bodies.stored_energy(x, now);
+    for (std::size_t o = 0; o < at_vertices.size(); ++o)
+        at_vertices[o].add_springs(x, now[o], Curvature::convex,
+                                   [&](Index, const PointForce& spring) { sum += spring.value; });
+    if (sheets) sum += sheets->value(x);
+    if (options.sheets) sum += lips.value(x);
+    return sum;
+}
+
+double ExplicitContact::largest_rate(const Positions& x, const Positions& motion) const {
+    const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
+    double sum = bodies.largest_rate(x, way);
+    for (std::size_t o = 0; o < at_vertices.size(); ++o)
+        sum = std::max(sum, at_vertices[o].largest_rate(x, now[o], way));
+    if (!sheets) return sum;
+    // Gershgorin: a pair's stiffness acts on each vertex by its weight, and the weights sum to two.
+    const Index first = sheets->surface().collider_vertices();
+    VectorXd rate = VectorXd::Zero(shell.mass.size());
+    const Positions& all = sheets->at_end(x);
+    for (const ContactPair& pair : sheets->pairs_within_reach(x, motion)) {
+        const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
+        for (int i = 0; i < 4; ++i)
+            if (pair.vertices[i] >= first)
+                rate[pair.vertices[i] - first] +=
+                    2 * std::abs(closest.weights[i]) * pair.stiffness / shell.mass[pair.vertices[i] - first];
+    }
+    for (const LipStencil& lip : shell.lips)
+        for (const Index v : lip.vertices) rate[v] += 2 * lip.stiffness / shell.mass[v];
+    return sum + rate.maxCoeff();
+}
+
+double ExplicitContact::obstacle_work(std::span<const Reaction> forces) const {
+    double sum = 0;
+    for (std::size_t o = 0; o < forces.size(); ++o)
+        if (options.obstacles[o].moves()) sum += work(forces[o], before[o], now[o]);
+    return sum;
+}
+
+void ExplicitContact::require_no_passage(const Positions& x, const Positions& motion) const {
+    if (sheets && sheets->safe_fraction_of_step(x, motion) < 1)
+        throw std::runtime_error(
+            "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
+            "contact are overwhelmed; a stiffer or a thicker sheet, or less speed, may help");
+}
+
+Touch ExplicitContact::touch(const Positions& x) const {
+    Touch touch;
+    std::set<const ColliderSurface*> surfaces;
+    if (sheets) sheets->add_touched(x, touch.vertices, surfaces);
+    for (std::size_t o = 0; o < at_vertices.size(); ++o) {
+        Touch own;
+        at_vertices[o].add_touch(x, now[o], own);
+        if (!own.vertices.empty() || surfaces.contains(options.obstacles[o].surface.get()))
+            touch.obstacles.insert(o);
+        touch.include(own);
+    }
+    bodies.add_touch(x, now, touch);
+    return touch;
+}
+
+}  // namespace sherd

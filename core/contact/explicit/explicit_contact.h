@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/contact/colliders/touch.h"
+#include "core/contact/contact_options.h"
+#include "core/contact/explicit/explicit_bodies.h"
+#include "core/contact/lips/lip.h"
+#include "core/contact/penalty/vertex_contact.h"
+#include "core/contact/sheets/sheet_contact.h"
+
+namespace sherd {
+
+/// All contact of a run in explicit steps: the same springs at vertices, columns of sheet and lips as in
+/// implicit ones (Contact), but pairs of elements are springs, too, and friction is a force at the present
+/// velocity that never turns the sliding round.
+class ExplicitContact {
+  public:
+    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
+    ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity);
+    ExplicitContact(const ExplicitContact&) = delete;  // its parts refer to its obstacles
+
+    /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
+    void place(double before, double time);
+    void shell_changed();
+    /// Forces at the end of a substep, where the obstacles are.
+    ContactForces forces(const Substep& substep);
+    /// Stored in all contacts with the shell at x, J.
+    double stored_energy(const Positions& x) const;
+    /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
+    /// a motion [3, V] m from x.
+    double largest_rate(const Positions& x, const Positions& motion) const;
+    /// Throws std::runtime_error if a sheet passes through another one, or through an obstacle's surface, in
+    /// the motion [3, V] m from x.
+    void require_no_passage(const Positions& x, const Positions& motion) const;
+    /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces:
+    /// the mean over the substep.
+    double obstacle_work(std::span<const Reaction> forces) const;
+
+    Touch touch(const Positions& x) const;
+    double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
+
+  private:
+    ContactOptions options;
+
+  public:
+    ExplicitBodies bodies;
+
+  private:
+    void add_obstacles(const Substep& substep, ContactForces& sum) const;
+    void add_sheets(const Substep& substep, ContactForces& sum) const;
+    void add_sheet_friction(const Substep& substep, ContactForces& sum) const;
+
+    const Shell& shell;
+    std::vector<VertexContact> at_vertices;      ///< of each obstacle
+    std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle
+    std::unique_ptr<SheetContact> sheets;        ///< null where no surfaces meet
+    LipContact lips;
+};
+
+}  // namespace sherd

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time/explicit_stepper.h"
+
+#include <cmath>
+
+#include "core/shell/supports.h"
+#include "core/time/highest_frequency.h"
+
+namespace sherd {
+namespace {
+
+/// Share of the stable substep that is taken: the estimate comes from below, and contact and large motions
+/// stiffen.
+constexpr double safety = 0.8;
+/// Contact begins and ends within a substep, which errs in energy by the square of substep times frequency:
+/// it therefore has a third of the longest one.
+constexpr double resolution_of_contact = 3;
+constexpr int first_iterations = 40, later_iterations = 8;
+
+bool is_told(const Shell& shell, Index vertex) {
+    return shell.fixed[vertex] != 0;
+}
+
+/// Kinetic energy, J, of what is not told where to be.
+double free_kinetic(const Shell& shell, const Positions& velocity) {
+    double sum = 0;
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
+        if (!is_told(shell, v)) sum += 0.5 * shell.mass[v] * velocity.col(v).squaredNorm();
+    return sum;
+}
+
+}  // namespace
+
+ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
+    : Stepper(shell, options),
+      contact(shell, options.contact, options.gravity),
+      elastic(forces.elastic()),
+      velocity(shell.velocity) {}
+
+Positions ExplicitStepper::Forces::sum() const {
+    Positions all = elastic + contact.force;
+    if (damping.cols() > 0) all += damping;
+    for (const Positions& one : outer) all += one;
+    return all;
+}
+
+bool ExplicitStepper::begin(double of_step) {
+    if (made) contact.bodies.restart();
+    step = {time, of_step, of_step, shell.position, shell.velocity, {}};
+    position = shell.position;
+    velocity = shell.velocity;
+    contact.bodies.begin();
+    contact.place(time, time);
+    const double elastic_energy = elastic_at_start(step);
+    for (Energy* energy : forces.loads()) energy->begin(step);
+    ledger.begin(elastic_energy + stored_in_contact(), moving(velocity, position));
+    work = {};
+    inertia_work = 0;
+    choose_substep();
+    if (first || made) feel();
+    first = made = false;
+    return true;
+}
+
+void ExplicitStepper::choose_substep() {
+    const Stopwatch watch(spent, Task::elasticity);
+    if (changed)
+        of_shell = highest_frequency(elastic, shell, shell.position,
+                                     mode.cols() == 0 ? first_iterations : later_iterations, mode);
+    changed = false;
+    const double of_contact =
+        resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, step.length * shell.velocity));
+    const double highest = std::hypot(of_shell, of_contact);
+    const double damped = 0.5 * options.shell.damping.stiffness * highest;
+    stable = safety * 2 / highest * (std::sqrt(1 + damped * damped) - damped);
+}
+
+ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
+    Forces all;
+    all.elastic = Positions::Zero(3, position.cols());
+    {
+        const Stopwatch watch(spent, Task::elasticity);
+        for (const Energy* energy : elastic) energy->add_gradient(position, all.elastic);
+        all.elastic *= -1;
+    }
+    for (const OuterEnergy& outer : forces.outer()) {
+        const Stopwatch watch(spent, Task::loads);
+        Positions gradient = Positions::Zero(3, position.cols());
+        outer.energy->add_gradient(outer.of_velocity ? Positions(step.origin + step.lag * now) : position,
+                                   gradient);
+        all.outer.push_back(-gradient);
+    }
+    const Stopwatch watch(spent, Task::contact);
+    all.contact = contact.forces({length, position, now});
+    return all;
+}
+
+void ExplicitStepper::feel() {
+    forces_now = forces_at(velocity);
+    accelerate();
+}
+
+void ExplicitStepper::accelerate() {
+    acceleration = forces_now.sum() * shell.mass.cwiseInverse().asDiagonal();
+    acceleration.colwise() += options.gravity;
+    constrain(shell, acceleration);
+}
+
+MinimiserResult ExplicitStepper::solve(int) {
+    const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
+    int count = 0;
+    if (!made) {
+        count = static_cast<int>(std::ceil(step.length / stable - 1e-9));
+        length = step.length / count;
+        for (int i = 0; i < count; ++i) make_substep(step.begin + step.length * i / count);
+        made = true;
+        contact.require_no_passage(step.origin, position - step.origin);
+        if (!position.allFinite())
+            throw std::runtime_error(
+                "explicit steps have become unstable: a shorter solver.step, or "
+                "softer contact, may help");
+        ledger.solved(stored());
+    }
+    return {count, true, 0};
+}
+
+Positions ExplicitStepper::move(double end) {
+    const Positions before = position;
+    velocity += length / 2 * acceleration;
+    position += length * velocity;
+    place_scripted(shell, end, position);
+    const Positions moved = position - before;
+    for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
+        if (shell.script[v] != 0) {
+            const Vector3d now = moved.col(v) / length;
+            const double change = 0.5 * shell.mass[v] * (now.squaredNorm() - velocity.col(v).squaredNorm());
+            work.balance.work_of_supports += change - shell.mass[v] * options.gravity.dot(moved.col(v));
+            velocity.col(v) = now;
+        }
+    return moved;
+}
+
+void ExplicitStepper::make_substep(double from) {
+    StepContext substep;
+    substep.begin = from;
+    substep.length = length;
+    contact.bodies.kick(length);
+    const Positions moved = move(substep.end());
+    contact.bodies.drift(length);
+    contact.place(from, substep.end());
+    if (forces.mirrors_move())
+        for (Energy* energy : elastic) energy->begin(substep);
+    const Forces before = std::move(forces_now);
+    const Positions acceleration_before = acceleration;
+    forces_now = forces_at(velocity);
+    if (options.shell.damping.stiffness > 0)
+        forces_now.damping = options.shell.damping.stiffness / length * (forces_now.elastic - before.elastic);
+    accelerate();
+    velocity += length / 2 * acceleration;
+    contact.bodies.kick(length);
+    const double of_mirrors = forces.mirror_work(substep, position);
+    work.balance.work_of_supports += of_mirrors;
+    work.against_stored += of_mirrors;
+    inertia_work +=
+        0.5 * ((acceleration_before + acceleration).cwiseProduct(moved).colwise().sum() * shell.mass).value();
+    enter(before, moved);
+}
+
+void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
+    const auto taken = [&](const Positions& one, const Positions& other) {
+        return -0.5 * (one.cwiseProduct(moved).sum() + other.cwiseProduct(moved).sum());
+    };
+    EnergyBalance& balance = work.balance;
+    if (before.damping.cols() == forces_now.damping.cols() && before.damping.cols() > 0)
+        balance.lost_to_damping += taken(before.damping, forces_now.damping);
+    else if (forces_now.damping.cols() > 0)
+        balance.lost_to_damping += -0.5 * forces_now.damping.cwiseProduct(moved).sum();
+    for (std::size_t i = 0; i < before.outer.size(); ++i)
+        balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
+    std::vector<Reaction> mean = before.contact.obstacles;
+    for (std::size_t o = 0; o < mean.size(); ++o) {
+        mean[o].force = 0.5 * (mean[o].force + forces_now.contact.obstacles[o].force);
+        mean[o].moment = 0.5 * (mean[o].moment + forces_now.contact.obstacles[o].moment);
+    }
+    const double of_obstacles = contact.obstacle_work(mean);
+    balance.work_of_obstacles += of_obstacles;
+    balance.lost_to_friction += forces_now.contact.lost_to_friction;
+    work.against_stored += taken(before.elastic, forces_now.elastic) +
+                           taken(before.contact.force, forces_now.contact.force) + of_obstacles -
+                           forces_now.contact.lost_to_friction;
+    // What moves scripted vertices works against all forces on them.
+    const Positions both = before.sum() + forces_now.sum();
+    for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
+        if (shell.script[v] != 0) balance.work_of_supports -= 0.5 * both.col(v).dot(moved.col(v));
+}
+
+void ExplicitStepper::topology_changed(const ShellChange& change) {
+    append(position, change.vertices);
+    append(velocity, change.vertices);
+    if (mode.cols() > 0) append(mode, change.vertices);
+    step.origin = shell.position;
+    step.velocity_origin = shell.velocity;
+    for (Energy* energy : elastic) energy->topology_changed(change, step);
+    for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
+    contact.shell_changed();
+    changed = true;
+    feel();
+    ledger.topology_changed(stored());
+}
+
+void ExplicitStepper::finish() {
+    work.against_stored -= contact.bodies.contact_work();
+    work.balance.lost_to_scheme = inertia_work - free_kinetic(shell, velocity) +
+                                  free_kinetic(shell, shell.velocity) + contact.bodies.work_of_all() -
+                                  contact.bodies.kinetic_change();
+    ledger.finish(work, stored(), moving(velocity, position));
+    shell.position = position;
+    shell.velocity = velocity;
+    time = step.end();
+    made = false;
+}
+
+std::vector<Reaction> ExplicitStepper::reactions() const {
+    std::vector<Reaction> all(options.supports);
+    if (options.supports > 0) {
+        // On what is held: mass times acceleration, which is zero where nothing moves it, less all forces.
+        Positions blocked = -forces_now.sum();
+        blocked -= options.gravity * shell.mass.transpose();
+        Positions free = blocked;
+        constrain(shell, free);
+        add_reactions(shell, position, blocked - free, all);
+        forces.add_mirror_reactions(position, all);
+    }
+    all.insert(all.end(), forces_now.contact.obstacles.begin(), forces_now.contact.obstacles.end());
+    return all;
+}
+
+}  // namespace sherd

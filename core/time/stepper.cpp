@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time/stepper.h"
+
+#include "core/time/explicit_stepper.h"
+#include "core/time/implicit_stepper.h"
+
+namespace sherd {
+namespace {
+
+/// In statics weight is a load like others: it grows with the load factor.
+Load weight_as_load(const Shell& shell, const Vector3d& gravity) {
+    Load load;
+    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
+        for (int corner = 0; corner < 3; ++corner)
+            load.dead.push_back({t, corner, shell.face_mass[t] / 3 * gravity});
+    return load;
+}
+
+ShellEnergyOptions shell_options(const Shell& shell, const StepperOptions& options) {
+    ShellEnergyOptions all = options.shell;
+    if (options.scheme == Scheme::statics && !options.gravity.isZero(0))
+        all.loads.push_back(weight_as_load(shell, options.gravity));
+    // The explicit scheme damps by what it has anyhow.
+    if (options.scheme == Scheme::explicit_differences) all.damping.stiffness = 0;
+    return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options) {
+    if (options.scheme == Scheme::explicit_differences)
+        return std::make_unique<ExplicitStepper>(shell, options);
+    return std::make_unique<ImplicitStepper>(shell, options);
+}
+
+Stepper::Stepper(Shell& shell, const StepperOptions& options)
+    : position(shell.position),
+      shell(shell),
+      options(options),
+      forces(shell, shell_options(shell, options)) {}
+
+PotentialEnergies Stepper::energies() const {
+    PotentialEnergies sum;
+    sum.bending = forces.bending_value(position);
+    sum.membrane = forces.membrane_value(position);
+    sum.gravity = -load() * options.gravity.dot(position * shell.mass);
+    for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
+    sum.contact = stored_in_contact();
+    return sum;
+}
+
+double Stepper::elastic_at_start(const StepContext& step) {
+    StepContext still = step;
+    still.length = 0;
+    for (Energy* energy : forces.elastic()) energy->begin(still);
+    return forces.bending_value(shell.position) + forces.membrane_value(shell.position);
+}
+
+double Stepper::weight(const Positions& x) const {
+    if (options.scheme == Scheme::statics) return 0;
+    double sum = -options.gravity.dot(x * shell.mass);
+    for (const RigidBody& body : bodies()) sum -= body.mass * options.gravity.dot(body.centre);
+    return sum;
+}
+
+double Stepper::moving(const Positions& velocity, const Positions& x) const {
+    if (options.scheme == Scheme::statics) return 0;
+    double kinetic = 0.5 * velocity.colwise().squaredNorm().dot(shell.mass);
+    for (const RigidBody& body : bodies()) kinetic += body.kinetic_energy();
+    return kinetic + weight(x);
+}
+
+}  // namespace sherd

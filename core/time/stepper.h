@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/contact/colliders/touch.h"
+#include "core/contact/contact_options.h"
+#include "core/forces/shell_energies.h"
+#include "core/solver/minimiser.h"
+#include "core/time/energy_ledger.h"
+
+namespace sherd {
+
+enum class Scheme { implicit_euler, statics, explicit_differences };
+
+struct StepperOptions {
+    Scheme scheme = Scheme::implicit_euler;
+    double step = 1e-4;             ///< s; in statics, of load factor
+    Vector3d gravity{0, 0, -9.81};  ///< m/s^2
+    double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction
+    Index supports = 0;             ///< number of pins, clamps and symmetry planes in Shell::holds
+    /// In statics: find the load factor, too, and end at last_load (EquilibriumPath). Else the load factor is
+    /// the time.
+    bool arc_length = false;
+    double last_load = 1;
+    ShellEnergyOptions shell = {};
+    ContactOptions contact = {};
+};
+
+/// Potential energies, J.
+struct PotentialEnergies {
+    double bending = 0, membrane = 0, gravity = 0, contact = 0;
+};
+
+/// Advances a shell in time, or in load. Between begin() and finish() the step is open: it can be solved, the
+/// shell changed, and, where solves_again() says so, the step solved again.
+class Stepper {
+  public:
+    virtual ~Stepper() = default;
+    Stepper(const Stepper&) = delete;  // the energies refer to the shell
+
+    /// Starts a step of StepperOptions::step, or of `length` s, from the shell's positions and velocities. An
+    /// open step is discarded. Returns false if it is too long for what moves as it is told. Throws
+    /// std::runtime_error if sheets overlap.
+    bool begin() { return begin(options.step); }
+    virtual bool begin(double length) = 0;
+    /// Advances `position` towards the end of the step, by at most `max_iterations` iterations.
+    virtual MinimiserResult solve(int max_iterations) = 0;
+    /// Whether a change of the shell changes the end of the open step.
+    virtual bool solves_again() const = 0;
+    /// Must be called when the shell has other vertices, hinges or lips. New vertices are placed where their
+    /// parents are.
+    virtual void topology_changed(const ShellChange& change) = 0;
+    /// Ends the step: the shell gets `position` as positions, and new velocities.
+    virtual void finish() = 0;
+
+    /// The factor of all loads in the open step, or in the last one: 1, but in statics.
+    virtual double load() const { return 1; }
+    /// Whether an equilibrium path has arrived at StepperOptions::last_load.
+    virtual bool arrived() const { return false; }
+    PotentialEnergies energies() const;                                ///< at `position`
+    const EnergyBalance& balance() const { return ledger.balance(); }  ///< of the finished steps
+    /// Those of ShellEnergies at `position`.
+    std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
+    Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
+    Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
+    /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
+    /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
+    /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.
+    virtual std::vector<Reaction> reactions() const = 0;
+    virtual Touch touch() const = 0;         ///< with obstacles and bodies
+    virtual double lip_overlap() const = 0;  ///< m
+    /// The bodies at the end of the last finished step.
+    virtual const std::vector<RigidBody>& bodies() const = 0;
+    /// Where the computing time of the step is booked; callers may book theirs on it, too.
+    TimeSpent& time_spent() { return spent; }
+    const TimeSpent& time_spent() const { return spent; }
+
+    Positions position;  ///< [3, V] m, at the end of the open step
+
+  protected:
+    /// The shell must outlive this object.
+    Stepper(Shell& shell, const StepperOptions& options);
+    virtual double stored_in_contact() const = 0;  ///< J, elastic, at `position`
+    /// J, of the shell's elasticity at its own positions, with clamps where they are when the step begins.
+    double elastic_at_start(const StepContext& step);
+    /// J, of elasticity and contact at `position`.
+    double stored() const {
+        return forces.bending_value(position) + forces.membrane_value(position) + stored_in_contact();
+    }
+    /// J, of gravity when the shell is at x; zero at the origin, and in statics, where weight is a load.
+    double weight(const Positions& x) const;
+    /// J, of the shell at this velocity (m/s) and of the bodies, and of gravity at x.
+    double moving(const Positions& velocity, const Positions& x) const;
+
+    mutable TimeSpent spent;  // of questions, too
+    Shell& shell;
+    StepperOptions options;
+    ShellEnergies forces;
+    EnergyLedger ledger;
+};
+
+/// The stepper of the options' scheme. The shell must outlive it.
+std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options);
+
+}  // namespace sherd

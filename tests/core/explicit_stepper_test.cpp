@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Explicit steps beside theory, and beside what they have to keep: were the substep too long, a force missing
+// or counted late, energy would grow, momentum be lost or a frequency be off.
+#include "core/time/explicit_stepper.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/time/highest_frequency.h"
+#include "tests/support/contact_pairs.h"
+#include "tests/support/materials.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+
+namespace sherd {
+namespace {
+
+StepperOptions explicit_steps(double step, bool gravity = false) {
+    StepperOptions options;
+    options.scheme = Scheme::explicit_differences;
+    options.step = step;
+    if (!gravity) options.gravity.setZero();
+    return options;
+}
+
+void advance(Stepper& stepper, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        ASSERT_TRUE(stepper.begin());
+        ASSERT_TRUE(stepper.solve(1).converged);
+        stepper.finish();
+    }
+}
+
+/// Eigenvalues, 1/s^2, and modes of the shell at rest, with fixed vertices left out.
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_at_rest(Stepper& stepper, const Shell& shell,
+                                                                        std::vector<Energy*> energies) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : energies) energy->add_pattern(pairs);
+    BlockMatrix matrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed);
+    for (const Energy* energy : energies) energy->add_hessian(stepper.position, Curvature::exact, matrix);
+    const VectorXd mass = shell.mass.replicate(1, 3).transpose().reshaped();
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(test::dense(matrix),
+                                                                     Eigen::MatrixXd(mass.asDiagonal()));
+}
+
+class ExplicitModes : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        ExplicitStepper stepper(shell, explicit_steps(1e-5));
+        const auto solved = modes_at_rest(stepper, shell, forces.elastic());
+        squares = solved.eigenvalues();
+        modes = solved.eigenvectors();
+    }
+
+    Shell shell = test::stacked_plates(1, 5, 0, test::glass);
+    ShellEnergies forces{shell, {}};
+    VectorXd squares;
+    Eigen::MatrixXd modes;
+};
+
+// A longer substep than the highest frequency allows makes energy out of nothing.
+TEST_F(ExplicitModes, TheHighestFrequencyIsFoundFromBelow) {
+    Positions mode;
+    const double exact = std::sqrt(squares.maxCoeff());
+    const double found = highest_frequency(forces.elastic(), shell, shell.position, 40, mode);
+    EXPECT_LE(found, exact * (1 + 1e-6));
+    EXPECT_GT(found, 0.97 * exact);
+    const double again = highest_frequency(forces.elastic(), shell, shell.position, 8, mode);
+    EXPECT_GT(again, 0.97 * exact);
+}
+
+// A mode of vibration swings with its own frequency, and keeps its energy.
+TEST_F(ExplicitModes, SwingWithTheirFrequencyAndKeepTheirEnergy) {
+    const Eigen::Index number = 20;  // a bending mode; the first six are rigid
+    const double frequency = std::sqrt(squares[number]), period = 2 * std::numbers::pi / frequency;
+    const Positions shape = modes.col(number).reshaped(3, shell.mass.size());
+    const double scale = 1e-6 / shape.cwiseAbs().maxCoeff();
+    shell.position = shell.rest + scale * shape;
+    ExplicitStepper stepper(shell, explicit_steps(period / 50));
+    advance(stepper, 500);
+    const double energy = 0.5 * squares[number] * scale * scale;
+    const PotentialEnergies stored = stepper.energies();
+    EXPECT_NEAR(stored.bending + stored.membrane + kinetic_energy(shell), energy, 0.01 * energy);
+    const Positions away = (shell.position - shell.rest) / scale;
+    const double phase = (away.cwiseProduct(shape).colwise().sum() * shell.mass).value();
+    EXPECT_GT(phase, 0.99) << "after ten periods it is where it began";
+}
+
+// Damping by stiffness takes the energy of a mode at the rate coefficient times frequency squared.
+TEST_F(ExplicitModes, DampingTakesTheEnergyThatTheoryTells) {
+    const Eigen::Index number = 20;
+    const double frequency = std::sqrt(squares[number]), period = 2 * std::numbers::pi / frequency;
+    const Positions shape = modes.col(number).reshaped(3, shell.mass.size());
+    const double scale = 1e-6 / shape.cwiseAbs().maxCoeff();
+    shell.position = shell.rest + scale * shape;
+    StepperOptions options = explicit_steps(period / 50);
+    const double ratio = 0.01;
+    options.shell.damping.stiffness = 2 * ratio / frequency;
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 500);
+    const double energy = 0.5 * squares[number] * scale * scale;
+    const double left = std::exp(-2 * ratio * 2 * std::numbers::pi * 10);
+    EXPECT_NEAR(stepper.balance().lost_to_damping, (1 - left) * energy, 0.02 * energy);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * energy);
+}
+
+// What flies and swings by large angles keeps energy and both momenta.
+TEST(ExplicitStepper, KeepsEnergyAndMomentumInFreeFlight) {
+    Shell shell = test::stacked_plates(1, 6, 0, test::rubber);
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v) {
+        const Vector3d at = shell.rest.col(v);
+        shell.velocity.col(v) =
+            Vector3d(1, 2, 3) + Vector3d(40, 10, -20).cross(at) + Vector3d(0, 0, 400 * at.x() * at.y());
+    }
+    const Vector3d linear = linear_momentum(shell), angular = angular_momentum(shell);
+    const double kinetic = kinetic_energy(shell);
+    ExplicitStepper stepper(shell, explicit_steps(2e-4));
+    advance(stepper, 500);
+    EXPECT_LT((linear_momentum(shell) - linear).norm(), 1e-11 * linear.norm());
+    EXPECT_LT((angular_momentum(shell) - angular).norm(), 1e-6 * angular.norm());
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 2e-3 * kinetic);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-11 * kinetic);
+}
+
+// The sag of a strip that is held at one end, once it has come to rest: the same that a solution finds.
+TEST(ExplicitStepper, ComesToRestWhereStaticsDo) {
+    Shell shell = test::stacked_plates(1, 5, 0, test::firm_rubber);
+    for (const Index v : {0, 1, 2, 3, 4, 5}) shell.fixed[v] = 1;
+    StepperOptions options = explicit_steps(5e-4, true);
+    for (const TriangleEdge& side : boundary_triangle_edges(shell, shell.fixed))
+        options.shell.mirrors.push_back(clamp_hinge(shell, side, hinge_stiffness(test::firm_rubber)));
+    options.shell.damping.mass = 60;
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 2000);
+    const Positions rested = shell.position;
+    shell.position = shell.rest;
+    shell.velocity.setZero();
+    options.scheme = Scheme::implicit_euler;
+    options.step = 5e-3;
+    const auto implicit = make_stepper(shell, options);
+    for (int i = 0; i < 200; ++i) {
+        ASSERT_TRUE(implicit->begin());
+        ASSERT_TRUE(implicit->solve(50).converged);
+        implicit->finish();
+    }
+    EXPECT_GT((rested - shell.rest).row(2).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_LT((rested - shell.position).norm(), 1e-3 * (rested - shell.rest).norm());
+}
+
+// A plate that slides stops after v^2 / (2 mu g), and friction has taken all it had.
+TEST(ExplicitStepper, FrictionStopsAPlateAfterItsWay) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    StepperOptions options = explicit_steps(2e-4, true);
+    options.contact.obstacles = {test::floor(1e6, 0.5)};
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
+        shell.position(2, v) =
+            0.5 * shell.thickness[v] -
+            shell.mass[v] * 9.81 /
+                column_stiffness(shell.footprint[v], shell.thickness[v], shell.young[v], 1e6);
+    shell.velocity.row(0).setConstant(0.4);
+    const double kinetic = kinetic_energy(shell), way = 0.4 * 0.4 / (2 * 0.5 * 9.81);
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 600);
+    EXPECT_NEAR((shell.position - shell.rest).row(0).mean(), way, 0.02 * way);
+    EXPECT_NEAR(stepper.balance().lost_to_friction, kinetic, 0.02 * kinetic);
+    EXPECT_LT(linear_momentum(shell).head<2>().norm(), 1e-3 * shell.mass.sum() * 0.4);
+}
+
+// A ball that a plate throws back: momentum goes over, energy stays.
+TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
+    Shell shell = test::stacked_plates(1, 8, 0, test::glass);
+    RigidBody ball = rigid_sphere(0.01, 7850);
+    ball.surface = test::sphere_surface(0.01, 2);
+    ball.centre = Vector3d(0.011, 0.007, 0.0122);
+    ball.velocity = Vector3d(0.5, 0, -2);
+    ball.angular_momentum = ball.inertia.asDiagonal() * Vector3d(30, 0, 10);
+    StepperOptions options = explicit_steps(2e-6);
+    options.contact.bodies = {ball};
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 600);
+    const RigidBody& after = stepper.bodies().front();
+    EXPECT_GT(after.velocity.z(), -1.9) << "they have not met";
+    const Vector3d total = linear_momentum(shell) + ball.mass * after.velocity;
+    EXPECT_LT((total - ball.mass * ball.velocity).norm(), 1e-10 * ball.mass * 2);
+    const Vector3d turning =
+        angular_momentum(shell) + after.mass * after.centre.cross(after.velocity) + after.angular_momentum;
+    const Vector3d before = ball.mass * ball.centre.cross(ball.velocity) + ball.angular_momentum;
+    EXPECT_LT((turning - before).norm(), 1e-6 * before.norm());
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 5e-3 * ball.kinetic_energy());
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * ball.kinetic_energy());
+}
+
+// A plate that is thrown at another one stops, and the other one flies on.
+TEST(ExplicitStepper, PlatesDoNotPassButExchangeTheirVelocity) {
+    Shell shell = test::stacked_plates(2, 4, 4.2e-3, test::glass);
+    const Index half = static_cast<Index>(shell.mass.size()) / 2;
+    shell.velocity.rightCols(half).row(2).setConstant(-1);
+    StepperOptions options = explicit_steps(2e-6);
+    options.contact.sheets = true;
+    ExplicitStepper stepper(shell, options);
+    const Vector3d momentum = linear_momentum(shell);
+    const double kinetic = kinetic_energy(shell);
+    double nearest = 1;
+    for (int i = 0; i < 250; ++i) {
+        advance(stepper, 1);
+        nearest = std::min(nearest, test::smallest_distance(shell, shell.position));
+    }
+    EXPECT_LT(nearest, 4e-3) << "they have not met";
+    EXPECT_GT(nearest, 1e-3);
+    EXPECT_LT((linear_momentum(shell) - momentum).norm(), 1e-11 * momentum.norm());
+    EXPECT_NEAR(shell.velocity.rightCols(half).row(2).mean(), 0, 0.05);
+    EXPECT_NEAR(shell.velocity.leftCols(half).row(2).mean(), -1, 0.05);
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * kinetic);
+}
+
+// What moves as it is told is where it is told to be, and its work is in the balance.
+TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    Motion motion;
+    motion.keys = {{0}, {0.02, Vector3d(0, 0, 0.01)}};
+    shell.motions.push_back(motion);
+    for (const Index v : {0, 4}) {
+        shell.fixed[v] = 1;
+        shell.script[v] = 1;
+    }
+    ExplicitStepper stepper(shell, explicit_steps(1e-4, true));
+    advance(stepper, 200);
+    EXPECT_NEAR(shell.position(2, 4), 0.01, 1e-12);
+    const double energy = stepper.balance().work_of_supports;
+    EXPECT_GT(energy, 0);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * energy);
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * energy);
+}
+
+}  // namespace
+}  // namespace sherd
