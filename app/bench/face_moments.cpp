@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/shell/shell.h"
+
 namespace sherd {
 
 double side_of(const Shell& shell, Index face) {
