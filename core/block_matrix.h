@@ -19,7 +19,7 @@ class BlockMatrix {
     /// vertex) stay those of the identity.
     /// A vertex with guide[v] = k > 0 is restricted by the projection P = guides[k - 1]: its rows and columns
     /// are projected, and are those of the identity in the directions that P removes.
-    BlockMatrix(Index vertices, std::vector<std::pair<Index, Index>> pairs, std::vector<char> fixed,
+    BlockMatrix(Index vertices, const std::vector<std::pair<Index, Index>>& pairs, std::vector<char> fixed,
                 std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
 
     void set_zero();
@@ -28,6 +28,10 @@ class BlockMatrix {
     /// Adds `block` at block row i, block column j. The caller adds each unordered pair once, since (j, i) is
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
+    /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add() but
+    /// faster where there are many. The vertices ascend, and all their pairs have blocks.
+    template <class Block>
+    void add_all(std::span<const Index> vertices, const Block& block);
 
     /// Sets the values to (1 - share) `from` + share `to`, both values() of this pattern.
     void blend(std::span<const double> from, std::span<const double> to, double share);
@@ -42,7 +46,13 @@ class BlockMatrix {
     /// Index of the block at (row, column) among those below the diagonal, or of the position where it would
     /// be inserted.
     Index rank(Index row, Index column) const;
-    void add_diagonal(Index vertex, const Matrix3d& block);
+    void find_blocks(Index vertices, const std::vector<std::pair<Index, Index>>& pairs);
+    /// Adds a block with i >= j. With i > j it has this rank among those below the diagonal of column j.
+    void add_at(Index rank, Index i, Index j, const Matrix3d& block);
+    /// The same, of vertices that are free.
+    void add_free(Index rank, Index i, Index j, const Matrix3d& block);
+    /// What is left of a block where one of its vertices is guided.
+    Matrix3d guided_part(Index i, Index j, const Matrix3d& block) const;
 
     std::vector<Index> block_start;  ///< [vertices + 1] first below-diagonal block of each block column
     std::vector<Index> block_row;    ///< block rows below the diagonal, ascending within a column
@@ -51,6 +61,41 @@ class BlockMatrix {
     std::vector<char> fixed, guide;
     std::vector<Matrix3d> guides;
 };
+
+inline void BlockMatrix::add_free(Index rank, Index i, Index j, const Matrix3d& block) {
+    for (Index c = 0; c < 3; ++c) {
+        double* const diagonal = &value[column_start[3 * j + c]];
+        if (i == j) {
+            for (Index r = c; r < 3; ++r) diagonal[r - c] += block(r, c);
+        } else {
+            double* const below = diagonal + 3 - c + 3 * rank;
+            Eigen::Map<Vector2d>{below} += block.col(c).head<2>();
+            below[2] += block(2, c);
+        }
+    }
+}
+
+inline void BlockMatrix::add_at(Index rank, Index i, Index j, const Matrix3d& block) {
+    if (fixed[i] || fixed[j]) return;
+    if (guided(i) || guided(j))
+        add_free(rank, i, j, guided_part(i, j, block));
+    else
+        add_free(rank, i, j, block);
+}
+
+template <class Block>
+void BlockMatrix::add_all(std::span<const Index> vertices, const Block& block) {
+    for (std::size_t b = 0; b < vertices.size(); ++b) {
+        const Index column = vertices[b];
+        add_at(0, column, column, block(b, b));
+        const Index* const rows = block_row.data() + block_start[column];
+        Index rank = 0;
+        for (std::size_t a = b + 1; a < vertices.size(); ++a) {
+            while (rows[rank] < vertices[a]) ++rank;
+            add_at(rank, vertices[a], column, block(a, b));
+        }
+    }
+}
 
 /// Adds the symmetric Hessian `local` [3 N, 3 N] of an element with `vertices` [N] (coordinate fastest).
 /// Vertices with negative numbers are skipped.

@@ -24,6 +24,12 @@ double least_seconds(const std::function<void()>& work) {
     return least;
 }
 
+BlockMatrix laid_out(const Shell& shell, const std::vector<Energy*>& energies) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Energy* energy : energies) energy->add_pattern(pairs);
+    return {static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides};
+}
+
 }  // namespace
 
 NewtonCost newton_cost(const std::string& scene) {
@@ -33,18 +39,17 @@ NewtonCost newton_cost(const std::string& scene) {
     ShellEnergies energies(shell, built.options.stepper.shell);
     const std::vector<Energy*> all = energies.elastic();
     const Positions& x = shell.position;
-    std::vector<std::pair<Index, Index>> pairs;
-    for (const Energy* energy : all) energy->add_pattern(pairs);
-    BlockMatrix matrix(static_cast<Index>(x.cols()), pairs, shell.fixed, shell.guide, shell.guides);
+    NewtonCost cost;
+    cost.layout = least_seconds([&] { laid_out(shell, all); });
+    BlockMatrix matrix = laid_out(shell, all);
     const std::unique_ptr<LinearSolver> solver = cholesky_solver();
-    solver->analyze(matrix);
+    cost.analysis = least_seconds([&] { solver->analyze(matrix); });
     Positions gradient = Positions::Zero(3, x.cols());
     double sum = 0;
     const auto assemble = [&] {
         matrix.set_zero();
         for (const Energy* energy : all) energy->add_hessian(x, Curvature::exact, matrix);
     };
-    NewtonCost cost;
     cost.vertices = shell.mass.size();
     const auto vertices = static_cast<double>(cost.vertices);
     cost.hessian_entries = (2 * static_cast<double>(matrix.values().size()) - matrix.size()) / vertices;

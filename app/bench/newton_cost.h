@@ -13,6 +13,7 @@ struct NewtonCost {
     double hessian_entries = 0, factor_entries = 0;  ///< a vertex; of the whole symmetric Hessian
     double gradient = 0, hessian = 0, factorization = 0;
     double iteration = 0;  ///< all three, the solution with the factor and an energy for the line search
+    double layout = 0, analysis = 0;  ///< of a new matrix, as after a crack
 };
 
 /// Measures it on the elastic energies of a scene where it starts. scene: as TOML.

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "app/bench/elastica.h"
+#include "app/bench/face_moments.h"
 #include "app/bench/scene_words.h"
 #include "app/bench/shell_case.h"
 
@@ -127,36 +129,80 @@ ShellCase twisted_strip() {
             .source = "forces at the corners, w = P x y / (2 D (1 - nu)); nu 0.3"};
 }
 
-/// The energy of a ring of rigidity 1 and radii `inner` and 1 that is clamped at both rims, under a pressure
-/// of 1: half the work of w = r^4 / 64 + a + b r^2 + c ln r + d r^2 ln r.
-double clamped_ring_energy(double inner) {
+constexpr double ring_inner = 0.4;
+
+/// A ring of rigidity 1 and radii `ring_inner` and 1 that is clamped at both rims, under a pressure of 1.
+class ClampedRing {
+  public:
+    ClampedRing();
+    double energy() const;  ///< half the work
+    /// See PlateMoments; the pressure pushes towards z.
+    Eigen::Matrix2d moments(const Vector2d& p) const;
+
+  private:
+    Vector4d found;  ///< a, b, c, d: w = r^4 / 64 + a + b r^2 + c ln r + d r^2 ln r
+};
+
+ClampedRing::ClampedRing() {
     const auto shapes = [](double r) { return Vector4d(1, r * r, std::log(r), r * r * std::log(r)); };
     const auto slopes = [](double r) { return Vector4d(0, 2 * r, 1 / r, 2 * r * std::log(r) + r); };
     Eigen::Matrix4d rims;
-    rims << shapes(inner).transpose(), slopes(inner).transpose(), shapes(1).transpose(),
+    rims << shapes(ring_inner).transpose(), slopes(ring_inner).transpose(), shapes(1).transpose(),
         slopes(1).transpose();
-    const double r3 = std::pow(inner, 3);
-    const Vector4d found = -rims.inverse() * Vector4d(r3 * inner / 64, r3 / 16, 1.0 / 64, 1.0 / 16);
+    const double r3 = std::pow(ring_inner, 3);
+    found = -rims.inverse() * Vector4d(r3 * ring_inner / 64, r3 / 16, 1.0 / 64, 1.0 / 16);
+}
+
+double ClampedRing::energy() const {
     constexpr int pieces = 1000;
     double work = 0;
     for (int i = 0; i < pieces; ++i) {  // midpoint rule
-        const double r = inner + (1 - inner) * (i + 0.5) / pieces;
-        work += 2 * pi * r * (std::pow(r, 4) / 64 + shapes(r).dot(found)) * (1 - inner) / pieces;
+        const double r = ring_inner + (1 - ring_inner) * (i + 0.5) / pieces, r2 = r * r;
+        const double w = r2 * r2 / 64 + found.dot(Vector4d(1, r2, std::log(r), r2 * std::log(r)));
+        work += 2 * pi * r * w * (1 - ring_inner) / pieces;
     }
     return work / 2;
 }
 
+Eigen::Matrix2d ClampedRing::moments(const Vector2d& p) const {
+    const double r2 = p.squaredNorm(), log = std::log(r2) / 2;
+    const double along = 3 * r2 / 16 + found.dot(Vector4d(0, 2, -1 / r2, 2 * log + 3));  // w''
+    const double around = r2 / 16 + found.dot(Vector4d(0, 2, 1 / r2, 2 * log + 1));      // w' / r
+    const Eigen::Matrix2d radial = p * p.transpose() / r2;
+    const Eigen::Matrix2d second = around * Eigen::Matrix2d::Identity() + (along - around) * radial;
+    return -((1 - plate_poisson) * second + plate_poisson * second.trace() * Eigen::Matrix2d::Identity());
+}
+
+/// Of faces away from the rims.
+std::vector<ShellResult> measure_ring(const ClampedRing& ring, const Simulation& simulation,
+                                      const StepReport&) {
+    const Shell& shell = simulation.shell().mechanics();
+    const double push = small * side_of(shell, 0);  // pressure pushes along normals
+    const auto exact = [&](const Vector2d& p) -> Eigen::Matrix2d { return push * ring.moments(p); };
+    return {{"moments, rms",
+             moments_error(shell, simulation.snapshot().fields, exact, plate_thickness, 0.5, 0.9)}};
+}
+
 ShellCase clamped_ring() {
-    constexpr double inner = 0.4;
-    return {.name = "plate, clamped ring under pressure",
-            .sheet = revolution(line(inner, 0, 1, 0), 360) + unit_plate() + "clamp = { boundary = true }\n",
-            .rest = fmt::format("[[force.load]]\npressure = {}\n", small),
-            .step = 1,
-            .edges = {0.06, 0.03, 0.015},
-            .has_structured = false,
-            .measure = energy_beside(small * small * clamped_ring_energy(inner)),
-            .measured = "energy",
-            .source = "radii 0.4 and 1, the plate's equation; nu 0.3"};
+    return {
+        .name = "plate, clamped ring under pressure",
+        .sheet = revolution(line(ring_inner, 0, 1, 0), 360) + unit_plate() + "clamp = { boundary = true }\n",
+        .rest = fmt::format("[[force.load]]\npressure = {}\n", small),
+        .step = 1,
+        .edges = {0.06, 0.03, 0.015},
+        .has_structured = false,
+        .measure = energy_beside(small * small * ClampedRing().energy()),
+        .measured = "energy",
+        .source = "radii 0.4 and 1, the plate's equation; nu 0.3"};
+}
+
+ShellCase moments_of_ring() {
+    ShellCase ring = clamped_ring();
+    ring.name = "plate, moments of the clamped ring";
+    ring.add_loads = [](const Shell&, SimulationOptions& options) { options.fields.stress = true; };
+    ring.measure = std::bind_front(measure_ring, ClampedRing());
+    ring.measured = "moments of faces between the radii 0.5 and 0.9 (rms)";
+    return ring;
 }
 
 }  // namespace
@@ -168,7 +214,8 @@ std::vector<ShellCase> plate_cases() {
             orthotropic_strips(),
             heavy_elastica(),
             twisted_strip(),
-            clamped_ring()};
+            clamped_ring(),
+            moments_of_ring()};
 }
 
 }  // namespace sherd

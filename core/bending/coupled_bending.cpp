@@ -9,16 +9,6 @@
 #include <numeric>
 
 namespace sherd {
-namespace {
-
-/// How the curvature of a face changes with the position of a vertex, 1/m^2.
-struct VertexCurvature {
-    Index vertex;
-    Matrix3d slope;
-};
-
-}  // namespace
-
 CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
     : shell(shell), folds(shell, mirrors), curvature(shell, folds), start(folds.rest_angles()) {
     count_all();
@@ -28,6 +18,7 @@ void CoupledBending::count_all() {
     counted.resize(shell.triangles.size());
     std::iota(counted.begin(), counted.end(), 0);
     needed = folds.present();
+    find_reach();
 }
 
 void CoupledBending::count_only(std::vector<Index> faces) {
@@ -42,6 +33,23 @@ void CoupledBending::find_needed() {
         for (const auto& [fold, per_angle] : curvature.terms(face)) is_needed[fold] = 1;
     needed = folds.present();
     std::erase_if(needed, [&](Index fold) { return is_needed[fold] == 0; });
+    find_reach();
+}
+
+void CoupledBending::find_reach() {
+    reach.clear();
+    for (const Index face : counted) {
+        auto& [vertices, places] = reach.emplace_back();
+        for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
+        std::ranges::sort(vertices);
+        for (const auto& [fold, per_angle] : curvature.terms(face)) {
+            std::array<Index, 4> place = folds.vertices(fold);
+            for (Index& vertex : place)
+                if (vertex >= 0)
+                    vertex = static_cast<Index>(std::ranges::find(vertices, vertex) - vertices.begin());
+            places.push_back(place);
+        }
+    }
 }
 
 void CoupledBending::start_from(const Positions& x, double factor) {
@@ -115,37 +123,35 @@ void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const
     folds.add_gradient(x, moments(changes(x, needed)), gradient, needed);
 }
 
+void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
+                                 std::vector<Matrix3d>& slopes) const {
+    slopes.assign(reach[i].vertices.size(), Matrix3d::Zero());
+    auto place = reach[i].places.begin();
+    for (const auto& [fold, per_angle] : curvature.terms(counted[i])) {
+        const HingePositions& gradient = of_folds[fold].gradient;
+        for (int v = 0; v < 4; ++v)
+            if ((*place)[v] >= 0) slopes[(*place)[v]] += per_angle * gradient.col(v).transpose();
+        ++place;
+    }
+    const Matrix3d root = rigidity(counted[i]).llt().matrixU();
+    for (Matrix3d& slope : slopes) slope = (root * slope).eval();
+}
+
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
-    const std::vector<Folds::Slope> all = folds.slopes(x, needed);
-    std::vector<VertexCurvature> local;
-    for (const Index face : counted) {
-        local.clear();
-        for (const auto& [fold, per_angle] : curvature.terms(face)) {
-            const auto& [vertices, gradient] = all[fold];
-            for (int v = 0; v < 4; ++v) {
-                if (vertices[v] < 0) continue;
-                auto at = std::ranges::find(local, vertices[v], &VertexCurvature::vertex);
-                if (at == local.end()) at = local.insert(at, {vertices[v], Matrix3d::Zero()});
-                at->slope += per_angle * gradient.col(v).transpose();
-            }
-        }
-        const Matrix3d root = rigidity(face).llt().matrixU();
-        for (auto& [vertex, slope] : local) slope = (root * slope).eval();
-        for (std::size_t a = 0; a < local.size(); ++a)
-            for (std::size_t b = 0; b <= a; ++b)
-                hessian.add(local[a].vertex, local[b].vertex, local[a].slope.transpose() * local[b].slope);
+    const std::vector<Folds::Slope> of_folds = folds.slopes(x, needed);
+    std::vector<Matrix3d> slopes;
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        find_slopes(i, of_folds, slopes);
+        hessian.add_all(reach[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
+            return slopes[a].transpose() * slopes[b];
+        });
     }
     // What the angles' own second derivatives add.
     if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, needed)), hessian, needed);
 }
 
 void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    std::vector<Index> vertices;
-    for (const Index face : counted) {
-        vertices.clear();
-        for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
-        add_pairs(pairs, std::span<const Index>(vertices));
-    }
+    for (const auto& [vertices, places] : reach) add_pairs(pairs, std::span<const Index>(vertices));
 }
 
 }  // namespace sherd

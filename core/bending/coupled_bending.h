@@ -48,8 +48,19 @@ class CoupledBending : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
   private:
+    /// The vertices on which the curvature of a face depends.
+    struct Reach {
+        std::vector<Index> vertices;               ///< ascending
+        std::vector<std::array<Index, 4>> places;  ///< among them, of each term's fold; -1: no vertex
+    };
+
     void count_all();
     void find_needed();
+    void find_reach();
+    /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
+    /// positions of the vertices in its reach, sqrt(J) / m.
+    void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
+                     std::vector<Matrix3d>& slopes) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const;
     VectorXd moments(const VectorXd& changes) const;
 
@@ -59,6 +70,7 @@ class CoupledBending : public Energy {
     bool of_all = true;          ///< whether all faces count
     std::vector<Index> counted;  ///< faces that count
     std::vector<Index> needed;   ///< present folds on which their curvature depends
+    std::vector<Reach> reach;    ///< of each face that counts
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
 };

@@ -8,26 +8,47 @@ namespace {
 
 using ArcHessian = Eigen::Matrix<double, 12, 12>;
 
+/// The derivatives of a face's energy by the positions of its corners and the curvature along its sides.
+using ArcColumns = Eigen::Matrix<double, 12, 3>;
+
 /// How the curvature along the sides of a face changes with the position of a vertex, 1/m^2, a row for each
-/// side. The face's own vertices come first, in its order.
+/// side.
 struct BentSides {
     Index vertex;
+    int corner;  ///< of the face; -1: of a face around
     Matrix3d slope;
 };
 
 Matrix3d& slope_at(std::vector<BentSides>& all, Index vertex) {
     auto at = std::ranges::find(all, vertex, &BentSides::vertex);
-    if (at == all.end()) at = all.insert(at, {vertex, Matrix3d::Zero()});
+    if (at == all.end()) at = all.insert(at, {vertex, -1, Matrix3d::Zero()});
     return at->slope;
 }
 
-/// The block of two vertices in the Hessian of a face, of its derivatives by positions and curvature.
-Matrix3d block(const ArcHessian& h, const std::vector<BentSides>& all, std::size_t a, std::size_t b) {
-    Matrix3d sum = all[a].slope.transpose() * h.bottomRightCorner<3, 3>() * all[b].slope;
-    const auto row = static_cast<Eigen::Index>(3 * a), column = static_cast<Eigen::Index>(3 * b);
-    if (a < 3) sum += h.block<3, 3>(row, 9) * all[b].slope;
-    if (b < 3) sum += all[a].slope.transpose() * h.block<3, 3>(9, column);
-    if (a < 3 && b < 3) sum += h.block<3, 3>(row, column);
+/// Of all vertices on which they depend, ascending.
+void find_sides(const std::array<Index, 3>& corners, const SideCurvature& curvature, std::size_t face,
+                const std::vector<Folds::Slope>& slopes, std::vector<BentSides>& all) {
+    all.clear();
+    for (int corner = 0; corner < 3; ++corner) all.push_back({corners[corner], corner, Matrix3d::Zero()});
+    for (int side = 0; side < 3; ++side)
+        for (const auto& [fold, weight] : curvature.shares(face, side))
+            for (int v = 0; v < 4; ++v)
+                if (const Index vertex = slopes[fold].vertices[v]; vertex >= 0)
+                    slope_at(all, vertex).row(side) += weight * slopes[fold].gradient.col(v).transpose();
+    std::ranges::sort(all, {}, &BentSides::vertex);
+}
+
+/// How these derivatives change with the position of a vertex.
+ArcColumns columns_of(const BentSides& at, const ArcHessian& hessian) {
+    ArcColumns sum = hessian.rightCols<3>() * at.slope;
+    if (at.corner >= 0) sum += hessian.middleCols<3>(3 * at.corner);
+    return sum;
+}
+
+/// The block of a vertex in the Hessian of a face, beside the vertex with these columns.
+Matrix3d block(const BentSides& at, const ArcColumns& other) {
+    Matrix3d sum = at.slope.transpose() * other.bottomRows<3>();
+    if (at.corner >= 0) sum += other.middleRows<3>(3 * at.corner);
     return sum;
 }
 
@@ -117,20 +138,19 @@ void ArcMembrane::add_hessian(const Positions& x, Curvature kind, BlockMatrix& h
     const VectorXd angles = folds.angles(x);
     const std::vector<Folds::Slope> slopes = folds.slopes(x);
     std::vector<BentSides> local;
+    std::vector<Index> vertices;
+    std::vector<ArcColumns> columns;
     for (std::size_t face = 0; face < triangles.size(); ++face) {
-        local.clear();
-        for (const Index vertex : shell.triangles[face].vertices) local.push_back({vertex, Matrix3d::Zero()});
-        for (int side = 0; side < 3; ++side)
-            for (const auto& [fold, weight] : curvature.shares(face, side))
-                for (int v = 0; v < 4; ++v)
-                    if (const Index vertex = slopes[fold].vertices[v]; vertex >= 0)
-                        slope_at(local, vertex).row(side) +=
-                            weight * slopes[fold].gradient.col(v).transpose();
+        find_sides(shell.triangles[face].vertices, curvature, face, slopes, local);
         const ArcHessian own = sherd::hessian(triangles[face], corners(x, face), curvature.of(face, angles),
                                               kind == Curvature::convex);
-        for (std::size_t a = 0; a < local.size(); ++a)
-            for (std::size_t b = 0; b <= a; ++b)
-                hessian.add(local[a].vertex, local[b].vertex, block(own, local, a, b));
+        vertices.clear();
+        columns.clear();
+        for (const BentSides& at : local) {
+            vertices.push_back(at.vertex);
+            columns.push_back(columns_of(at, own));
+        }
+        hessian.add_all(vertices, [&](std::size_t a, std::size_t b) { return block(local[a], columns[b]); });
     }
     if (kind == Curvature::exact) folds.add_hessian(x, moments(gradients(x, angles)), hessian);
 }

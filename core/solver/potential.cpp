@@ -57,8 +57,7 @@ BlockMatrix Potential::hessian_pattern(const Positions& x) const {
         energy.add_pattern(pairs);
         energy.add_contacts(x, true, pairs);
     });
-    return BlockMatrix(static_cast<Index>(shell.mass.size()), std::move(pairs), shell.fixed, shell.guide,
-                       shell.guides);
+    return BlockMatrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides);
 }
 
 bool Potential::fits(const Positions& x, const BlockMatrix& hessian) const {

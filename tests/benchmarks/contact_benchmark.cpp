@@ -95,7 +95,7 @@ Positions shaking(const Shell& sheet) {
 BlockMatrix contact_matrix(const Shell& sheet, const SheetContact& contact) {
     std::vector<std::pair<Index, Index>> pairs;
     contact.add_contacts(sheet.position, true, pairs);
-    return BlockMatrix(static_cast<Index>(sheet.position.cols()), std::move(pairs), sheet.fixed);
+    return BlockMatrix(static_cast<Index>(sheet.position.cols()), pairs, sheet.fixed);
 }
 
 /// What one iteration of Newton's method asks for.

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/block_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/small_sheet.h"
+
+namespace sherd {
+namespace {
+
+constexpr Index vertices = 12;
+
+/// Vertex 3 is fixed, 5 slides in a plane and 8 along a line.
+BlockMatrix restricted_matrix(const std::vector<std::pair<Index, Index>>& pairs) {
+    std::vector<char> fixed(vertices, 0), guide(vertices, 0);
+    fixed[3] = 1;
+    guide[5] = 1;
+    guide[8] = 2;
+    const Vector3d along = Vector3d(1, 2, -2) / 3;
+    const Matrix3d line = along * along.transpose();
+    return {vertices, pairs, fixed, guide, {Matrix3d::Identity() - line, line}};
+}
+
+/// Symmetric, of the vertices of an element.
+Eigen::MatrixXd random_element(test::Random& random, std::size_t count) {
+    Eigen::MatrixXd local(3 * count, 3 * count);
+    for (double& entry : local.reshaped()) entry = random.uniform(-1, 1);
+    return local + local.transpose();
+}
+
+// A block in the wrong place, or one that a support does not take away, is another Hessian.
+TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
+    const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9, 11};
+    std::vector<std::pair<Index, Index>> pairs{{1, 4}, {7, 2}, {10, 0}, {4, 5}};  // of others between
+    for (const Index a : element)
+        for (const Index b : element) pairs.emplace_back(a, b);
+    BlockMatrix at_once = restricted_matrix(pairs), one_by_one = at_once;
+    test::Random random(1);
+    const Eigen::MatrixXd local = random_element(random, element.size());
+    const auto block = [&](std::size_t a, std::size_t b) -> Matrix3d {
+        return local.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+    };
+    at_once.add_all(element, block);
+    for (std::size_t a = 0; a < element.size(); ++a)
+        for (std::size_t b = 0; b <= a; ++b)  // from below and from above the diagonal
+            one_by_one.add(element[(a + b) % 2 ? b : a], element[(a + b) % 2 ? a : b],
+                           (a + b) % 2 ? block(b, a) : block(a, b));
+    EXPECT_EQ(test::dense(at_once), test::dense(one_by_one));
+
+    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices), kept = free;
+    for (std::size_t a = 0; a < element.size(); ++a)
+        for (std::size_t b = 0; b < element.size(); ++b)
+            free.block<3, 3>(3 * element[a], 3 * element[b]) = block(a, b);
+    kept.setIdentity();
+    kept.block<3, 3>(9, 9).setZero();
+    const Vector3d along = Vector3d(1, 2, -2) / 3;
+    kept.block<3, 3>(15, 15) -= along * along.transpose();
+    kept.block<3, 3>(24, 24) = along * along.transpose();
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(3 * vertices, 3 * vertices);
+    EXPECT_LT((test::dense(at_once) - kept * free * kept - (identity - kept)).norm(), 1e-14);
+}
+
+// CHOLMOD reads rows that ascend and are there once; contact asks which pairs have a block.
+TEST(BlockMatrix, HasEachPairOnceInWhateverOrderItIsNamed) {
+    const BlockMatrix matrix = restricted_matrix({{7, 1}, {1, 7}, {0, 7}, {7, 1}, {4, 4}, {1, 2}, {9, 1}});
+    std::vector<Index> in_column_of_1;
+    for (Index k = matrix.columns()[3]; k < matrix.columns()[4]; ++k)
+        in_column_of_1.push_back(matrix.rows()[k]);
+    EXPECT_EQ(in_column_of_1, (std::vector<Index>{3, 4, 5, 6, 7, 8, 21, 22, 23, 27, 28, 29}));
+    EXPECT_EQ(matrix.values().size(), 6 * vertices + 9 * 4);
+    for (const auto& [i, j] : {std::pair{1, 7}, {7, 1}, {7, 0}, {9, 1}, {4, 4}, {2, 2}})
+        EXPECT_TRUE(matrix.has(i, j)) << i << ' ' << j;
+    for (const auto& [i, j] : {std::pair{7, 2}, {11, 1}, {0, 1}, {8, 9}})
+        EXPECT_FALSE(matrix.has(i, j)) << i << ' ' << j;
+}
+
+}  // namespace
+}  // namespace sherd
