@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
+#include "core/tips/fold_changes.h"
 #include "core/tips/shell_part.h"
 
 namespace sherd {
@@ -102,10 +103,7 @@ void BendingShift::differentiate(int axis) {
 }
 
 Vector2d BendingShift::force(const Positions& x, const Matrix3d& turn) const {
-    const Folds& all = bending.all_folds();
-    VectorXd changes = all.angles(x, folds);
-    for (const Index fold : folds)
-        changes[fold] = std::remainder(changes[fold] - all.rest_angle(fold), 2 * std::numbers::pi);
+    const VectorXd changes = changes_of(bending, x, folds);
     VectorXd moments = VectorXd::Zero(changes.size());
     Vector2d sum = Vector2d::Zero();
     for (const auto& [face, of_face, stiffening] : seen) {

@@ -23,16 +23,21 @@ TipForce::TipForce(const Shell& shell, const VertexFaces& around, const CoupledB
       shift(tip_shift(shell, around, tip, most_rings)),
       faces(faces_around(around, tip, most_rings)),
       rings(std::min(most_rings, static_cast<int>(tip.rings.size()) - 1)) {
+    for (int side = 0; side < 2; ++side) {
+        lips[side] = {tip.vertex};
+        lips[side].insert(lips[side].end(), tip.lips[side].begin(), tip.lips[side].end());
+    }
     if (bending != nullptr) this->bending.emplace(shell, around, *bending, shift);
 }
 
-ConfigurationalForce TipForce::at(const Positions& x, const Positions& forces) const {
+ConfigurationalForce TipForce::at(const Positions& x, const TipLoads& loads) const {
     const Matrix3d turn = rotation_at(shell, around, shift.tip, x);
     ConfigurationalForce force;
     force.rings = rings;
     force.membrane = of_membrane(x, turn);
     if (bending) force.bending = bending->force(x, turn);
-    if (forces.cols() > 0) force.loads = of_loads(x, forces, turn);
+    if (loads.spread.cols() > 0) force.loads += of_spread(x, loads.spread, turn);
+    if (loads.on_lips.cols() > 0) force.loads += of_lips(x, loads.on_lips, turn);
     return force;
 }
 
@@ -51,7 +56,7 @@ Vector2d TipForce::of_membrane(const Positions& x, const Matrix3d& turn) const {
     return sum;
 }
 
-Vector2d TipForce::of_loads(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
+Vector2d TipForce::of_spread(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
     Vector2d sum = Vector2d::Zero();
     for (std::size_t i = 0; i < shift.vertices.size(); ++i) {
         const Index vertex = shift.vertices[i];
@@ -68,6 +73,30 @@ Vector2d TipForce::of_loads(const Positions& x, const Positions& forces, const M
         }
         sum -= shift.by[i].transpose() * (stretched.transpose() / area) * forces.col(vertex);
     }
+    return sum;
+}
+
+// The work of a traction that is constant on the first side of a lip, and what it is on the vertices beyond:
+// a vertex's force does not tell it at the tip, where those on both lips cancel.
+Vector2d TipForce::of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const {
+    Vector2d sum = Vector2d::Zero();
+    for (const std::vector<Index>& lip : lips)
+        for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
+            const Index moved = shift.find(lip[i]);
+            if (moved < 0) break;
+            const Index ahead = lip[i == 0 ? 0 : i - 1], behind = lip[i + 1];
+            const Vector3d rest = shell.rest.col(ahead) - shell.rest.col(behind);
+            const Vector3d stretched = Vector3d(x.col(ahead) - x.col(behind)) - turn * rest;
+            Vector3d force = forces.col(lip[i]);
+            if (i == 0) {
+                const double first = rest.norm();
+                const double both = lip.size() < 3
+                                        ? 2 * first
+                                        : first + (shell.rest.col(lip[1]) - shell.rest.col(lip[2])).norm();
+                force = first / both * forces.col(lip[1]);
+            }
+            sum -= force.dot(stretched) / rest.squaredNorm() * shift.by[moved].transpose() * rest;
+        }
     return sum;
 }
 

@@ -25,6 +25,12 @@ struct ConfigurationalForce {
     double released() const;
 };
 
+/// What acts on the vertices but elasticity, N, [3, V]; with 0 columns there is nothing.
+struct TipLoads {
+    Positions spread = Positions(3, 0);  ///< over faces: pressure, weight, wind; less mass times acceleration
+    Positions on_lips = Positions(3, 0);  ///< on lips: contact between them, and what still holds them
+};
+
 /// Energy release rates at a tip. What depends on the rest shape alone is computed once: this must be made
 /// anew when the tip, its rings or hinges within four edges of them have changed.
 class TipForce {
@@ -35,16 +41,17 @@ class TipForce {
     TipForce(const Shell& shell, const VertexFaces& around, const CoupledBending* bending,
              const CrackTip& tip, int most_rings = 2);
 
-    /// x: [3, V] m, a solution. forces: [3, V] N, all that acts on the vertices but elasticity, less mass
-    /// times acceleration; with 0 columns there is nothing.
-    ConfigurationalForce at(const Positions& x, const Positions& forces = Positions(3, 0)) const;
+    /// x: [3, V] m, a solution under these loads.
+    ConfigurationalForce at(const Positions& x, const TipLoads& loads = {}) const;
 
   private:
     Vector2d of_membrane(const Positions& x, const Matrix3d& turn) const;
-    Vector2d of_loads(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
+    Vector2d of_spread(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
+    Vector2d of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
 
     const Shell& shell;
     const VertexFaces& around;
+    std::array<std::vector<Index>, 2> lips;  ///< from the tip itself on
     TipShift shift;
     std::vector<Index> faces;  ///< with a vertex that moves
     int rings;

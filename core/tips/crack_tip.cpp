@@ -50,6 +50,20 @@ std::vector<std::vector<Index>> rings_around(const Shell& shell, const VertexFac
     return rings;
 }
 
+/// The vertices along the boundary from `first` on, away from `tip`, at most `most`.
+std::vector<Index> lip_from(const Shell& shell, const VertexFaces& around, Index tip, Index first,
+                            std::size_t most) {
+    std::vector<Index> lip{first};
+    for (Index before = tip; lip.size() < most;) {
+        std::vector<Index> next = boundary_neighbours(shell, around, lip.back());
+        std::erase(next, before);
+        if (next.size() != 1 || next.front() == tip) break;
+        before = lip.back();
+        lip.push_back(next.front());
+    }
+    return lip;
+}
+
 }  // namespace
 
 VertexFaces::VertexFaces(const Shell& shell)
@@ -81,6 +95,8 @@ CrackTip crack_tip(const Shell& shell, const VertexFaces& around, Index vertex, 
     for (const Index lip : lips) away += (shell.rest.col(vertex) - shell.rest.col(lip)).normalized();
     tip.direction = (away - tip.normal.dot(away) * tip.normal).normalized();
     tip.rings = rings_around(shell, around, vertex, foreign, most);
+    for (int side = 0; side < 2; ++side)
+        tip.lips[side] = lip_from(shell, around, vertex, lips[side], tip.rings.size() + 1);
     return tip;
 }
 

@@ -31,6 +31,8 @@ struct CrackTip {
     /// The vertices 0, 1, 2, ... edges away from the tip, also on both lips: all that are nearer to the tip
     /// than what the rings must not reach, ring 0 in any case.
     std::vector<std::vector<Index>> rings;
+    /// The vertices along either lip, from the nearest on: as many as rings, and one more, if there are.
+    std::array<std::vector<Index>, 2> lips;
 
     /// Axes of the tangent plane, one a column: along the direction, and to its left as seen against the
     /// normal.
