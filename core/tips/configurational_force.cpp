@@ -2,6 +2,7 @@
 #include "core/tips/configurational_force.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace sherd {
 namespace {
@@ -16,18 +17,21 @@ double ConfigurationalForce::released() const {
     return (membrane / membrane_of_tip + bending / bending_of_tip + loads).norm();
 }
 
-TipForce::TipForce(const Shell& shell, const VertexFaces& around, const CoupledBending* bending,
+TipForce::TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies,
                    const CrackTip& tip, int most_rings)
     : shell(shell),
       around(around),
       shift(tip_shift(shell, around, tip, most_rings)),
       faces(faces_around(around, tip, most_rings)),
       rings(std::min(most_rings, static_cast<int>(tip.rings.size()) - 1)) {
+    if (energies.membrane != MembraneModel::constant_strain)
+        throw std::invalid_argument(
+            "the force on a crack's tip is known for membranes of constant strain only");
     for (int side = 0; side < 2; ++side) {
         lips[side] = {tip.vertex};
         lips[side].insert(lips[side].end(), tip.lips[side].begin(), tip.lips[side].end());
     }
-    if (bending != nullptr) this->bending.emplace(shell, around, *bending, shift);
+    if (energies.bending != nullptr) bending.emplace(shell, around, *energies.bending, shift);
 }
 
 ConfigurationalForce TipForce::at(const Positions& x, const TipLoads& loads) const {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/membrane/membrane.h"
 #include "core/tips/bending_shift.h"
 
 namespace sherd {
@@ -25,6 +26,12 @@ struct ConfigurationalForce {
     double released() const;
 };
 
+/// The elastic energies of the sheet.
+struct TipEnergies {
+    const CoupledBending* bending = nullptr;  ///< none: hinges, coupled or not, have no part in the force
+    MembraneModel membrane = MembraneModel::constant_strain;
+};
+
 /// What acts on the vertices but elasticity, N, [3, V]; with 0 columns there is nothing.
 struct TipLoads {
     Positions spread = Positions(3, 0);  ///< over faces: pressure, weight, wind; less mass times acceleration
@@ -35,11 +42,10 @@ struct TipLoads {
 /// anew when the tip, its rings or hinges within four edges of them have changed.
 class TipForce {
   public:
-    /// Shell, around and bending must outlive this object. bending: none if the sheet's hinges are not
-    /// coupled, whose energy then has no part in it. The membrane is that of flat triangles
-    /// (MembraneModel::constant_strain); with arcs the membrane's part would be that of their chords.
-    TipForce(const Shell& shell, const VertexFaces& around, const CoupledBending* bending,
-             const CrackTip& tip, int most_rings = 2);
+    /// Shell, around and bending must outlive this object. Throws std::invalid_argument for a membrane of
+    /// arcs, whose energy depends on the rest shape in other ways, too.
+    TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies, const CrackTip& tip,
+             int most_rings = 2);
 
     /// x: [3, V] m, a solution under these loads.
     ConfigurationalForce at(const Positions& x, const TipLoads& loads = {}) const;

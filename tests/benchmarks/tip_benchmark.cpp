@@ -43,7 +43,7 @@ void make_tip_force(benchmark::State& state) {
     const TornPlate& p = torn_plate();
     for (auto iteration : state)
         benchmark::DoNotOptimize(
-            TipForce(p.shell, p.around, &p.bending, p.tip, static_cast<int>(state.range(0))));
+            TipForce(p.shell, p.around, {&p.bending}, p.tip, static_cast<int>(state.range(0))));
     state.counters["faces"] = static_cast<double>(p.shell.triangles.size());
 }
 
@@ -51,7 +51,7 @@ void judge_tip(benchmark::State& state) {
     const TornPlate& p = torn_plate();
     const auto rings = static_cast<int>(state.range(0));
     const bool bends = state.range(1) != 0;
-    const TipForce force(p.shell, p.around, bends ? &p.bending : nullptr, p.tip, rings);
+    const TipForce force(p.shell, p.around, {bends ? &p.bending : nullptr}, p.tip, rings);
     for (auto iteration : state) benchmark::DoNotOptimize(force.at(p.x));
 }
 

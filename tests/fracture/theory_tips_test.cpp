@@ -85,7 +85,7 @@ TEST_P(TheoryTips, StretchedSheetReleasesItsEnergy) {
         const VertexFaces around(sheet.shell);
         for (const CrackTip& tip : sheet.tips)
             for (int rings = 0; rings <= 3; ++rings)
-                rows[rings].add(factor(TipForce(sheet.shell, around, nullptr, tip, rings).at(x)));
+                rows[rings].add(factor(TipForce(sheet.shell, around, {}, tip, rings).at(x)));
     });
     for (int rings = 0; rings <= 3; ++rings)
         rows[rings].expect(1 - 0.17 / GetParam(), rings == 0 ? 0.04 : 0.012);
@@ -102,7 +102,7 @@ TEST_P(TheoryTips, BentPlateReleasesItsEnergyAndHasItsFactors) {
         const CoupledBending bending(sheet.shell, {});
         for (const CrackTip& tip : sheet.tips) {
             for (int rings = 0; rings <= 3; ++rings)
-                rows[rings].add(bent_factor(TipForce(sheet.shell, around, &bending, tip, rings).at(x)));
+                rows[rings].add(bent_factor(TipForce(sheet.shell, around, {&bending}, tip, rings).at(x)));
             const ModePair found = plate_intensity(sheet.shell, around, bending, tip, x);
             first.add(found.first / k);
             second.add(found.second / found.first);
@@ -156,7 +156,7 @@ TEST_P(TheoryTips, ZigzagCrackReleasesWhatAStraightOneDoes) {
             (sheet.shell.rest.col(sheet.tips[1].vertex) - sheet.shell.rest.col(sheet.tips[0].vertex)).norm();
         for (const CrackTip& tip : sheet.tips) {
             for (int rings = 0; rings <= 3; ++rings)
-                rows[rings].add(factor(TipForce(sheet.shell, around, nullptr, tip, rings).at(x), half));
+                rows[rings].add(factor(TipForce(sheet.shell, around, {}, tip, rings).at(x), half));
             intensity.add(membrane_intensity(sheet.shell, around, tip, x).first /
                           (stress * std::sqrt(tip_pi * half)));
         }
@@ -189,7 +189,7 @@ TEST(TheoryTipsOfOutlines, PlateHasTheFactorsOfItsOutline) {
                 });
             const VertexFaces around(sheet.shell);
             const CrackTip& tip = sheet.tips.front();
-            const double released = TipForce(sheet.shell, around, &bending, tip).at(x).bending.x();
+            const double released = TipForce(sheet.shell, around, {&bending}, tip).at(x).bending.x();
             release.add(std::sqrt(released / (t * plate_release(sheet_at_tips(), exact))));
             const ModePair found = plate_intensity(sheet.shell, around, bending, tip, x);
             k_1.add(found.first / unit);

@@ -36,7 +36,8 @@ Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, dou
 }
 
 /// Minus the derivative of all elastic energies, by making the whole shell anew.
-ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& x, int rings) {
+ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& x, int rings,
+                                 const std::vector<MirrorHinge>& mirrors) {
     const VertexFaces around(patch.shell);
     const TipShift shift = tip_shift(patch.shell, around, patch.tip, rings);
     const Matrix3d turn = rotation_at(patch.shell, around, patch.tip.vertex, x);
@@ -49,18 +50,18 @@ ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& 
             for (std::size_t i = 0; i < shift.vertices.size(); ++i)
                 moved.col(shift.vertices[i]) += sign * length * turn * shift.by[i].col(axis);
             force.membrane[axis] -= sign * MembraneEnergy(there.triangles).value(moved) / (2 * length);
-            force.bending[axis] -= sign * CoupledBending(there, {}).value(moved) / (2 * length);
+            force.bending[axis] -= sign * CoupledBending(there, mirrors).value(moved) / (2 * length);
         }
     return force;
 }
 
-void expect_as_differenced(const test::SlitPatch& patch) {
+void expect_as_differenced(const test::SlitPatch& patch, const std::vector<MirrorHinge>& mirrors = {}) {
     const VertexFaces around(patch.shell);
-    const CoupledBending bending(patch.shell, {});
+    const CoupledBending bending(patch.shell, mirrors);
     for (const int rings : {0, 1}) {
         const Positions x = test::bent_and_turned(patch.shell, 1);
-        const ConfigurationalForce force = TipForce(patch.shell, around, &bending, patch.tip, rings).at(x),
-                                   expected = differenced(patch, x, rings);
+        const ConfigurationalForce force = TipForce(patch.shell, around, {&bending}, patch.tip, rings).at(x),
+                                   expected = differenced(patch, x, rings, mirrors);
         EXPECT_EQ(force.rings, rings);
         EXPECT_LT((force.membrane - expected.membrane).norm(), 1e-6 * expected.membrane.norm());
         EXPECT_LT((force.bending - expected.bending).norm(), 1e-5 * expected.bending.norm());
@@ -80,6 +81,31 @@ TEST(ConfigurationalForce, IsTheDerivativeForOrthotropicSheetsToo) {
     expect_as_differenced(curved_slit(3, oak_of_tips));
 }
 
+// Faces in the rings that end at a clamp or a symmetry plane.
+TEST(ConfigurationalForce, IsTheDerivativeBesideMirrorsToo) {
+    const test::SlitPatch patch = flat_slit(4);
+    std::vector<char> wall(patch.shell.rest.cols()), plane(patch.shell.rest.cols());
+    for (Index v = 0; v < patch.shell.rest.cols(); ++v) {
+        wall[v] = patch.shell.rest(0, v) > 1.2 - 1e-9;
+        plane[v] = patch.shell.rest(1, v) < 1e-9;
+    }
+    std::vector<MirrorHinge> mirrors;
+    for (const TriangleEdge& side : boundary_triangle_edges(patch.shell, wall))
+        mirrors.push_back(clamp_hinge(patch.shell, side, 1));
+    for (const TriangleEdge& side : boundary_triangle_edges(patch.shell, plane))
+        mirrors.push_back(symmetry_hinge(patch.shell, side, Vector3d::UnitY(), 1));
+    ASSERT_EQ(mirrors.size(), 10U);
+    expect_as_differenced(patch, mirrors);
+}
+
+// Its energy is another one: a figure that is wrong would not be noticed.
+TEST(ConfigurationalForce, IsRefusedForArcs) {
+    const test::SlitPatch patch = flat_slit();
+    const VertexFaces around(patch.shell);
+    EXPECT_THROW(TipForce(patch.shell, around, {nullptr, MembraneModel::arc}, patch.tip),
+                 std::invalid_argument);
+}
+
 // What drives a crack must not depend on where a piece flies, nor on where it was drawn.
 TEST(ConfigurationalForce, DoesNotChangeWithRigidMotionOfEitherShape) {
     test::Random random(2);
@@ -90,8 +116,8 @@ TEST(ConfigurationalForce, DoesNotChangeWithRigidMotionOfEitherShape) {
     const CoupledBending bending(patch.shell, {}), bending_turned(turned.shell, {});
     const Positions x = test::bent_and_turned(patch.shell, 3);
     const Positions moved = (random.rotation() * x).colwise() + random.matrix<Vector3d>(2);
-    const TipForce here(patch.shell, around, &bending, patch.tip),
-        there(turned.shell, around, &bending_turned, turned.tip);
+    const TipForce here(patch.shell, around, {&bending}, patch.tip),
+        there(turned.shell, around, {&bending_turned}, turned.tip);
     const ConfigurationalForce expected = here.at(x);
     EXPECT_LT((turned.tip.direction - turn * patch.tip.direction).norm(), 1e-12);
     for (const ConfigurationalForce& force : {here.at(moved), there.at(x), there.at(moved)}) {
