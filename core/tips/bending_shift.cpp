@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/tips/fold_changes.h"
-#include "core/tips/shell_part.h"
 
 namespace sherd {
 namespace {
@@ -15,16 +15,25 @@ namespace {
 /// are both far below those of the mesh.
 constexpr double difference = 1e-5;
 
-/// What a face of the part adds to S, by the folds of the shell in this order.
-Eigen::MatrixXd stiffness_of(const ShellPart& part, const FaceCurvature& curvature, Index face,
-                             const std::vector<Index>& folds) {
-    Eigen::Matrix3Xd per_angle = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(folds.size()));
-    for (const auto& [fold, of_fold] : curvature.terms(face))
-        per_angle.col(std::ranges::find(folds, part.folds[fold]) - folds.begin()) = of_fold;
-    const auto& [vertices, membrane] = part.shell.triangles[face];
-    const double thickness = part.shell.thickness[vertices[0]];
-    return membrane.area * thickness * thickness / 12 * per_angle.transpose() * membrane.elasticity *
-           per_angle;
+/// What a face adds to S, by the folds of the shell in this order; nothing if it depends on other folds.
+/// number: of a term's fold in the shell. rigidity: CoupledBending::rigidity().
+template <class Number>
+std::optional<Eigen::MatrixXd> stiffness_of(std::span<const FaceCurvature::Term> terms, Number number,
+                                            const Matrix3d& rigidity, const std::vector<Index>& folds) {
+    Eigen::Matrix3Xd per_angle(3, static_cast<Eigen::Index>(folds.size()));
+    if (terms.size() != folds.size()) return std::nullopt;
+    for (const auto& [fold, of_fold] : terms) {
+        const auto at = std::ranges::find(folds, number(fold));
+        if (at == folds.end()) return std::nullopt;
+        per_angle.col(at - folds.begin()) = of_fold;
+    }
+    return per_angle.transpose() * rigidity * per_angle;
+}
+
+Matrix3d rigidity_of(const Shell& shell, Index face) {
+    const auto& [vertices, membrane] = shell.triangles[face];
+    const double thickness = shell.thickness[vertices[0]];
+    return membrane.area * thickness * thickness / 12 * membrane.elasticity;
 }
 
 /// Faces with a corner at most `steps` edges away from one of the vertices, by ascending number.
@@ -79,26 +88,36 @@ void BendingShift::see(Index face) {
         seen.push_back({face, std::move(of_face), {}});
 }
 
+std::vector<std::optional<Eigen::MatrixXd>> BendingShift::advanced_stiffness(ShellPart part, int axis,
+                                                                             double length) const {
+    move_rest(part, advanced(part, shift, axis, length));
+    const Folds of_part(part.shell, part.mirrors);
+    const FaceCurvature curvature(part.shell, of_part);
+    std::vector<std::optional<Eigen::MatrixXd>> of_faces;
+    for (const Seen& face : seen) {
+        const auto at = std::ranges::lower_bound(part.faces, face.face) - part.faces.begin();
+        of_faces.push_back(stiffness_of(
+            curvature.terms(static_cast<std::size_t>(at)), [&](Index fold) { return part.folds[fold]; },
+            rigidity_of(part.shell, static_cast<Index>(at)), face.folds));
+    }
+    return of_faces;
+}
+
 void BendingShift::differentiate(int axis) {
     const ShellPart part = shell_part(shell, bending, folds);
     double length = std::numeric_limits<double>::infinity();
     for (const auto& [vertices, membrane] : part.shell.triangles)
         length = std::min(length, std::sqrt(membrane.area));
     length *= difference;
-    for (const double sign : {1.0, -1.0}) {
-        ShellPart there = part;
-        move_rest(there, advanced(part, shift, axis, sign * length));
-        const Folds of_part(there.shell, there.mirrors);
-        const FaceCurvature curvature(there.shell, of_part);
-        for (Seen& face : seen) {
-            const auto at = std::ranges::lower_bound(part.faces, face.face) - part.faces.begin();
-            const Eigen::MatrixXd half =
-                sign / (2 * length) * stiffness_of(there, curvature, static_cast<Index>(at), face.folds);
-            if (sign > 0)
-                face.stiffening[axis] = half;
-            else
-                face.stiffening[axis] += half;
-        }
+    const auto ahead = advanced_stiffness(part, axis, length),
+               behind = advanced_stiffness(part, axis, -length);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        auto& [face, of_face, stiffening] = seen[i];
+        const auto here = stiffness_of(bending.face_curvature().terms(face), std::identity(),
+                                       bending.rigidity(face), of_face);
+        // Where a patch is about to grow by the next triangles, the side on which it stays as it is counts.
+        const auto &to = ahead[i] ? ahead[i] : here, &from = behind[i] ? behind[i] : here;
+        stiffening[axis] = (*to - *from) / (ahead[i] && behind[i] ? 2 * length : length);
     }
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
-#include "core/bending/coupled_bending.h"
+#include "core/tips/shell_part.h"
 #include "core/tips/tip_shift.h"
 
 namespace sherd {
@@ -34,6 +35,10 @@ class BendingShift {
     };
     bool moves(Index fold) const;  ///< whether one of its vertices does
     void see(Index face);          ///< if one of its folds moves
+    /// Each seen face's share of S once the tip has advanced by `length` m along an axis; nothing where it
+    /// then depends on other folds.
+    std::vector<std::optional<Eigen::MatrixXd>> advanced_stiffness(ShellPart part, int axis,
+                                                                   double length) const;
     void differentiate(int axis);
     /// The derivatives of angles times moments: of those now less those at rest.
     Vector2d turned_folds(const Positions& x, const Matrix3d& turn, const VectorXd& moments) const;

@@ -116,6 +116,39 @@ Positions blown_up(const test::CrackedSheet& sheet, double radius, LoadEnergy& l
         });
 }
 
+// A thin sheet that is rolled up by 2 rad across its crack: far from small displacements, where no theory
+// tells what is released, it must not matter how many rings move.
+TEST(LoadedTips, RollingUpReleasesTheSameWithAnyRings) {
+    constexpr double radius = 6;
+    const test::CrackedSheet sheet = test::cracked_sheet(0.1, 1);
+    MembraneEnergy membrane(sheet.shell.triangles);
+    CoupledBending bending(sheet.shell, {});
+    Shell shell = sheet.shell;
+    shell.fixed = test::near_outline(shell, 0.4);
+    Positions x = shell.rest;
+    for (Index v = 0; v < x.cols(); ++v) {
+        const double angle = shell.rest(1, v) / radius;
+        x.col(v).tail<2>() << radius * std::sin(angle), radius * (1 - std::cos(angle));
+    }
+    TimeSpent spent;
+    Potential potential(shell, {&membrane, &bending}, spent);
+    EXPECT_TRUE(Newton(1e-11).minimise(potential, 200, x).converged);
+    const VertexFaces around(shell);
+    for (const CrackTip& tip : sheet.tips) {
+        std::vector<ConfigurationalForce> forces;
+        for (int rings = 0; rings <= 4; ++rings)
+            forces.push_back(TipForce(shell, around, {&bending}, tip, rings).at(x));
+        std::printf("J of a sheet rolled up, over that of 2 rings:");
+        for (const ConfigurationalForce& force : forces) {
+            std::printf("  J_%d %.3f (membrane %.3f)", force.rings, force.sum().x() / forces[2].sum().x(),
+                        force.membrane.x() / forces[2].sum().x());
+            const double bound = force.rings == 0 ? 0.1 : 0.04;
+            EXPECT_NEAR(force.sum().x() / forces[2].sum().x(), 1, bound);
+        }
+        std::printf("\n");
+    }
+}
+
 // Curvature makes a crack along a pressurised cylinder bulge, which releases more than in a flat sheet, by
 //     1 + 1.255 a^2 / (R t) - 0.0135 (a^2 / (R t))^2
 // (Folias, An axial crack in a pressurized cylindrical shell, 1965, as Kiefner and others fitted it, 1973).
