@@ -10,13 +10,6 @@ namespace {
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-/// F from edge vectors, which keeps digits far from the origin; the derivatives' rows sum to zero.
-Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
-    Matrix32 edges;
-    edges << x.col(1) - x.col(0), x.col(2) - x.col(0);
-    return edges * triangle.derivatives.bottomRows<2>();
-}
-
 Vector3d strain_of(const Matrix32& F) {
     return {0.5 * (F.col(0).squaredNorm() - 1), 0.5 * (F.col(1).squaredNorm() - 1), F.col(0).dot(F.col(1))};
 }
@@ -61,6 +54,13 @@ MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d
     return triangle;
 }
 
+// From edge vectors, which keeps digits far from the origin; the derivatives' rows sum to zero.
+Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    Matrix32 edges;
+    edges << x.col(1) - x.col(0), x.col(2) - x.col(0);
+    return edges * triangle.derivatives.bottomRows<2>();
+}
+
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x) {
     return strain_of(deformation_gradient(triangle, x));
 }
@@ -79,6 +79,14 @@ TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePosit
     const Matrix32 F = deformation_gradient(triangle, x);
     const Eigen::Matrix2d stress = tensor(triangle.elasticity * strain_of(F));
     return triangle.area * F * stress * triangle.derivatives.transpose();
+}
+
+Eigen::Matrix<double, 2, 3> rest_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
+    const Matrix32 F = deformation_gradient(triangle, x);
+    const Vector3d strain = strain_of(F), stress = triangle.elasticity * strain;
+    const Eigen::Matrix2d eshelby =
+        0.5 * strain.dot(stress) * Eigen::Matrix2d::Identity() - F.transpose() * F * tensor(stress);
+    return triangle.area * eshelby * triangle.derivatives.transpose();
 }
 
 Eigen::Matrix<double, 9, 9> hessian(const MembraneTriangle& triangle, const TrianglePositions& x,

@@ -30,6 +30,10 @@ Eigen::Matrix<double, 3, 2> frame_axes(const TrianglePositions& x);
 /// the corner over the side.
 Vector2d side_normal(const MembraneTriangle& triangle, int corner);
 
+/// Deformation gradient F, [3, 2], from the rest frame to space.
+Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneTriangle& triangle,
+                                                 const TrianglePositions& x);
+
 /// Green strain (E00, E11, 2 E01) in the rest frame.
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x);
 
@@ -41,6 +45,10 @@ Matrix3d geometric_stiffness(const MembraneTriangle& triangle, const Vector3d& s
 double value(const MembraneTriangle& triangle, const TrianglePositions& x);
 /// dE/dx, N, [3, 3].
 TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x);
+/// Derivative of the energy by the rest positions while x is held, N, [2, 3], in the rest frame: area times
+/// Eshelby's tensor W - F^T P on the shape functions' derivatives, with the energy W and the first
+/// Piola-Kirchhoff stress P per area. Out of the plane at rest it is zero.
+Eigen::Matrix<double, 2, 3> rest_gradient(const MembraneTriangle& triangle, const TrianglePositions& x);
 /// d2E/dx2, N/m, [9, 9], coordinate fastest. `convex` drops the compressive part of the geometric stiffness,
 /// which makes the matrix positive semidefinite.
 Eigen::Matrix<double, 9, 9> hessian(const MembraneTriangle& triangle, const TrianglePositions& x,

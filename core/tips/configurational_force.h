@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/membrane/membrane.h"
+#include "core/tips/bending_shift.h"
+
+namespace sherd {
+
+/// The configurational force on the tip of a crack and its rings: what energy is released for each metre by
+/// which it advances, N, along the tip's direction and to its left. It is minus the derivative of the elastic
+/// energy by the rest positions of these vertices (Eshelby, The force on an elastic singularity, 1951), which
+/// take their displacements along, measured in a frame that turns with the sheet at the tip.
+struct ConfigurationalForce {
+    Vector2d membrane = Vector2d::Zero();
+    Vector2d bending = Vector2d::Zero();
+    /// What loads and inertia on the rings take of it.
+    Vector2d loads = Vector2d::Zero();
+    int rings = 0;  ///< that moved with the tip
+
+    Vector2d sum() const { return membrane + bending + loads; }
+    /// J/m, to be compared with toughness G_c times thickness: the length of the sum. Without rings the
+    /// membrane's part is divided by 0.91 and the bending's by 0.96, which is what the tip alone shows of
+    /// them.
+    double released() const;
+};
+
+/// The elastic energies of the sheet.
+struct TipEnergies {
+    const CoupledBending* bending = nullptr;  ///< none: hinges, coupled or not, have no part in the force
+    MembraneModel membrane = MembraneModel::constant_strain;
+};
+
+/// What acts on the vertices but elasticity, N, [3, V]; with 0 columns there is nothing.
+struct TipLoads {
+    Positions spread = Positions(3, 0);  ///< over faces: pressure, weight, wind; less mass times acceleration
+    Positions on_lips = Positions(3, 0);  ///< on lips: contact between them, and what still holds them
+};
+
+/// Energy release rates at a tip. What depends on the rest shape alone is computed once: this must be made
+/// anew when the tip, its rings or hinges within four edges of them have changed.
+class TipForce {
+  public:
+    /// Shell, around and bending must outlive this object. Throws std::invalid_argument for a membrane of
+    /// arcs, whose energy depends on the rest shape in other ways, too.
+    TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies, const CrackTip& tip,
+             int most_rings = 2);
+
+    /// x: [3, V] m, a solution under these loads.
+    ConfigurationalForce at(const Positions& x, const TipLoads& loads = {}) const;
+
+  private:
+    Vector2d of_membrane(const Positions& x, const Matrix3d& turn) const;
+    Vector2d of_spread(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
+    Vector2d of_lips(const Positions& x, const Positions& forces, const Matrix3d& turn) const;
+
+    const Shell& shell;
+    const VertexFaces& around;
+    std::array<std::vector<Index>, 2> lips;  ///< from the tip itself on
+    TipShift shift;
+    std::vector<Index> faces;  ///< with a vertex that moves
+    int rings;
+    std::optional<BendingShift> bending;
+};
+
+}  // namespace sherd

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/shell/shell.h"
+
+namespace sherd {
+
+/// The faces around each vertex of a shell, as they were when this was made.
+class VertexFaces {
+  public:
+    explicit VertexFaces(const Shell& shell);
+    /// Faces with this corner, by ascending number.
+    std::span<const Index> operator[](Index vertex) const {
+        return {faces.data() + first[vertex], faces.data() + first[vertex + 1]};
+    }
+    Index vertices() const { return static_cast<Index>(first.size()) - 1; }
+
+  private:
+    std::vector<Index> first;  ///< [V + 1] where each vertex's faces begin
+    std::vector<Index> faces;
+};
+
+/// The tip of a crack in the rest shape, and the vertices around it. All of it is of the rest shape.
+struct CrackTip {
+    Index vertex = 0;
+    Vector3d direction = Vector3d::UnitX();  ///< unit vector in the tangent plane, in which the crack came
+    Vector3d normal = Vector3d::UnitZ();     ///< unit normal of the tangent plane
+    /// The vertices 0, 1, 2, ... edges away from the tip, also on both lips: all that are nearer to the tip
+    /// than what the rings must not reach, ring 0 in any case.
+    std::vector<std::vector<Index>> rings;
+    /// The vertices along either lip, from the nearest on: as many as rings, and one more, if there are.
+    std::array<std::vector<Index>, 2> lips;
+
+    /// Axes of the tangent plane, one a column: along the direction, and to its left as seen against the
+    /// normal.
+    Eigen::Matrix<double, 3, 2> axes() const;
+};
+
+/// The tip at a vertex on which exactly two boundary sides end, which are the lips: the direction is away
+/// from them. foreign: [V] 1 where a vertex is the tip of another crack or lies on the outer boundary; with
+/// the nearest of them d edges away there are rings 0 to min(most, d - 1). Throws std::invalid_argument if
+/// the vertex has other than two boundary sides.
+CrackTip crack_tip(const Shell& shell, const VertexFaces& around, Index vertex, std::span<const char> foreign,
+                   int most = 4);
+
+/// Unit normal of the rest shape at a vertex: the mean of those of its faces, by area.
+Vector3d rest_normal(const Shell& shell, const VertexFaces& around, Index vertex);
+
+/// The rotation by the smallest angle that takes one unit vector to another; they must not be opposite.
+Matrix3d smallest_turn(const Vector3d& from, const Vector3d& to);
+
+/// The rotation that takes the rest shape at a vertex nearest to what it is at x [3, V] m: that of the mean
+/// of its faces' deformation gradients, by area.
+Matrix3d rotation_at(const Shell& shell, const VertexFaces& around, Index vertex, const Positions& x);
+
+/// Sorts numbers, and leaves each of them once.
+void make_unique(std::vector<Index>& numbers);
+
+/// The faces with a corner in any of the rings up to number `last`, by ascending number.
+std::vector<Index> faces_around(const VertexFaces& around, const CrackTip& tip, int last);
+
+}  // namespace sherd

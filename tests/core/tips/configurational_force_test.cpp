@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tips/configurational_force.h"
+
+#include <gtest/gtest.h>
+
+#include "core/membrane/membrane_energy.h"
+#include "tests/support/slit_patch.h"
+
+namespace sherd {
+namespace {
+
+const Material oak_of_tips{1000, 0.05, 12e4, 0.3, 3e4, 2e4};
+
+test::SlitPatch flat_slit(int edges = 3, const Material& material = test::patch_material) {
+    return test::slit_patch(test::flat_patch(), edges, material);
+}
+
+test::SlitPatch curved_slit(int edges = 3, const Material& material = test::patch_material) {
+    return test::slit_patch(test::curved_patch(), edges, material);
+}
+
+/// The shell with its rest shape moved by `shift` for each metre of an axis, elastic as before.
+Shell with_advanced_tip(const Shell& shell, const TipShift& shift, int axis, double length) {
+    Shell there = shell;
+    for (std::size_t i = 0; i < shift.vertices.size(); ++i)
+        there.rest.col(shift.vertices[i]) += length * shift.by[i].col(axis);
+    for (auto& [vertices, membrane] : there.triangles) {
+        const TrianglePositions before = columns(shell.rest, vertices), after = columns(there.rest, vertices);
+        const Eigen::Matrix<double, 3, 2> axes = frame_axes(before);
+        const Vector3d side = after.col(1) - after.col(0);
+        const double turn = std::atan2(axes.col(1).dot(side), axes.col(0).dot(side));
+        membrane = membrane_triangle(after, turned_elasticity(membrane.elasticity, -turn));
+    }
+    for (HingeStencil& hinge : there.hinges) hinge = hinge_stencil(there, hinge.vertices, hinge.stiffness);
+    return there;
+}
+
+/// Minus the derivative of all elastic energies, by making the whole shell anew.
+ConfigurationalForce differenced(const test::SlitPatch& patch, const Positions& x, int rings,
+                                 const std::vector<MirrorHinge>& mirrors) {
+    const VertexFaces around(patch.shell);
+    const TipShift shift = tip_shift(patch.shell, around, patch.tip, rings);
+    const Matrix3d turn = rotation_at(patch.shell, around, patch.tip.vertex, x);
+    ConfigurationalForce force;
+    constexpr double length = 1e-5;
+    for (int axis = 0; axis < 2; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            const Shell there = with_advanced_tip(patch.shell, shift, axis, sign * length);
+            Positions moved = x;
+            for (std::size_t i = 0; i < shift.vertices.size(); ++i)
+                moved.col(shift.vertices[i]) += sign * length * turn * shift.by[i].col(axis);
+            force.membrane[axis] -= sign * MembraneEnergy(there.triangles).value(moved) / (2 * length);
+            force.bending[axis] -= sign * CoupledBending(there, mirrors).value(moved) / (2 * length);
+        }
+    return force;
+}
+
+void expect_as_differenced(const test::SlitPatch& patch, const std::vector<MirrorHinge>& mirrors = {}) {
+    const VertexFaces around(patch.shell);
+    const CoupledBending bending(patch.shell, mirrors);
+    for (const int rings : {0, 1}) {
+        const Positions x = test::bent_and_turned(patch.shell, 1);
+        const ConfigurationalForce force = TipForce(patch.shell, around, {&bending}, patch.tip, rings).at(x),
+                                   expected = differenced(patch, x, rings, mirrors);
+        EXPECT_EQ(force.rings, rings);
+        EXPECT_LT((force.membrane - expected.membrane).norm(), 1e-6 * expected.membrane.norm());
+        EXPECT_LT((force.bending - expected.bending).norm(), 1e-5 * expected.bending.norm());
+    }
+}
+
+// A term that is left out, of the faces' areas, their curvatures or the angles, would show here, far from
+// any equilibrium.
+TEST(ConfigurationalForce, IsTheDerivativeOfTheEnergyByTheRestShape) {
+    expect_as_differenced(flat_slit());
+    expect_as_differenced(curved_slit());
+}
+
+// The elasticity of wood stays with the sheet when its vertices move.
+TEST(ConfigurationalForce, IsTheDerivativeForOrthotropicSheetsToo) {
+    expect_as_differenced(flat_slit(3, oak_of_tips));
+    expect_as_differenced(curved_slit(3, oak_of_tips));
+}
+
+// Faces in the rings that end at a clamp or a symmetry plane.
+TEST(ConfigurationalForce, IsTheDerivativeBesideMirrorsToo) {
+    const test::SlitPatch patch = flat_slit(4);
+    std::vector<char> wall(patch.shell.rest.cols()), plane(patch.shell.rest.cols());
+    for (Index v = 0; v < patch.shell.rest.cols(); ++v) {
+        wall[v] = patch.shell.rest(0, v) > 1.2 - 1e-9;
+        plane[v] = patch.shell.rest(1, v) < 1e-9;
+    }
+    std::vector<MirrorHinge> mirrors;
+    for (const TriangleEdge& side : boundary_triangle_edges(patch.shell, wall))
+        mirrors.push_back(clamp_hinge(patch.shell, side, 1));
+    for (const TriangleEdge& side : boundary_triangle_edges(patch.shell, plane))
+        mirrors.push_back(symmetry_hinge(patch.shell, side, Vector3d::UnitY(), 1));
+    ASSERT_EQ(mirrors.size(), 10U);
+    expect_as_differenced(patch, mirrors);
+}
+
+// Its energy is another one: a figure that is wrong would not be noticed.
+TEST(ConfigurationalForce, IsRefusedForArcs) {
+    const test::SlitPatch patch = flat_slit();
+    const VertexFaces around(patch.shell);
+    EXPECT_THROW(TipForce(patch.shell, around, {nullptr, MembraneModel::arc}, patch.tip),
+                 std::invalid_argument);
+}
+
+// What drives a crack must not depend on where a piece flies, nor on where it was drawn.
+TEST(ConfigurationalForce, DoesNotChangeWithRigidMotionOfEitherShape) {
+    test::Random random(2);
+    const Matrix3d turn = random.rotation();
+    const test::SlitPatch patch = curved_slit(),
+                          turned = test::slit_patch(test::curved_patch(), 3, test::patch_material, turn);
+    const VertexFaces around(patch.shell);
+    const CoupledBending bending(patch.shell, {}), bending_turned(turned.shell, {});
+    const Positions x = test::bent_and_turned(patch.shell, 3);
+    const Positions moved = (random.rotation() * x).colwise() + random.matrix<Vector3d>(2);
+    const TipForce here(patch.shell, around, {&bending}, patch.tip),
+        there(turned.shell, around, {&bending_turned}, turned.tip);
+    const ConfigurationalForce expected = here.at(x);
+    EXPECT_LT((turned.tip.direction - turn * patch.tip.direction).norm(), 1e-12);
+    for (const ConfigurationalForce& force : {here.at(moved), there.at(x), there.at(moved)}) {
+        EXPECT_LT((force.membrane - expected.membrane).norm(), 1e-9 * expected.membrane.norm());
+        EXPECT_LT((force.bending - expected.bending).norm(), 1e-5 * expected.bending.norm());
+    }
+    EXPECT_LT(here.at(turn * patch.shell.rest).sum().norm(), 1e-9 * expected.sum().norm());
+}
+
+// Rings that reach another tip, or the outer boundary, give nonsense.
+TEST(CrackTip, RingsEndBeforeForeignVertices) {
+    for (const auto& [edges, rings] : {std::pair(1, 1), {2, 2}, {3, 2}, {5, 1}}) {
+        const test::SlitPatch patch = flat_slit(edges);
+        EXPECT_EQ(patch.tip.rings.size(), static_cast<std::size_t>(rings)) << edges;
+        for (const std::vector<Index>& ring : patch.tip.rings)
+            for (const Index vertex : ring) EXPECT_FALSE(patch.foreign[vertex]);
+        EXPECT_NEAR(patch.tip.direction.x(), 1, 0.1) << "away from the slit";
+    }
+}
+
+// Both lips belong to the first ring.
+TEST(CrackTip, FirstRingHasBothLips) {
+    const test::SlitPatch patch = flat_slit();
+    int behind = 0;
+    for (const Index vertex : patch.tip.rings[1])
+        behind += patch.shell.rest.col(vertex) == patch.shell.rest.col(2 * test::patch_across + 2);
+    EXPECT_EQ(behind, 2);
+    EXPECT_THROW(crack_tip(patch.shell, VertexFaces(patch.shell), 4 * test::patch_across + 2, patch.foreign),
+                 std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sherd

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "core/bending/coupled_bending.h"
+#include "core/membrane/membrane_energy.h"
+#include "core/solver/newton.h"
+#include "core/tips/crack_tip.h"
+#include "fracture/breakable_shell.h"
+#include "meshops/edge_path.h"
+#include "meshops/generate.h"
+#include "tests/support/crack_fields.h"
+
+namespace sherd::test {
+
+/// A square sheet, 6 wide, about the origin, with a crack from -1 to 1 on the x axis, and what its theory
+/// needs.
+struct CrackedSheet {
+    Shell shell;
+    std::vector<CrackTip> tips;  ///< at -1, and at 1
+    Material material;
+};
+
+inline constexpr double half_width = 6;
+inline const Material cracked_material{.density = 1, .thickness = 0.01, .young = 1, .poisson = 0.3};
+
+/// [V] whether vertices are on the outline, or nearer to it than `margin`.
+inline std::vector<char> near_outline(const Shell& shell, double margin) {
+    std::vector<char> is_near(shell.rest.cols());
+    for (Index v = 0; v < shell.rest.cols(); ++v)
+        is_near[v] = shell.rest.col(v).head<2>().cwiseAbs().maxCoeff() > half_width - margin;
+    return is_near;
+}
+
+/// The tips at given places, which are the only ones.
+inline std::vector<CrackTip> tips_at(const Shell& shell, const std::vector<Vector3d>& places) {
+    const VertexFaces around(shell);
+    std::vector<char> foreign = near_outline(shell, 1e-9);
+    std::vector<Index> vertices;
+    for (const Vector3d& place : places) {
+        Index nearest = 0;
+        (shell.rest.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+        vertices.push_back(nearest);
+        foreign[nearest] = 1;
+    }
+    std::vector<CrackTip> tips;
+    for (const Index vertex : vertices) tips.push_back(crack_tip(shell, around, vertex, foreign));
+    return tips;
+}
+
+inline Mesh square_mesh(double edge_length, unsigned seed, const std::vector<Polyline>& slits) {
+    Polygon polygon;
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+        polygon.outline.emplace_back(half_width * x, half_width * y);
+    polygon.slits = slits;
+    return generate_polygon(polygon, {edge_length, Layout::delaunay, seed});
+}
+
+inline BreakableShell sheet_of(const Mesh& mesh, const Material& material = cracked_material) {
+    SheetInput input;
+    input.mesh = mesh;
+    input.material = material;
+    return BreakableShell({input});
+}
+
+/// slit: along the x axis, from and to; tips: those of its ends that are inside.
+inline CrackedSheet slit_sheet(double edge_length, unsigned seed, std::array<double, 2> slit) {
+    const Mesh mesh = square_mesh(edge_length, seed, {{{slit[0], 0}, {slit[1], 0}}});
+    CrackedSheet sheet{sheet_of(mesh).mechanics(), {}, cracked_material};
+    std::vector<Vector3d> tips;
+    for (const double end : slit)
+        if (std::abs(end) < half_width) tips.emplace_back(end, 0, 0);
+    sheet.tips = tips_at(sheet.shell, tips);
+    return sheet;
+}
+
+inline CrackedSheet cracked_sheet(double edge_length, unsigned seed) {
+    return slit_sheet(edge_length, seed, {-1, 1});
+}
+
+/// The same with the crack along edges of a mesh that knows nothing of it.
+inline CrackedSheet zigzag_sheet(double edge_length, unsigned seed) {
+    BreakableShell breakable = sheet_of(square_mesh(edge_length, seed, {}));
+    const std::vector<Edge> path = edge_path(breakable.mesh(), std::vector<Vector3d>{{-1, 0, 0}, {1, 0, 0}});
+    breakable.fail(path);
+    CrackedSheet sheet{breakable.mechanics(), {}, cracked_material};
+    sheet.tips = tips_at(sheet.shell, {{-1, 0, 0}, {1, 0, 0}});
+    return sheet;
+}
+
+/// A place at rest; on the x axis its y is 0 or -0, as its faces lie above or below.
+inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index vertex) {
+    Vector2d at = shell.rest.col(vertex).head<2>();
+    double above = 0;
+    for (const Index face : around[vertex])
+        above += columns(shell.rest, shell.triangles[face].vertices).row(1).sum();
+    if (std::abs(at.y()) < 1e-9) at.y() = std::copysign(0.0, above);
+    return at;
+}
+
+/// The equilibrium of some energies, where fixed vertices are moved by `displacement` and the others are free
+/// along the directions of `guide`.
+template <class Displacement>
+Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3d& guide,
+                      const std::vector<Energy*>& energies, Displacement displacement) {
+    shell.fixed = fixed;
+    shell.guides = {guide};
+    shell.guide.assign(fixed.size(), 1);
+    Positions x = shell.rest;
+    const VertexFaces around(shell);
+    for (Index v = 0; v < x.cols(); ++v)
+        if (fixed[v] != 0) {
+            if constexpr (std::is_invocable_v<Displacement, Index>)
+                x.col(v) += displacement(v);
+            else
+                x.col(v) += displacement(sided_place(shell, around, v));
+        }
+    TimeSpent spent;
+    Potential potential(shell, energies, spent);
+    EXPECT_TRUE(Newton(1e-12).minimise(potential, 20, x).converged);
+    return x;
+}
+
+/// The sheet under a remote stress (xx, yy, xy), as a share of Young's modulus: its outline is where it is in
+/// an infinite one.
+inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
+    MembraneEnergy membrane(sheet.shell.triangles);
+    return equilibrium(sheet.shell, near_outline(sheet.shell, 1e-9), Vector3d(1, 1, 0).asDiagonal(),
+                       {&membrane}, [&](const Vector2d& at) {
+                           Vector3d displacement = Vector3d::Zero();
+                           displacement.head<2>() = crack_displacement(at, 1, sheet.material.poisson, stress);
+                           return displacement;
+                       });
+}
+
+/// The sheet with a remote curvature (xx, yy, xy), 1/m, linearly: its outer rows, `margin` wide, are where
+/// they are in an infinite one.
+inline Positions bent(const CrackedSheet& sheet, double margin, const Vector3d& curvature) {
+    CoupledBending bending(sheet.shell, {});
+    return equilibrium(sheet.shell, near_outline(sheet.shell, margin), Vector3d(0, 0, 1).asDiagonal(),
+                       {&bending}, [&](const Vector2d& at) {
+                           return Vector3d(0, 0, crack_deflection(at, 1, sheet.material.poisson, curvature));
+                       });
+}
+
+/// The mean of some numbers, and how they scatter about it.
+struct Spread {
+    double mean, deviation;
+};
+
+inline Spread spread(const std::vector<double>& values) {
+    const Eigen::Map<const VectorXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+    return {all.mean(), std::sqrt((all.array() - all.mean()).square().mean())};
+}
+
+}  // namespace sherd::test
