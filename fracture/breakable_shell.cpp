@@ -161,7 +161,8 @@ void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
         for (std::size_t e = 0; e < factors.size(); ++e) shell.edge_strength[first_edge + e] *= factors[e];
         first_edge += edges;
         measures.push_back(input.strength.measure);
-        crack_tip_factors.push_back(input.strength.crack_tip_factor);
+        crack_tip_factors.push_back(input.toughness.given() ? 1 : input.strength.crack_tip_factor);
+        toughnesses.push_back(input.toughness);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/strength.h"
+#include "fracture/toughness.h"
 
 namespace sherd {
 
@@ -24,6 +25,7 @@ struct SheetInput {
     std::vector<Vector3d>
         axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
     Strength strength;                     ///< by default the sheet does not break
+    Toughness toughness;                   ///< by default cracks go by the strength, too
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted
@@ -52,6 +54,8 @@ class BreakableShell {
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
+    const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
+    const Toughness& toughness(Edge edge) const { return toughnesses[sheet_of(edge)]; }
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
     std::vector<double> face_areas() const;  ///< [F] m^2, at rest
 
@@ -84,6 +88,7 @@ class BreakableShell {
     Lips lips;
     std::vector<Measure> measures;  ///< of each input
     std::vector<double> crack_tip_factors;
+    std::vector<Toughness> toughnesses;
 };
 
 }  // namespace sherd

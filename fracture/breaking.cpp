@@ -48,7 +48,7 @@ std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const Hinge
     for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
         const Edge edge = shell.edge_of_hinge(i);
         const double ratio = overload(shell, measures, edge, true);
-        if (!(ratio > 1)) continue;
+        if (!(ratio > 1) || shell.toughness(edge).given()) continue;
         bool most = true;
         for (const Vertex vertex : neighbourhood(mesh, edge))
             for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex)))

@@ -20,7 +20,7 @@ double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge
 /// The edges that fail in one stage of staged breaking: those that are overloaded, and more so than all
 /// others within two rings around them. If all overloaded hinges broke at once, as in the paper, the
 /// surroundings of a contact would turn to dust: the strain around a new crack must be evaluated again. The
-/// edges are ascending; of equal ones the lowest fails.
+/// edges are ascending; of equal ones the lowest fails. Sheets with a toughness are CrackGrowth's.
 std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures);
 
 /// All overloaded edges, ascending, without regard to crack tips: the paper's rule.

@@ -67,6 +67,7 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
       breakable(supported(std::move(sheets), options.held)),
       stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
+      growth(breakable, options.stepper.scheme == Scheme::statics),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
@@ -117,13 +118,14 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
-    const HingeMeasures measures = measured();
+    const Measured now = measured();
+    const HingeMeasures& measures = now.hinges;
     ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
     const bool in_stages = options.rule == BreakingRule::staged && !ends_at_crack;
-    if (in_stages) newton = break_in_stages(report, newton, measures);
+    if (in_stages) newton = break_in_stages(report, newton, now);
     // By the paper's rule hinges break after the solution that balances the reactions.
     report.reactions = stepper->reactions();
     if (in_stages) return newton.converged;
@@ -132,13 +134,15 @@ bool Simulation::attempt(StepReport& report) {
     return newton.converged;
 }
 
-MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton,
-                                            HingeMeasures measures) {
+MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
+    double waited = step_size.size();
     for (;;) {
-        const std::vector<Edge> failing = most_overloaded_edges(breakable, measures);
+        const std::vector<Edge> failing = failing_edges(now, waited);
+        waited = 0;
         report.stage_cap_reached = !failing.empty() && report.stages == options.max_stages;
         if (!failing.empty() && !report.stage_cap_reached) {
-            break_edges(failing, measures, report.stages++);
+            break_edges(failing, now.hinges, report.stages++);
+            growth.failed();
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
         } else if (!newton.converged && newton.iterations == iterations_between_stages) {
@@ -146,13 +150,26 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
         } else {
             return newton;
         }
-        measures = measured();
+        now = measured();
     }
 }
 
-HingeMeasures Simulation::measured() const {
-    return hinge_measures(breakable, stepper->position, stepper->coupled_curvatures(),
-                          stepper->face_strains());
+std::vector<Edge> Simulation::failing_edges(const Measured& now, double waited) {
+    std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
+    const std::vector<Edge> grown =
+        growth.failing_edges(now.strains, now.hinges, time(), time() + step_size.size(), waited);
+    failing.insert(failing.end(), grown.begin(), grown.end());
+    std::sort(failing.begin(), failing.end());
+    return failing;
+}
+
+Simulation::Measured Simulation::measured() const {
+    Measured now;
+    now.strains.membrane = stepper->face_strains();
+    const std::optional<Eigen::Matrix3Xd> coupled = stepper->coupled_curvatures();
+    if (growth.needed()) now.strains.curvature = coupled ? *coupled : stepper->face_curvatures();
+    now.hinges = hinge_measures(breakable, stepper->position, coupled, now.strains.membrane);
+    return now;
 }
 
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {

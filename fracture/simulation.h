@@ -3,6 +3,7 @@
 
 #include "core/time/stepper.h"
 #include "fracture/breaking.h"
+#include "fracture/crack_growth.h"
 #include "fracture/events.h"
 #include "fracture/fragments.h"
 #include "fracture/gauge.h"
@@ -75,9 +76,16 @@ class Simulation {
     [[noreturn]] void give_up(const StepReport& report) const;
     /// Solves a step from its beginning, including its breaking. Returns whether it could be solved.
     bool attempt(StepReport& report);
+    /// What is judged, at the stepper's position.
+    struct Measured {
+        FaceStrains strains;
+        HingeMeasures hinges;
+    };
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
-    MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, HingeMeasures measures);
-    HingeMeasures measured() const;  ///< at the stepper's position
+    MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, Measured measured);
+    Measured measured() const;
+    /// The edges that fail in one stage. waited: see CrackGrowth.
+    std::vector<Edge> failing_edges(const Measured& measured, double waited);
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
@@ -93,6 +101,7 @@ class Simulation {
     SimulationOptions options;
     BreakableShell breakable;
     std::unique_ptr<Stepper> stepper;
+    CrackGrowth growth;
     Fragments fragments;
     HingePeaks hinge_peaks;
     std::vector<char> obstacles_touched, bodies_touched;

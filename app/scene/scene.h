@@ -91,7 +91,10 @@ struct WindSpec {
 
 /// `[sheet.NAME.fracture]`.
 struct FractureSpec {
-    Strength strength;                             ///< without factors
+    Strength strength;  ///< without factors
+    /// Pa m^0.5 and J/m^2, of which one may be given; 0: none
+    double toughness = 0, fracture_energy = 0;
+    double speed_limit = 0;                        ///< m/s; 0: by the material
     double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
     std::optional<StrengthMap> map;                ///< none: the same strength everywhere
     std::vector<Score> scores;

@@ -44,7 +44,10 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
         warnings.insert(warnings.end(), axis_warnings.begin(), axis_warnings.end());
     }
     warn_of_stretching(input, sheet, warnings);
-    if (sheet.fracture) input.strength = sheet_strength(sheet, scene, input.mesh, warnings);
+    if (sheet.fracture) {
+        input.strength = sheet_strength(sheet, scene, input.mesh, warnings);
+        input.toughness = sheet_toughness(*sheet.fracture, sheet.material);
+    }
     input.velocity = sheet.velocity;
     input.spin = sheet.spin;
     return input;

@@ -41,4 +41,12 @@ Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& 
     return strength;
 }
 
+Toughness sheet_toughness(const FractureSpec& fracture, const Material& material) {
+    Toughness toughness;
+    toughness.value = fracture.fracture_energy > 0 ? toughness_of_energy(fracture.fracture_energy, material)
+                                                   : fracture.toughness;
+    toughness.speed_limit = fracture.speed_limit > 0 ? fracture.speed_limit : usual_speed_limit(material);
+    return toughness;
+}
+
 }  // namespace sherd

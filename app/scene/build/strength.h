@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/scene/scene.h"
+#include "fracture/toughness.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -11,5 +12,8 @@ namespace sherd {
 /// scores. Throws Error naming the scene's line and key; warnings are sentences.
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
                         std::vector<std::string>& warnings);
+
+/// The toughness of a sheet that breaks, with the speed limit of its material unless one is given.
+Toughness sheet_toughness(const FractureSpec& fracture, const Material& material);
 
 }  // namespace sherd

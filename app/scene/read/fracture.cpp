@@ -43,6 +43,30 @@ Strength read_strength(TomlTable& table) {
     return strength;
 }
 
+/// Cracks that go on by toughness are born where the stress is over the strength, and have rules of their
+/// own.
+void read_toughness(TomlTable& table, FractureSpec& fracture) {
+    const bool energy = table.has("fracture_energy");
+    if (energy && table.has("toughness"))
+        table.report("fracture_energy", "conflicts with toughness: give one of them");
+    if (!energy && !table.has("toughness")) {
+        if (table.has("speed_limit")) table.report("speed_limit", "needs toughness, or fracture_energy");
+        return;
+    }
+    if (energy)
+        fracture.fracture_energy = table.number("fracture_energy", "J/m^2", positive);
+    else
+        fracture.toughness = table.number("toughness", "Pa m^0.5", positive);
+    if (table.has("speed_limit")) fracture.speed_limit = table.number("speed_limit", "m/s", positive);
+    const char* key = energy ? "fracture_energy" : "toughness";
+    if (!table.has("strength"))
+        table.report(key, "needs strength (Pa), over which cracks are born, instead of strain");
+    if (table.has("crack_tip"))
+        table.report("crack_tip", "conflicts with toughness, by which the tips of cracks go on");
+    if (fracture.strength.along != fracture.strength.across)
+        table.report(key, "is for one strength in all directions yet");
+}
+
 StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory) {
     StrengthMap map;
     const bool texture = table.has("texture"), vdb = table.has("vdb");
@@ -81,6 +105,7 @@ Score read_score(TomlTable& table, const std::filesystem::path& directory) {
 FractureSpec read_fracture(TomlTable& table, const std::filesystem::path& directory) {
     FractureSpec fracture;
     fracture.strength = read_strength(table);
+    read_toughness(table, fracture);
     if (table.has("weibull")) fracture.weibull_modulus = table.number("weibull", "", positive);
     if (table.has("weibull_area")) {
         if (!table.has("weibull")) table.report("weibull_area", "needs weibull, the modulus of the scatter");

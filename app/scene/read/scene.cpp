@@ -128,6 +128,11 @@ void read_sheets(TomlTable& root, Scene& scene) {
     } else if (root.has("sheet")) {
         return;  // reported as no table
     }
+    const bool tough = std::ranges::any_of(scene.sheets, [](const SheetSpec& sheet) {
+        return sheet.fracture && (sheet.fracture->toughness > 0 || sheet.fracture->fracture_energy > 0);
+    });
+    if (tough && scene.solver.rule == BreakingRule::paper)
+        root.report("solver", "rule = \"paper\" knows no toughness: leave one of them out");
     // Plates have one rigidity; only how hinges stand for it is a choice.
     for (const SheetSpec& sheet : scene.sheets)
         if (is_coupled(scene.solver.bending.model) && sheet.material.calibration == Calibration::paper)

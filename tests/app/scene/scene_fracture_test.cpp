@@ -94,7 +94,36 @@ INSTANTIATE_TEST_SUITE_P(
         BadFracture{"strain = 1\ncrack_tip = 1.5", "fracture.crack_tip: must be a number above 0, up to 1"},
         BadFracture{"strain = 1\nweibull = 0", "fracture.weibull: must be a positive number"},
         BadFracture{"strain = 1\nweibull_area = 1", "fracture.weibull_area: needs weibull"},
-        BadFracture{"strain = 1\nwiebull = 3", "did you mean 'weibull'?"}));
+        BadFracture{"strain = 1\nwiebull = 3", "did you mean 'weibull'?"},
+        BadFracture{"strength = 1e7\ntoughness = -1", "fracture.toughness: must be a positive number"},
+        BadFracture{"strain = 1\ntoughness = 1e6", "fracture.toughness: needs strength (Pa)"},
+        BadFracture{"strength = 1e7\ntoughness = 1e6\nfracture_energy = 8",
+                    "fracture.fracture_energy: conflicts with toughness"},
+        BadFracture{"strength = 1e7\ntoughness = 1e6\ncrack_tip = 1", "fracture.crack_tip: conflicts"},
+        BadFracture{"strength = [1e7, 2e7]\ntoughness = 1e6", "fracture.toughness: is for one strength"},
+        BadFracture{"strength = 1e7\nspeed_limit = 400", "fracture.speed_limit: needs toughness"}));
+
+// A toughness that did not arrive would leave the cracks to the mesh.
+TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
+    const SheetInput by_intensity = input_of(breaking_plate("strength = 4e7\ntoughness = 8e5"));
+    EXPECT_EQ(by_intensity.toughness.value, 8e5);
+    EXPECT_EQ(by_intensity.toughness.speed_limit, usual_speed_limit(by_intensity.material));
+    const SheetInput by_energy =
+        input_of(breaking_plate("strength = 4e7\nfracture_energy = 8\nspeed_limit = 900"));
+    EXPECT_NEAR(by_energy.toughness.value, std::sqrt(8 * by_energy.material.young), 1e-6);
+    EXPECT_EQ(by_energy.toughness.speed_limit, 900);
+    EXPECT_FALSE(input_of(breaking_plate("strength = 4e7")).toughness.given());
+    EXPECT_THROW(breaking_plate("strength = 4e7\ntoughness = 8e5", "rule = \"paper\""), Error);
+}
+
+TEST(SceneFracture, ExplicitStepsHaveTheirOwnStepAndNoIterations) {
+    const Scene scene = breaking_plate("strain = 1", "scheme = \"explicit\"");
+    EXPECT_EQ(scene.solver.scheme, Scheme::explicit_differences);
+    EXPECT_EQ(scene.solver.step, 2e-6);
+    for (const char* key : {"tolerance = 1e-6", "max_iterations = 3", "max_stages = 3"})
+        EXPECT_THROW(breaking_plate("strain = 1", std::string("scheme = \"explicit\"\n") + key), Error)
+            << key;
+}
 
 }  // namespace
 }  // namespace sherd::test

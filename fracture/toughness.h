@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/material/material.h"
+
+namespace sherd {
+
+/// What decides where the cracks of a sheet go on.
+struct Toughness {
+    double value = 0;        ///< K_Ic, Pa m^0.5; 0: none, hinges go by their strength alone
+    double speed_limit = 0;  ///< m/s, that no tip exceeds
+
+    bool given() const { return value > 0; }
+};
+
+/// K_Ic, Pa m^0.5, of the energy (J/m^2) that a metre of crack takes for each metre of thickness, in plane
+/// stress: sqrt(Y G_c).
+double toughness_of_energy(double energy, const Material& material);
+
+/// The speed that cracks in brittle materials do not exceed, m/s: 0.45 of that of shear waves. In glass this
+/// is 1,500 (Schardin 1959: 1,520), in PMMA 450 (branching sets in at 400: Sharon and Fineberg 1999).
+double usual_speed_limit(const Material& material);
+
+}  // namespace sherd

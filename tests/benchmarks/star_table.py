@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strikes plates of PMMA at several speeds on several meshes and prints how many arms their stars have.
+
+    tests/benchmarks/star_table.py build/release/app/sherd [SEEDS]
+
+Arms are counted where cracks cross circles around the blow, at rest. Takes minutes. Needs h5py and numpy.
+"""
+import collections
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "struck_plate.toml"
+BLOW = numpy.array([0.001, 0.0007])
+SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.0025, 0.0016), (0.005, 0.01, 0.015)
+
+
+def cracks(recording):
+    """Ends at rest of the edges that have failed: [N, 2, 2] m; each crack once, and no rim."""
+    with h5py.File(recording) as file:
+        rest, faces = file["rest/position"][:, :2], file["rest/faces"][:]
+        frame = file["frames"][sorted(file["frames"])[-1]]
+        edges, states = frame["vertex/original"][:][frame["edge/vertices"][:]], frame["edge/state"][:]
+        area = 0.5 * numpy.linalg.norm(numpy.cross(*(file["rest/position"][:][faces[:, k]]
+                                                     - file["rest/position"][:][faces[:, 0]] for k in (1, 2))), axis=1)
+        pieces = frame["face/fragment"][:]
+        shares = numpy.bincount(pieces, weights=area[:len(pieces)]) / area.sum()
+    sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
+    failed = {tuple(sorted(edge)) for edge, state in zip(edges, states) if state}
+    return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares
+
+
+def main():
+    program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
+    print("| speed (m/s) | edges (mm) | arms at 5 / 10 / 15 mm, a mesh each | length of cracks (mm) | pieces |")
+    print("| --- | --- | --- | --- | --- |")
+    for speed in SPEEDS:
+        for edge in EDGES:
+            arms, lengths, pieces = [], [], []
+            for seed in range(1, seeds + 1):
+                with tempfile.TemporaryDirectory() as folder:
+                    recording = pathlib.Path(folder) / "star.h5"
+                    subprocess.run([program, "run", SCENE, "--variant", speed, "-o", recording, "--set", f"seed={seed}",
+                                    "--set", f"sheet.plate.mesh.edge_length={edge}"], check=True,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                    found, shares = cracks(recording)
+                away = numpy.linalg.norm(found - BLOW, axis=2)
+                arms.append("/".join(str(int(((away < r).sum(axis=1) == 1).sum())) for r in RADII))
+                lengths.append(f"{1000 * numpy.linalg.norm(found[:, 0] - found[:, 1], axis=1).sum():.0f}")
+                pieces.append(str(int((shares > 0).sum())))
+            print(f"| {speed} | {1000 * edge:g} | {', '.join(arms)} | {', '.join(lengths)} | {', '.join(pieces)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cracks by strength and toughness. Were a tip judged by the mesh instead of its load, or did it forget its
+// path, its speed or its neighbours, stars would be holes and straight cracks zigzag.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/contact/colliders/rigid_body.h"
+#include "fracture/simulation.h"
+#include "meshops/generate.h"
+#include "tests/support/materials.h"
+
+namespace sherd {
+namespace {
+
+constexpr double strip_length = 0.12, strip_width = 0.06, strip_edge = 0.004;  // m
+
+/// A glass strip along x, whose hinges near the middle of one side are weak, so that a crack begins there,
+/// and strong elsewhere.
+SheetInput weakened_strip(std::uint32_t seed, double toughness) {
+    SheetInput input;
+    input.mesh = generate_rectangle(strip_length, strip_width, {strip_edge, Layout::delaunay, seed});
+    input.material = test::glass;
+    input.strength = uniform_strength(4e7, Measure::stress);
+    for (const Edge edge : input.mesh.edges()) {
+        const Point middle = CGAL::midpoint(input.mesh.point(input.mesh.vertex(edge, 0)),
+                                            input.mesh.point(input.mesh.vertex(edge, 1)));
+        const bool weak =
+            std::abs(middle.x() - strip_length / 2) < strip_edge && middle.y() < 1.5 * strip_edge;
+        input.strength.factors.push_back(weak ? 0.2 : 10);
+    }
+    input.toughness = {.value = toughness, .speed_limit = usual_speed_limit(test::glass)};
+    return input;
+}
+
+/// Forces, N/m, that pull both ends of the strip apart.
+std::vector<Load> pulled(const BreakableShell& sheets, double force) {
+    const Shell& shell = sheets.mechanics();
+    std::vector<Load> loads(1);
+    for (const double sign : {-1.0, 1.0}) {
+        std::vector<char> end(shell.rest.cols());
+        for (Index v = 0; v < static_cast<Index>(end.size()); ++v)
+            end[v] = std::abs(shell.rest(0, v) - (sign < 0 ? 0 : strip_length)) < 1e-9;
+        const auto forces =
+            line_forces(shell, boundary_triangle_edges(shell, end), Vector3d(sign * force, 0, 0));
+        loads[0].dead.insert(loads[0].dead.end(), forces.begin(), forces.end());
+    }
+    return loads;
+}
+
+/// The strip, pulled at both ends by this stress (Pa).
+Simulation pulled_strip(std::uint32_t seed, double toughness, double stress) {
+    SimulationOptions options;
+    BreakableShell sheets({weakened_strip(seed, toughness)});
+    options.stepper.scheme = Scheme::explicit_differences;
+    options.stepper.step = 1e-6;
+    options.stepper.gravity.setZero();
+    options.stepper.contact.sheets = false;
+    options.stepper.shell.damping.stiffness = 2e-8;
+    options.stepper.shell.loads = pulled(sheets, stress * test::glass.thickness);
+    return Simulation(std::move(sheets), options);
+}
+
+/// The failed edges of a run, ends at rest, with the time.
+struct Failures {
+    std::vector<std::pair<Vector3d, Vector3d>> edges;
+    std::vector<double> times;
+
+    void add(Simulation& simulation) {
+        const CrackEvents events = simulation.take_events();
+        const Positions& rest = simulation.shell().mechanics().rest;
+        for (const EdgeFailure& failure : events.failures) {
+            edges.emplace_back(rest.col(failure.vertices[0]), rest.col(failure.vertices[1]));
+            times.push_back(failure.time);
+        }
+    }
+};
+
+// A strip that is pulled breaks straight across, from its weak place, in two.
+TEST(CrackGrowth, RunsStraightAcrossAPull) {
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+        Simulation simulation = pulled_strip(seed, 1e6, 1.5e7);
+        Failures failures;
+        Index pieces = 1;
+        for (int i = 0; i < 400 && pieces == 1; ++i) {
+            pieces = simulation.step().fragments;
+            failures.add(simulation);
+        }
+        EXPECT_EQ(pieces, 2) << "seed " << seed;
+        double cracked = 0;
+        for (const auto& [a, b] : failures.edges) {
+            cracked += (a - b).norm();
+            EXPECT_NEAR(0.5 * (a + b).x(), strip_length / 2, 3 * strip_edge) << "seed " << seed;
+        }
+        EXPECT_LT(cracked, 1.3 * strip_width) << "no branches, no dust; a path along edges is a tenth longer";
+    }
+}
+
+// No tip is faster than its limit, however it is loaded.
+TEST(CrackGrowth, KeepsTheSpeedLimit) {
+    const double limit = usual_speed_limit(test::glass);
+    EXPECT_NEAR(limit, 1500, 100) << "as measured in glass";
+    Simulation simulation = pulled_strip(1, 1e5, 3e7);
+    Failures failures;
+    for (int i = 0; i < 200 && simulation.step().fragments < 2; ++i) failures.add(simulation);
+    ASSERT_GT(failures.edges.size(), 8u);
+    for (std::size_t i = 0; i < failures.edges.size(); ++i) {
+        const double way = failures.edges[i].first.y() - failures.edges[0].first.y();
+        const double time = failures.times[i] - failures.times[0];
+        EXPECT_LT(way, limit * time + 3 * strip_edge) << "after " << time << " s";
+    }
+}
+
+// Where the load is below the toughness a crack that was born stays as it is.
+TEST(CrackGrowth, AToughSheetArrestsItsCrack) {
+    Simulation simulation = pulled_strip(1, 1e7, 1.5e7);
+    Failures failures;
+    for (int i = 0; i < 200; ++i) {
+        simulation.step();
+        failures.add(simulation);
+    }
+    EXPECT_GE(failures.edges.size(), 1u);
+    EXPECT_LT(failures.edges.size(), 4u);
+}
+
+TEST(CrackGrowth, ASheetWithoutToughnessBreaksAsBefore) {
+    const BreakableShell tough({weakened_strip(1, 1e6)}), plain({weakened_strip(1, 0)});
+    EXPECT_FALSE(CrackGrowth(plain, false).needed());
+    EXPECT_TRUE(CrackGrowth(tough, false).needed());
+    EXPECT_EQ(tough.crack_tip_factor(Edge(0)), 1);
+    EXPECT_EQ(plain.crack_tip_factor(Edge(0)), Strength().crack_tip_factor);
+}
+
+// A plate that a nose strikes breaks in a star, without a hole and without dust.
+TEST(CrackGrowth, AStruckPlateBreaksInAStar) {
+    SheetInput plate;
+    plate.mesh = generate_rectangle(0.12, 0.12, {0.003, Layout::delaunay, 1});
+    plate.material = {.density = 1190, .thickness = 1e-3, .young = 3.2e9, .poisson = 0.35};
+    plate.strength = uniform_strength(9e7, Measure::stress);
+    plate.toughness = {.value = 1.1e6, .speed_limit = 400};
+    RigidBody nose = rigid_sphere(1.5e-3, 3.5e5);
+    const Vector3d blow(0.061, 0.0605, 0);
+    nose.centre = blow + Vector3d(0, 0, 2.01e-3);
+    nose.velocity = Vector3d(0, 0, -50);
+    SimulationOptions options;
+    options.stepper.scheme = Scheme::explicit_differences;
+    options.stepper.step = 1e-6;
+    options.stepper.contact.sheets = false;
+    options.stepper.contact.bodies = {nose};
+    options.stepper.shell.damping.stiffness = 1e-8;
+    Simulation simulation({plate}, options);
+    Failures failures;
+    Index pieces = 1;
+    for (int i = 0; i < 200; ++i) {
+        pieces = simulation.step().fragments;
+        failures.add(simulation);
+    }
+    double all = 0, radial = 0, farthest = 0;
+    for (const auto& [a, b] : failures.edges) {
+        const Vector3d way = b - a, out = 0.5 * (a + b) - blow;
+        all += way.norm();
+        if (std::abs(way.normalized().dot(out.normalized())) > std::cos(std::numbers::pi / 4))
+            radial += way.norm();
+        farthest = std::max(farthest, out.norm());
+    }
+    EXPECT_LE(pieces, 4) << "arms, and no hole";
+    EXPECT_GT(farthest, 0.015);
+    EXPECT_GT(all, 0.04) << "several of them";
+    EXPECT_GT(radial, 0.7 * all);
+}
+
+}  // namespace
+}  // namespace sherd
