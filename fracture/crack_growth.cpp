@@ -50,6 +50,21 @@ double turn_of(double ratio) {
 CrackGrowth::CrackGrowth(const BreakableShell& shell, bool timeless) : shell(shell), timeless(timeless) {
     for (const Index sheet : shell.face_sheet())
         is_needed = is_needed || shell.toughness_of_sheet(sheet).given();
+    if (is_needed) find_tips();
+}
+
+void CrackGrowth::find_tips() {
+    const Mesh& mesh = shell.mesh();
+    for (const Vertex vertex : mesh.vertices()) {
+        if (!shell.cracks().is_tip(vertex)) continue;
+        for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex))) {
+            if (shell.cracks().state(mesh.edge(h)) == EdgeState::interior) continue;
+            const Positions& rest = shell.mechanics().rest;
+            add_tip(vertex,
+                    rest.col(static_cast<Index>(vertex)) - rest.col(static_cast<Index>(mesh.source(h))), 0);
+            break;
+        }
+    }
 }
 
 double CrackGrowth::edge_length_ahead(const GrowingTip& tip) const {

@@ -68,6 +68,8 @@ class CrackGrowth {
     double birth_ratio(const FaceStrains& strains, double across, Edge edge) const;
     bool near_a_tip(Edge edge) const;
     void add_tip(Vertex vertex, const Vector3d& direction, double time);
+    /// The tips of the cracks that there are, each away from its crack.
+    void find_tips();
 
     const BreakableShell& shell;
     bool timeless, is_needed = false;

@@ -65,13 +65,28 @@ double largest(const VectorXd& measures) {
 
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
-      breakable(supported(std::move(sheets), options.held)),
+      breakable(with_cracks(supported(std::move(sheets), options.held))),
       stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
       growth(breakable, options.stepper.scheme == Scheme::statics),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
       step_size(options.stepper.step) {}
+
+BreakableShell Simulation::with_cracks(BreakableShell sheets) {
+    if (options.cracks.empty()) return sheets;
+    for (const Edge edge : options.cracks) {
+        EdgeFailure failure;
+        failure.edge = static_cast<Index>(edge);
+        failure.vertices = {static_cast<Index>(sheets.mesh().vertex(edge, 0)),
+                            static_cast<Index>(sheets.mesh().vertex(edge, 1))};
+        events.failures.push_back(failure);
+    }
+    const BreakableShell::Change change = sheets.fail(options.cracks);
+    record_change(change.cracks);
+    follow(sheets.mechanics(), change.shell, options.gauges);
+    return sheets;
+}
 
 StepReport Simulation::step() try {
     StepReport report;

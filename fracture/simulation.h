@@ -25,6 +25,7 @@ struct SimulationOptions {
     /// Loads, winds and mirrors refer to the triangles of all sheets, numbered in the order of the inputs. A
     /// step that cannot be solved is halved. The stepper's tolerance is set from `tolerance`.
     StepperOptions stepper = {.contact = {.sheets = true}};
+    std::vector<Edge> cracks;      ///< edges that have failed before the run, numbered over all inputs
     std::vector<HeldVertex> held;  ///< by the first StepperOptions::supports numbers
     std::vector<Gauge> gauges;
     FaceFieldChoice fields;   ///< that snapshots have
@@ -90,6 +91,8 @@ class Simulation {
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
+    /// Opens what has failed before the run, and begins the list of events with it.
+    BreakableShell with_cracks(BreakableShell sheets);
     void update_fragments();
     /// Leaves the lips of cracks that have parted since to the contact of sheets.
     void release_lips();
@@ -99,15 +102,15 @@ class Simulation {
     void read_gauges(StepReport& report) const;
 
     SimulationOptions options;
+    std::int64_t steps = 0;
+    CrackEvents events;
     BreakableShell breakable;
     std::unique_ptr<Stepper> stepper;
     CrackGrowth growth;
     Fragments fragments;
     HingePeaks hinge_peaks;
     std::vector<char> obstacles_touched, bodies_touched;
-    CrackEvents events;
     StepSize step_size;
-    std::int64_t steps = 0;
     bool ends_at_crack = false;
 };
 

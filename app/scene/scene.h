@@ -98,6 +98,7 @@ struct FractureSpec {
     double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
     std::optional<StrengthMap> map;                ///< none: the same strength everywhere
     std::vector<Score> scores;
+    std::vector<Score> cracks;  ///< that are there from the start; their factors have no meaning
 };
 
 struct SheetSpec {

@@ -17,7 +17,7 @@ import numpy
 
 SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
-SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.0025, 0.0016), (0.005, 0.01, 0.015)
+SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016), (0.005, 0.01, 0.015)
 
 
 def cracks(recording):

@@ -11,6 +11,7 @@
 #include "app/scene/build/loads.h"
 #include "app/scene/build/obstacle_start.h"
 #include "app/scene/build/obstacles.h"
+#include "app/scene/build/score.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/sheet_parting.h"
 #include "app/scene/build/supports.h"
@@ -83,6 +84,7 @@ BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
     add_loads(scene, built.inputs, built.sheets.mechanics(), built.options);
     add_gauges(scene, built.sheets.mechanics(), built.options);
     add_winds(scene, built.sheets.mechanics(), built.options);
+    built.options.cracks = cracked_edges(scene, built.inputs);
     return built;
 }
 

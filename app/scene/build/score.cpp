@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/build/score.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "app/scene/build/edge_list.h"
@@ -28,6 +29,25 @@ std::vector<Edge> scored_edges(const Score& score, const Mesh& placed, const Eig
     return with_context(score.where, [&] {
         return std::visit([&](const auto& kind) { return edges_of(kind, placed, place); }, score.kind);
     });
+}
+
+std::vector<Edge> cracked_edges(const Scene& scene, const std::vector<SheetInput>& inputs) {
+    std::vector<Edge> all;
+    std::size_t first = 0;
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        const SheetSpec& sheet = scene.sheets[s];
+        const Mesh& mesh = inputs[s].mesh;
+        for (const Score& crack : sheet.fracture ? sheet.fracture->cracks : std::vector<Score>())
+            for (const Edge edge : scored_edges(crack, mesh, sheet.place)) {
+                if (mesh.is_border(edge))
+                    throw Error(crack.where + ": runs along the rim, where nothing can open");
+                all.push_back(Edge(static_cast<Index>(first + edge)));
+            }
+        first += mesh.number_of_edges();
+    }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 }  // namespace sherd

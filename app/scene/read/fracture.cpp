@@ -83,7 +83,8 @@ StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory) {
     return map;
 }
 
-Score read_score(TomlTable& table, const std::filesystem::path& directory) {
+/// Which edges: one of `edges` and `line`.
+Score read_edges(TomlTable& table, const std::filesystem::path& directory) {
     Score score;
     const bool edges = table.has("edges"), line = table.has("line");
     if (edges && line) table.report("line", "conflicts with edges: give one of them");
@@ -95,6 +96,11 @@ Score read_score(TomlTable& table, const std::filesystem::path& directory) {
         for (const Eigen::VectorXd& point : table.rows("line", "m", 2, 3)) polyline.points.push_back(point);
         score.kind = polyline;
     }
+    return score;
+}
+
+Score read_score(TomlTable& table, const std::filesystem::path& directory) {
+    Score score = read_edges(table, directory);
     score.factor = table.number("factor", "", positive);
     table.finish();
     return score;
@@ -113,6 +119,10 @@ FractureSpec read_fracture(TomlTable& table, const std::filesystem::path& direct
     }
     if (auto map = table.table("map")) fracture.map = read_map(*map, directory);
     for (TomlTable& score : table.tables("score")) fracture.scores.push_back(read_score(score, directory));
+    for (TomlTable& crack : table.tables("crack")) {
+        fracture.cracks.push_back(read_edges(crack, directory));
+        crack.finish();
+    }
     table.finish();
     return fracture;
 }

@@ -3,10 +3,14 @@
 // nothing.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -114,6 +118,48 @@ TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
     EXPECT_EQ(by_energy.toughness.speed_limit, 900);
     EXPECT_FALSE(input_of(breaking_plate("strength = 4e7")).toughness.given());
     EXPECT_THROW(breaking_plate("strength = 4e7\ntoughness = 8e5", "rule = \"paper\""), Error);
+}
+
+// A sheet with a crack of 60 mm that is pulled: it grows from both tips, straight on, once stress times the
+// root of pi times half its length is the toughness, to what a look at the stress ahead of a tip is worth.
+TEST(SceneFracture, ACrackThatIsThereGrowsAtItsToughness) {
+    const Scene scene = scene_of(R"(
+[sheet.plate]
+mesh = { generate = "rectangle", width = 0.4, height = 0.4, edge_length = 0.01 }
+material = { preset = "glass" }
+clamp = { box = [[-1, -1, -1], [0.0001, 1, 1]] }
+[sheet.plate.fracture]
+strength = 1e9
+toughness = 1e6
+crack = { line = [[0.2, 0.17, 0], [0.2, 0.23, 0]] }
+[[force.load]]
+line = [26000, 0, 0]
+box = [[0.3999, -1, -1], [1, 1, 1]]
+[contact]
+sheets = false
+[force]
+)" + std::string("gravity = [0, 0, 0]\n[solver]\nscheme = \"static\"\nstep = 0.02\n"));
+    std::vector<std::string> warnings;
+    const BuiltScene built = build_scene(scene, warnings);
+    ASSERT_GT(built.options.cracks.size(), 4u);
+    Simulation simulation(built.sheets, built.options);
+    double length = 0;
+    for (const EdgeFailure& failure : simulation.take_events().failures) {
+        EXPECT_EQ(failure.step, 0);
+        length += (simulation.shell().mechanics().rest.col(failure.vertices[0]) -
+                   simulation.shell().mechanics().rest.col(failure.vertices[1]))
+                      .norm();
+    }
+    EXPECT_NEAR(length, 0.06, 0.012);
+    double load = 0;
+    std::vector<EdgeFailure> grown;
+    while (grown.empty() && load < 1) {
+        load = simulation.step().load;
+        grown = simulation.take_events().failures;
+    }
+    const double stress = 26000 / scene.sheets[0].material.thickness, half = 0.5 * length;
+    EXPECT_NEAR(load * stress * std::sqrt(std::numbers::pi * half), 1e6, 0.2e6);
+    EXPECT_GE(grown.size(), 2u) << "from both tips";
 }
 
 TEST(SceneFracture, ExplicitStepsHaveTheirOwnStepAndNoIterations) {
