@@ -115,8 +115,11 @@ int bench_cost(const BenchOptions& options) {
             std::erase_if(cases, [](const ShellCase& one) { return !one.name.starts_with("plate"); });
     }
     const Json costs = iteration_costs(options.models, edges, !options.json);
+    const Json explicits = explicit_costs(options.models, !options.json);
     const Json equal = costs_at_equal_error(cases, options.models, !options.json);
-    if (options.json) fmt::print("{}\n", Json{{"iterations", costs}, {"equal_error", equal}}.dump(2));
+    if (options.json)
+        fmt::print("{}\n",
+                   Json{{"iterations", costs}, {"explicit", explicits}, {"equal_error", equal}}.dump(2));
     return 0;
 }
 
@@ -129,7 +132,7 @@ void add_bench(CLI::App& program, Command& chosen) {
     command
         ->add_option("name", options->name,
                      "shells: errors of plates and shells beside theory and published numbers; cost: what an "
-                     "iteration and what a given error cost with each model")
+                     "iteration, an explicit step and a given error cost with each model")
         ->required()
         ->check(CLI::IsMember({"shells", "cost"}));
     command->add_flag(

@@ -7,6 +7,7 @@ namespace sherd {
 namespace {
 
 constexpr int rings = 2;
+constexpr double almost_one = 1 - 1e-9;  // of what is one but for round-off
 
 /// The end points of an edge and all vertices within two edges of them.
 std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
@@ -20,6 +21,13 @@ std::vector<Vertex> neighbourhood(const Mesh& mesh, Edge edge) {
                     vertices.push_back(mesh.source(h));
     }
     return vertices;
+}
+
+/// Whether an overload above `limit` is possible, which tells most edges without a look at the mesh around.
+bool may_exceed(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips,
+                double limit) {
+    const double factor = crack_tips ? std::min(1.0, shell.crack_tip_factor(edge)) : 1;
+    return overload(shell, measures, edge, false) > factor * limit;
 }
 
 bool continues_a_crack(const BreakableShell& shell, Edge edge) {
@@ -47,6 +55,7 @@ std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const Hinge
     std::vector<Edge> failing;
     for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
         const Edge edge = shell.edge_of_hinge(i);
+        if (!may_exceed(shell, measures, edge, true, almost_one)) continue;
         const double ratio = overload(shell, measures, edge, true);
         if (!(ratio > 1) || shell.toughness(edge).given()) continue;
         bool most = true;
@@ -57,6 +66,16 @@ std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const Hinge
     }
     std::sort(failing.begin(), failing.end());
     return failing;
+}
+
+double largest_overload(const BreakableShell& shell, const HingeMeasures& measures, bool crack_tips) {
+    double largest = 0;
+    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
+        const Edge edge = shell.edge_of_hinge(i);
+        if (may_exceed(shell, measures, edge, crack_tips, almost_one * largest))
+            largest = std::max(largest, overload(shell, measures, edge, crack_tips));
+    }
+    return largest;
 }
 
 std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {

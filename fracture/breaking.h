@@ -17,6 +17,9 @@ enum class BreakingRule {
 /// a crack, because the crack tip concentrates strain more than the mesh resolves.
 double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge edge, bool crack_tips);
 
+/// That of the most overloaded hinge; 0 without hinges.
+double largest_overload(const BreakableShell& shell, const HingeMeasures& measures, bool crack_tips);
+
 /// The edges that fail in one stage of staged breaking: those that are overloaded, and more so than all
 /// others within two rings around them. If all overloaded hinges broke at once, as in the paper, the
 /// surroundings of a contact would turn to dust: the strain around a new crack must be evaluated again. The

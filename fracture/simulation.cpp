@@ -246,11 +246,7 @@ void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures)
     report.peak_strain = largest(measures.strain);
     report.peak_stress = largest(measures.stress);
     report.peak_bending_strain = largest(measures.bending);
-    report.peak_overload = 0;
-    for (std::size_t i = 0; i < breakable.mechanics().hinges.size(); ++i)
-        report.peak_overload = std::max(
-            report.peak_overload,
-            overload(breakable, measures, breakable.edge_of_hinge(i), options.rule == BreakingRule::staged));
+    report.peak_overload = largest_overload(breakable, measures, options.rule == BreakingRule::staged);
 }
 
 void Simulation::finish(StepReport& report) {

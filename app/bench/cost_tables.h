@@ -17,6 +17,9 @@ inline constexpr std::array<double, 3> hemisphere_edges{0.66, 0.325, 0.162};
 /// `print`. Returns an array with an object for each mesh and model.
 Json iteration_costs(const std::vector<std::string>& models, const std::vector<double>& edges, bool print);
 
+/// What explicit steps cost with each model. As iteration_costs().
+Json explicit_costs(const std::vector<std::string>& models, bool print);
+
 /// Of each case, what mesh each model needs for the error that coupled hinges have on the coarse mesh, and
 /// what that costs.
 Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector<std::string>& models,

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/newton_cost.h"
 
-#include <algorithm>
-#include <ctime>
-#include <functional>
-#include <limits>
-
+#include "app/bench/least_seconds.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "core/solver/factor_size.h"
@@ -13,16 +9,6 @@
 
 namespace sherd {
 namespace {
-
-double least_seconds(const std::function<void()>& work) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        const std::clock_t start = std::clock();
-        work();
-        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return least;
-}
 
 BlockMatrix laid_out(const Shell& shell, const std::vector<Energy*>& energies) {
     std::vector<std::pair<Index, Index>> pairs;

@@ -6,8 +6,7 @@
 
 namespace sherd {
 
-/// What an iteration of Newton's method costs, in processor time of one thread, s: each is the least of
-/// three.
+/// What an iteration of Newton's method costs, in processor time of one thread, s: see least_seconds().
 struct NewtonCost {
     std::size_t vertices = 0;
     double hessian_entries = 0, factor_entries = 0;  ///< a vertex; of the whole symmetric Hessian

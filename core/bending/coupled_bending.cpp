@@ -67,15 +67,15 @@ std::vector<Index> CoupledBending::follow(const ShellChange& change) {
     return changed;
 }
 
-Matrix3d CoupledBending::rigidity(Index face) const {
+double CoupledBending::rigidity_factor(Index face) const {
     const auto& [vertices, membrane] = shell.triangles[face];
     const double thickness = shell.thickness[vertices[0]];
-    return scale * membrane.area * thickness * thickness / 12 * membrane.elasticity;
+    return scale * membrane.area * thickness * thickness / 12;
 }
 
-VectorXd CoupledBending::changes(const Positions& x, std::span<const Index> some) const {
-    return (folds.angles(x, some) - start).unaryExpr([](double change) {
-        return std::remainder(change, 2 * std::numbers::pi);
+VectorXd CoupledBending::changes_from(const VectorXd& angles) const {
+    return (angles - start).unaryExpr([](double change) {
+        return std::abs(change) <= std::numbers::pi ? change : std::remainder(change, 2 * std::numbers::pi);
     });
 }
 
@@ -95,8 +95,8 @@ std::vector<MirrorGradient> CoupledBending::mirror_gradients(const Positions& x)
 VectorXd CoupledBending::moments(const VectorXd& changes) const {
     VectorXd all = VectorXd::Zero(changes.size());
     for (const Index face : counted) {
-        const Vector3d moment = rigidity(face) * curvature.of(face, changes);
-        for (const auto& [fold, per_angle] : curvature.terms(face)) all[fold] += per_angle.dot(moment);
+        const Vector3d of_face = moment(face, curvature.of(face, changes));
+        for (const auto& [fold, per_angle] : curvature.terms(face)) all[fold] += per_angle.dot(of_face);
     }
     return all;
 }
@@ -106,7 +106,7 @@ double CoupledBending::value(const Positions& x) const {
     double sum = 0;
     for (const Index face : counted) {
         const Vector3d bent = curvature.of(face, all);
-        sum += 0.5 * bent.dot(rigidity(face) * bent);
+        sum += 0.5 * bent.dot(moment(face, bent));
     }
     return sum;
 }
@@ -120,30 +120,31 @@ double CoupledBending::round_off() const {
 }
 
 void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const {
-    folds.add_gradient(x, moments(changes(x, needed)), gradient, needed);
+    folds.find_slopes(x, needed, slopes);
+    folds.add_gradient(slopes, moments(changes_from(folds.angles(slopes, needed))), gradient, needed);
 }
 
 void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
-                                 std::vector<Matrix3d>& slopes) const {
-    slopes.assign(reach[i].vertices.size(), Matrix3d::Zero());
+                                 std::vector<Matrix3d>& of_face) const {
+    of_face.assign(reach[i].vertices.size(), Matrix3d::Zero());
     auto place = reach[i].places.begin();
     for (const auto& [fold, per_angle] : curvature.terms(counted[i])) {
         const HingePositions& gradient = of_folds[fold].gradient;
         for (int v = 0; v < 4; ++v)
-            if ((*place)[v] >= 0) slopes[(*place)[v]] += per_angle * gradient.col(v).transpose();
+            if ((*place)[v] >= 0) of_face[(*place)[v]] += per_angle * gradient.col(v).transpose();
         ++place;
     }
     const Matrix3d root = rigidity(counted[i]).llt().matrixU();
-    for (Matrix3d& slope : slopes) slope = (root * slope).eval();
+    for (Matrix3d& slope : of_face) slope = (root * slope).eval();
 }
 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
-    const std::vector<Folds::Slope> of_folds = folds.slopes(x, needed);
-    std::vector<Matrix3d> slopes;
+    folds.find_slopes(x, needed, slopes);
+    std::vector<Matrix3d> of_face;
     for (std::size_t i = 0; i < counted.size(); ++i) {
-        find_slopes(i, of_folds, slopes);
+        find_slopes(i, slopes, of_face);
         hessian.add_all(reach[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
-            return slopes[a].transpose() * slopes[b];
+            return of_face[a].transpose() * of_face[b];
         });
     }
     // What the angles' own second derivatives add.

@@ -31,7 +31,9 @@ class CoupledBending : public Energy {
     const Folds& all_folds() const { return folds; }
     const FaceCurvature& face_curvature() const { return curvature; }
     /// What a face's change of curvature costs, J m^2: twice the energy is k^T of this k.
-    Matrix3d rigidity(Index face) const;
+    Matrix3d rigidity(Index face) const {
+        return rigidity_factor(face) * shell.triangles[face].membrane.elasticity;
+    }
 
     /// See Folds::mirror_gradients().
     std::vector<MirrorGradient> mirror_gradients(const Positions& x) const;
@@ -60,8 +62,16 @@ class CoupledBending : public Energy {
     /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
     /// positions of the vertices in its reach, sqrt(J) / m.
     void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
-                     std::vector<Matrix3d>& slopes) const;
-    VectorXd changes(const Positions& x, std::span<const Index> some) const;
+                     std::vector<Matrix3d>& of_face) const;
+    VectorXd changes(const Positions& x, std::span<const Index> some) const {
+        return changes_from(folds.angles(x, some));
+    }
+    VectorXd changes_from(const VectorXd& angles) const;
+    double rigidity_factor(Index face) const;  ///< m^4, of the membrane's elasticity
+    /// The derivative of a face's energy by its curvature, J m.
+    Vector3d moment(Index face, const Vector3d& bent) const {
+        return rigidity_factor(face) * (shell.triangles[face].membrane.elasticity * bent);
+    }
     VectorXd moments(const VectorXd& changes) const;
 
     const Shell& shell;
@@ -73,6 +83,7 @@ class CoupledBending : public Energy {
     std::vector<Reach> reach;    ///< of each face that counts
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
+    mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations
 };
 
 }  // namespace sherd

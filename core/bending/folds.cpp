@@ -44,10 +44,11 @@ HingePositions Folds::positions(Index fold, const Positions& x) const {
     return columns(x, vertices(fold));
 }
 
-HingePositions Folds::slope(Index fold, const Positions& x) const {
-    HingePositions gradient = DihedralAngle(positions(fold, x)).gradient();
-    if (fold < folds_of_edges()) gradient.col(2) += mirrors.reflection(fold) * gradient.col(3);
-    return gradient;
+Folds::Slope Folds::slope(Index fold, const Positions& x) const {
+    const DihedralAngle fold_angle(positions(fold, x));
+    Slope slope{vertices(fold), fold_angle.angle(), fold_angle.gradient()};
+    if (fold < folds_of_edges()) slope.gradient.col(2) += mirrors.reflection(fold) * slope.gradient.col(3);
+    return slope;
 }
 
 VectorXd Folds::angles(const Positions& x) const {
@@ -60,10 +61,24 @@ VectorXd Folds::angles(const Positions& x, std::span<const Index> some) const {
     return all;
 }
 
-std::vector<Folds::Slope> Folds::slopes(const Positions& x, std::span<const Index> some) const {
-    std::vector<Slope> all(size());
-    for (const Index fold : some) all[fold] = {vertices(fold), slope(fold, x)};
+void Folds::find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all) const {
+    all.resize(size());
+    for (const Index fold : some) all[fold] = slope(fold, x);
+}
+
+VectorXd Folds::angles(std::span<const Slope> slopes, std::span<const Index> some) const {
+    VectorXd all = VectorXd::Zero(size());
+    for (const Index fold : some) all[fold] = slopes[fold].angle;
     return all;
+}
+
+void Folds::add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,
+                         std::span<const Index> some) const {
+    for (const Index fold : some) {
+        const auto& [at, angle, by_vertex] = slopes[fold];
+        for (int v = 0; v < 4; ++v)
+            if (at[v] >= 0) gradient.col(at[v]) += of_angles[fold] * by_vertex.col(v);
+    }
 }
 
 void Folds::follow(const ShellChange& change, VectorXd& angles) const {
@@ -73,16 +88,6 @@ void Folds::follow(const ShellChange& change, VectorXd& angles) const {
     for (const auto& [edge, parents] : change.edges)
         if (shell.edge_hinge[edge] >= 0)
             angles[folds_of_edges() + edge] = rest_angle(folds_of_edges() + edge);
-}
-
-void Folds::add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient,
-                         std::span<const Index> some) const {
-    for (const Index fold : some) {
-        const std::array<Index, 4> at = vertices(fold);
-        const HingePositions by_vertex = slope(fold, x);
-        for (int v = 0; v < 4; ++v)
-            if (at[v] >= 0) gradient.col(at[v]) += of_angles[fold] * by_vertex.col(v);
-    }
 }
 
 void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
@@ -100,7 +105,7 @@ void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatr
 std::vector<MirrorGradient> Folds::mirror_gradients(const Positions& x, const VectorXd& of_angles) const {
     std::vector<MirrorGradient> gradients;
     for (Index m = 0; m < folds_of_edges(); ++m)
-        gradients.push_back({vertices(m), of_angles[m] * slope(m, x)});
+        gradients.push_back({vertices(m), of_angles[m] * slope(m, x).gradient});
     return gradients;
 }
 

@@ -16,6 +16,7 @@ class Folds {
     /// A fold's angle as the sheet sees it; a mirror's image is no vertex of its own.
     struct Slope {
         std::array<Index, 4> vertices;  ///< -1: no vertex
+        double angle;                   ///< rad
         HingePositions gradient;        ///< of the angle, 1/m
     };
 
@@ -43,16 +44,20 @@ class Folds {
     // meaning, but is an angle of zero.
     VectorXd angles(const Positions& x, std::span<const Index> some) const;
     std::vector<Slope> slopes(const Positions& x) const { return slopes(x, present()); }
-    std::vector<Slope> slopes(const Positions& x, std::span<const Index> some) const;
+    std::vector<Slope> slopes(const Positions& x, std::span<const Index> some) const {
+        std::vector<Slope> all;
+        find_slopes(x, some, all);
+        return all;
+    }
+    /// The same in a buffer, which is made large enough.
+    void find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all) const;
+    VectorXd angles(std::span<const Slope> slopes, std::span<const Index> some) const;  ///< rad
+    /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
+    void add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,
+                      std::span<const Index> some) const;
     /// Appends the rest angles of new edges to angles of all folds.
     void follow(const ShellChange& change, VectorXd& angles) const;
 
-    /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
-    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient) const {
-        add_gradient(x, of_angles, gradient, present());
-    }
-    void add_gradient(const Positions& x, const VectorXd& of_angles, Positions& gradient,
-                      std::span<const Index> some) const;
     /// Adds what the angles' own second derivatives give to its Hessian.
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {
         add_hessian(x, of_angles, hessian, present());
@@ -65,7 +70,7 @@ class Folds {
   private:
     /// A fold at x as a hinge; the fourth vertex of a mirror is the image.
     HingePositions positions(Index fold, const Positions& x) const;
-    HingePositions slope(Index fold, const Positions& x) const;  ///< Slope::gradient
+    Slope slope(Index fold, const Positions& x) const;
 
     const Shell& shell;
     Mirrors mirrors;

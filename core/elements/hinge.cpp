@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elements/dihedral_angle.h"
+
 namespace sherd {
 namespace {
 
@@ -27,9 +29,7 @@ RestHinge rest_hinge(const HingePositions& rest) {
 }
 
 double hinge_angle(const HingePositions& x) {
-    const Vector3d e0 = x.col(1) - x.col(0), e1 = x.col(2) - x.col(0), e2 = x.col(3) - x.col(0);
-    const Vector3d n0 = e0.cross(e1), n1 = e2.cross(e0);
-    return std::atan2(e0.norm() * n0.dot(e2), n0.dot(n1));
+    return DihedralAngle(x).angle();
 }
 
 double hinge_strain(const RestHinge& rest, const HingePositions& x) {

@@ -56,9 +56,11 @@ MembraneTriangle membrane_triangle(const TrianglePositions& rest, const Matrix3d
 
 // From edge vectors, which keeps digits far from the origin; the derivatives' rows sum to zero.
 Matrix32 deformation_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
-    Matrix32 edges;
-    edges << x.col(1) - x.col(0), x.col(2) - x.col(0);
-    return edges * triangle.derivatives.bottomRows<2>();
+    const Vector3d one = x.col(1) - x.col(0), other = x.col(2) - x.col(0);
+    Matrix32 F;
+    for (int i = 0; i < 2; ++i)
+        F.col(i) = triangle.derivatives(1, i) * one + triangle.derivatives(2, i) * other;
+    return F;
 }
 
 Vector3d green_strain(const MembraneTriangle& triangle, const TrianglePositions& x) {
@@ -77,8 +79,13 @@ double value(const MembraneTriangle& triangle, const TrianglePositions& x) {
 
 TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
     const Matrix32 F = deformation_gradient(triangle, x);
-    const Eigen::Matrix2d stress = tensor(triangle.elasticity * strain_of(F));
-    return triangle.area * F * stress * triangle.derivatives.transpose();
+    const Vector3d stress = triangle.area * (triangle.elasticity * strain_of(F));
+    const Vector3d first = stress[0] * F.col(0) + stress[2] * F.col(1);
+    const Vector3d second = stress[2] * F.col(0) + stress[1] * F.col(1);
+    TrianglePositions gradient;
+    for (int i = 0; i < 3; ++i)
+        gradient.col(i) = triangle.derivatives(i, 0) * first + triangle.derivatives(i, 1) * second;
+    return gradient;
 }
 
 Eigen::Matrix<double, 2, 3> rest_gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {

@@ -127,11 +127,13 @@ std::vector<MirrorGradient> ArcMembrane::mirror_gradients(const Positions& x) co
 }
 
 void ArcMembrane::add_gradient(const Positions& x, Positions& gradient) const {
-    const std::vector<ArcGradient> of_faces = gradients(x, folds.angles(x));
+    const std::vector<Index> present = folds.present();
+    const std::vector<Folds::Slope> slopes = folds.slopes(x, present);
+    const std::vector<ArcGradient> of_faces = gradients(x, folds.angles(slopes, present));
     for (std::size_t face = 0; face < of_faces.size(); ++face)
         for (int v = 0; v < 3; ++v)
             gradient.col(shell.triangles[face].vertices[v]) += of_faces[face].by_positions.col(v);
-    folds.add_gradient(x, moments(of_faces), gradient);
+    folds.add_gradient(slopes, moments(of_faces), gradient, present);
 }
 
 void ArcMembrane::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {

@@ -51,9 +51,12 @@ bool ExplicitStepper::begin(double of_step) {
     velocity = shell.velocity;
     contact.bodies.begin();
     contact.place(time, time);
-    const double elastic_energy = elastic_at_start(step);
+    if (first || made) {
+        energies_now.reset();
+        place_clamps_at_start(step);
+    }
     for (Energy* energy : forces.loads()) energy->begin(step);
-    ledger.begin(elastic_energy + stored_in_contact(), moving(velocity, position));
+    ledger.begin(stored(), moving(velocity, position));
     work = {};
     inertia_work = 0;
     choose_substep();
@@ -113,6 +116,7 @@ MinimiserResult ExplicitStepper::solve(int) {
         count = static_cast<int>(std::ceil(step.length / stable - 1e-9));
         length = step.length / count;
         for (int i = 0; i < count; ++i) make_substep(step.begin + step.length * i / count);
+        energies_now.reset();
         made = true;
         contact.require_no_passage(step.origin, position - step.origin);
         if (!position.allFinite())
@@ -122,6 +126,11 @@ MinimiserResult ExplicitStepper::solve(int) {
         ledger.solved(stored());
     }
     return {count, true, 0};
+}
+
+PotentialEnergies ExplicitStepper::elastic_energies() const {
+    if (!energies_now) energies_now = Stepper::elastic_energies();
+    return *energies_now;
 }
 
 Positions ExplicitStepper::move(double end) {
@@ -204,6 +213,7 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
     contact.shell_changed();
     changed = true;
+    energies_now.reset();
     feel();
     ledger.topology_changed(stored());
 }

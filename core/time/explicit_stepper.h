@@ -41,6 +41,7 @@ class ExplicitStepper : public Stepper {
         Positions sum() const;
     };
     double stored_in_contact() const override { return contact.stored_energy(position); }
+    PotentialEnergies elastic_energies() const override;
     void choose_substep();
     /// At `position`; velocity: that of the middle of a substep.
     Forces forces_at(const Positions& velocity);
@@ -65,6 +66,8 @@ class ExplicitStepper : public Stepper {
     Positions mode;                    ///< of the highest frequency
     Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
     Forces forces_now;
+    /// Energies at `position`; none: they have not been asked for since the shell has moved or changed.
+    mutable std::optional<PotentialEnergies> energies_now;
     StepWork work;            ///< of the open step
     double inertia_work = 0;  ///< J, of the forces on vertices that are not told where to be
 };

@@ -40,19 +40,19 @@ Stepper::Stepper(Shell& shell, const StepperOptions& options)
       forces(shell, shell_options(shell, options)) {}
 
 PotentialEnergies Stepper::energies() const {
-    PotentialEnergies sum;
-    sum.bending = forces.bending_value(position);
-    sum.membrane = forces.membrane_value(position);
+    PotentialEnergies sum = elastic_energies();
     sum.gravity = -load() * options.gravity.dot(position * shell.mass);
     for (const RigidBody& body : bodies()) sum.gravity -= body.mass * options.gravity.dot(body.centre);
-    sum.contact = stored_in_contact();
     return sum;
 }
 
+void Stepper::place_clamps_at_start(StepContext step) {
+    step.length = 0;
+    for (Energy* energy : forces.elastic()) energy->begin(step);
+}
+
 double Stepper::elastic_at_start(const StepContext& step) {
-    StepContext still = step;
-    still.length = 0;
-    for (Energy* energy : forces.elastic()) energy->begin(still);
+    place_clamps_at_start(step);
     return forces.bending_value(shell.position) + forces.membrane_value(shell.position);
 }
 

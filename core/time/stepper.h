@@ -30,6 +30,8 @@ struct StepperOptions {
 /// Potential energies, J.
 struct PotentialEnergies {
     double bending = 0, membrane = 0, gravity = 0, contact = 0;
+
+    double stored() const { return bending + membrane + contact; }
 };
 
 /// Advances a shell in time, or in load. Between begin() and finish() the step is open: it can be solved, the
@@ -82,12 +84,15 @@ class Stepper {
     /// The shell must outlive this object.
     Stepper(Shell& shell, const StepperOptions& options);
     virtual double stored_in_contact() const = 0;  ///< J, elastic, at `position`
+    /// Clamps and symmetry planes, too, stand where they are when the step begins.
+    void place_clamps_at_start(StepContext step);
     /// J, of the shell's elasticity at its own positions, with clamps where they are when the step begins.
     double elastic_at_start(const StepContext& step);
-    /// J, of elasticity and contact at `position`.
-    double stored() const {
-        return forces.bending_value(position) + forces.membrane_value(position) + stored_in_contact();
+    /// Of elasticity and contact at `position`, without gravity.
+    virtual PotentialEnergies elastic_energies() const {
+        return {forces.bending_value(position), forces.membrane_value(position), 0, stored_in_contact()};
     }
+    double stored() const { return elastic_energies().stored(); }  ///< J
     /// J, of gravity when the shell is at x; zero at the origin, and in statics, where weight is a load.
     double weight(const Positions& x) const;
     /// J, of the shell at this velocity (m/s) and of the bodies, and of gravity at x.

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+namespace sherd {
+
+constexpr int rounds_of_least_seconds = 3;
+
+/// The least processor time of some rounds, s.
+double least_seconds(const std::function<void()>& work);
+
+}  // namespace sherd
