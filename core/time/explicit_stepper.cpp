@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time/explicit_stepper.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/shell/supports.h"
 #include "core/time/highest_frequency.h"
@@ -16,9 +18,30 @@ constexpr double safety = 0.8;
 /// it therefore has a third of the longest one.
 constexpr double resolution_of_contact = 3;
 constexpr int first_iterations = 40, later_iterations = 8;
+/// Substeps after which the highest frequency is estimated anew where a crack has opened, which raises it by
+/// far less than the share that is left.
+constexpr int substeps_after_crack = 50;
+/// Growth of the largest strain after which it is estimated anew: the membrane's stiffness along a stretch
+/// grows by three times as much.
+constexpr double growth = 0.05;
+constexpr double most_substeps = 1e6;  // in a step; more say that positions have run away
+
+void require_stable(bool is_stable) {
+    if (!is_stable)
+        throw std::runtime_error(
+            "explicit steps have become unstable: a shorter solver.step, or softer contact, may help");
+}
 
 bool is_told(const Shell& shell, Index vertex) {
     return shell.fixed[vertex] != 0;
+}
+
+std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        some[i].force = 0.5 * (some[i].force + others[i].force);
+        some[i].moment = 0.5 * (some[i].moment + others[i].moment);
+    }
+    return some;
 }
 
 /// Kinetic energy, J, of what is not told where to be.
@@ -67,15 +90,22 @@ bool ExplicitStepper::begin(double of_step) {
 
 void ExplicitStepper::choose_substep() {
     const Stopwatch watch(spent, Task::elasticity);
-    if (changed)
+    const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
+    if ((changed && substeps_since >= substeps_after_crack) || strain > strain_then + growth) {
         of_shell = highest_frequency(elastic, shell, shell.position,
                                      mode.cols() == 0 ? first_iterations : later_iterations, mode);
-    changed = false;
+        changed = false;
+        substeps_since = 0;
+        strain_then = strain;
+    }
     const double of_contact =
         resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, step.length * shell.velocity));
     const double highest = std::hypot(of_shell, of_contact);
     const double damped = 0.5 * options.shell.damping.stiffness * highest;
-    stable = safety * 2 / highest * (std::sqrt(1 + damped * damped) - damped);
+    const double stable = safety * 2 / highest * (std::sqrt(1 + damped * damped) - damped);
+    require_stable(step.length < most_substeps * stable);
+    substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
+    length = step.length / substeps;
 }
 
 ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
@@ -111,21 +141,15 @@ void ExplicitStepper::accelerate() {
 
 MinimiserResult ExplicitStepper::solve(int) {
     const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
-    int count = 0;
-    if (!made) {
-        count = static_cast<int>(std::ceil(step.length / stable - 1e-9));
-        length = step.length / count;
-        for (int i = 0; i < count; ++i) make_substep(step.begin + step.length * i / count);
-        energies_now.reset();
-        made = true;
-        contact.require_no_passage(step.origin, position - step.origin);
-        if (!position.allFinite())
-            throw std::runtime_error(
-                "explicit steps have become unstable: a shorter solver.step, or "
-                "softer contact, may help");
-        ledger.solved(stored());
-    }
-    return {count, true, 0};
+    if (made) return {0, true, 0};
+    for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
+    energies_now.reset();
+    made = true;
+    substeps_since += substeps;
+    require_stable(position.allFinite());
+    contact.require_no_passage(step, position);
+    ledger.solved(stored());
+    return {substeps, true, 0};
 }
 
 PotentialEnergies ExplicitStepper::elastic_energies() const {
@@ -186,17 +210,14 @@ void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
         balance.lost_to_damping += -0.5 * forces_now.damping.cwiseProduct(moved).sum();
     for (std::size_t i = 0; i < before.outer.size(); ++i)
         balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
-    std::vector<Reaction> mean = before.contact.obstacles;
-    for (std::size_t o = 0; o < mean.size(); ++o) {
-        mean[o].force = 0.5 * (mean[o].force + forces_now.contact.obstacles[o].force);
-        mean[o].moment = 0.5 * (mean[o].moment + forces_now.contact.obstacles[o].moment);
-    }
-    const double of_obstacles = contact.obstacle_work(mean);
+    const ContactForces &then = before.contact, &now = forces_now.contact;
+    const double of_obstacles = contact.obstacle_work(means(then.obstacles, now.obstacles));
+    const double of_friction = taken(then.friction, now.friction) +
+                               contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction));
     balance.work_of_obstacles += of_obstacles;
-    balance.lost_to_friction += forces_now.contact.lost_to_friction;
-    work.against_stored += taken(before.elastic, forces_now.elastic) +
-                           taken(before.contact.force, forces_now.contact.force) + of_obstacles -
-                           forces_now.contact.lost_to_friction;
+    balance.lost_to_friction += of_friction;
+    work.against_stored +=
+        taken(before.elastic, forces_now.elastic) + taken(then.force, now.force) + of_obstacles - of_friction;
     // What moves scripted vertices works against all forces on them.
     const Positions both = before.sum() + forces_now.sum();
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
@@ -219,7 +240,8 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
 }
 
 void ExplicitStepper::finish() {
-    work.against_stored -= contact.bodies.contact_work();
+    work.against_stored -= contact.bodies.contact_work() - contact.bodies.friction_work();
+    work.balance.lost_to_friction -= contact.bodies.friction_work();
     work.balance.lost_to_scheme = inertia_work - free_kinetic(shell, velocity) +
                                   free_kinetic(shell, shell.velocity) + contact.bodies.work_of_all() -
                                   contact.bodies.kinetic_change();

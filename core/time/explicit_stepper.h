@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+#include <optional>
+
 #include "core/contact/explicit/explicit_contact.h"
 #include "core/time/stepper.h"
 
 namespace sherd {
 
 /// Central differences with lumped masses (velocity Verlet). A step consists of as many substeps as stability
-/// asks for: the highest frequency is estimated when the run begins and whenever a crack has opened, and that
-/// of contact is bounded at the beginning of each step. Forces that depend on the velocity take that of the
-/// middle of the substep. Stiffness-proportional damping is the change of the elastic forces over a substep
-/// times the coefficient over its length.
+/// asks for: the highest frequency is estimated when the run begins and when cracks have opened or strains
+/// have grown, and that of contact is bounded at the beginning of each step. Forces that depend on the
+/// velocity take that of the middle of the substep. Stiffness-proportional damping is the change of the
+/// elastic forces over a substep times the coefficient over its length.
 class ExplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
@@ -56,15 +59,17 @@ class ExplicitStepper : public Stepper {
     ExplicitContact contact;
     std::vector<Energy*> elastic;
     StepContext step;
-    double time = 0;                   ///< s, end of the finished steps
-    double of_shell = 0;               ///< rad/s, highest frequency without contact
-    double stable = 0;                 ///< s, longest substep
-    double length = 0;                 ///< s, of a substep of the open step, or of the last one
-    bool first = true;                 ///< whether no step has begun yet
-    bool made = false;                 ///< whether the open step has been made
-    bool changed = true;               ///< whether the shell has changed since the frequency was estimated
-    Positions mode;                    ///< of the highest frequency
-    Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
+    double time = 0;      ///< s, end of the finished steps
+    double of_shell = 0;  ///< rad/s, highest frequency without contact
+    int substeps = 0;     ///< of the open step, or of the last one
+    double length = 0;    ///< s, of each of them
+    bool first = true;    ///< whether no step has begun yet
+    bool made = false;    ///< whether the open step has been made
+    bool changed = true;  ///< whether the shell has changed since the frequency was estimated
+    int substeps_since = std::numeric_limits<int>::max() / 2;  ///< that have been made since then
+    double strain_then = 0;                                    ///< largest of all faces then
+    Positions mode;                                            ///< of the highest frequency
+    Positions velocity, acceleration;                          ///< m/s, m/s^2, at `position`
     Forces forces_now;
     /// Energies at `position`; none: they have not been asked for since the shell has moved or changed.
     mutable std::optional<PotentialEnergies> energies_now;

@@ -233,5 +233,67 @@ TEST(ExplicitStepper, PinsThatMoveArriveAndWork) {
     EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 0.02 * energy);
 }
 
+/// A plate that two of its sides pull to twice its length, in a fifth of a second.
+Shell pulled_plate() {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    Motion still, motion;
+    still.keys = {{0}};
+    motion.keys = {{0}, {0.2, Vector3d(0.1, 0, 0)}};
+    shell.motions = {still, motion};
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
+        if (std::abs(shell.rest(0, v)) > 0.049) {
+            shell.fixed[v] = 1;
+            shell.script[v] = shell.rest(0, v) < 0 ? 1 : 2;
+        }
+    return shell;
+}
+
+// Stretch stiffens: a substep that was short enough at rest is too long then, and positions run away.
+TEST(ExplicitStepper, WhatIsStretchedToTwiceItsLengthStaysStable) {
+    Shell shell = pulled_plate();
+    ExplicitStepper stepper(shell, explicit_steps(1e-3));
+    advance(stepper, 1);
+    const double at_rest = stepper.substep();
+    advance(stepper, 219);
+    EXPECT_LT(stepper.substep(), 0.6 * at_rest);
+    const double work = stepper.balance().work_of_supports;
+    EXPECT_GT(work, 0);
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 1e-3 * work);
+    EXPECT_LT(kinetic_energy(shell), 0.01 * work);
+}
+
+// What comes near in one long step, but is thrown back, has not passed.
+TEST(ExplicitStepper, AStepFromFarAwayIntoContactIsNoPassage) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    shell.position.row(2).array() += 12e-3;
+    shell.velocity.row(2).setConstant(-1);
+    StepperOptions options = explicit_steps(11.02e-3);
+    options.contact.obstacles = {test::solid_box({0, 0, -0.02}, {0.08, 0.08, 0.02}, 1e9)};
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 1);
+    EXPECT_LT(shell.position.row(2).maxCoeff(), 1.05e-3);
+    advance(stepper, 1);
+    EXPECT_GT(shell.velocity.row(2).mean(), 0.5);
+}
+
+// In one step the tray moves by more than the plate's thickness: this is no passage. It stands turned from
+// the start, where friction has no velocity yet.
+TEST(ExplicitStepper, ATrayThatMovesFastLiftsAPlate) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    Obstacle tray = test::solid_box({0, 0, -0.02}, {0.08, 0.08, 0.02}, 1e9, 0.5);
+    const Vector3d place(0.37, -0.21, 0.13);
+    tray.motion.smooth = false;
+    tray.motion.keys = {{0, place, Vector3d::UnitZ(), 0.3},
+                        {0.02, place + Vector3d(0, 0, 0.1), Vector3d::UnitZ(), 0.3}};
+    shell.position.colwise() += place + Vector3d(0, 0, 0.99e-3);
+    StepperOptions options = explicit_steps(1e-3, true);
+    options.contact.obstacles = {tray};
+    ExplicitStepper stepper(shell, options);
+    advance(stepper, 20);
+    EXPECT_GT(shell.position.row(2).minCoeff(), 0.13 + 0.1);
+    EXPECT_GT(stepper.balance().work_of_obstacles, 0.5 * shell.mass.sum() * 5 * 5);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * kinetic_energy(shell));
+}
+
 }  // namespace
 }  // namespace sherd

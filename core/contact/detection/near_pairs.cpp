@@ -28,6 +28,9 @@ bool within(double limit, const ContactPair& pair, const Positions& x) {
 /// thicknesses of the thinnest sheet: over many steps, and in one step.
 constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
 
+/// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
+constexpr double clearance_of_springs = 1e-3;
+
 /// For how many steps like this one to search candidates: fewer if they lead far. motion: less its mean, m.
 double lookahead(const Positions& motion, double unit) {
     return std::clamp(12 * unit / motion.colwise().norm().maxCoeff(), 1.0, 10.0);
@@ -76,7 +79,8 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
     for (const ContactPair& pair : candidates(x, motion)) {
         const PairPositions from = columns(x, pair.vertices);
         const PairPositions way = fraction * columns(motion, pair.vertices);
-        const double clearance = 0.5 * pair.barrier().range, kept = pair.minimum() + clearance;
+        const double clearance = (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
+        const double kept = pair.minimum() + clearance;
         if (distance_of_boxes(pair.kind, from) < kept + approach(pair.kind, way))
             fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance);
     }

@@ -10,7 +10,26 @@ namespace sherd {
 struct ContactForces {
     Positions force;                  ///< [3, V] N, on the shell
     std::vector<Reaction> obstacles;  ///< of each obstacle, on shell and bodies
-    double lost_to_friction = 0;      ///< J, at the velocities of the substep
+    // What of these is friction:
+    Positions friction;
+    std::vector<Reaction> obstacle_friction;
+
+    ContactForces() = default;
+    ContactForces(Eigen::Index vertices, std::size_t number_of_obstacles)
+        : force(Positions::Zero(3, vertices)),
+          obstacles(number_of_obstacles),
+          friction(force),
+          obstacle_friction(number_of_obstacles) {}
+    /// Adds friction that an obstacle exerts at a point (m), N.
+    void rub(std::size_t obstacle, const Vector3d& at, const Vector3d& rubbed) {
+        obstacles[obstacle].add(at, rubbed);
+        obstacle_friction[obstacle].add(at, rubbed);
+    }
+    /// Adds friction on a vertex of the shell.
+    void rub(Index vertex, const Vector3d& rubbed) {
+        force.col(vertex) += rubbed;
+        friction.col(vertex) += rubbed;
+    }
 };
 
 /// A substep that contact forces act in.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/bodies/body_potential.h"
 #include "core/contact/bodies/body_step.h"
@@ -21,7 +22,7 @@ ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies
     }
     points = point_contacts(all, obstacles.size());
     forces.resize(all.size());
-    before.resize(all.size());
+    friction.resize(all.size());
     moved.resize(all.size());
 }
 
@@ -32,7 +33,7 @@ void ExplicitBodies::shell_changed() {
 
 void ExplicitBodies::begin() {
     started = all;
-    of_contact = of_weight = 0;
+    of_contact = of_friction = of_weight = 0;
 }
 
 const Collider& ExplicitBodies::collider(std::size_t number) const {
@@ -61,6 +62,17 @@ void ExplicitBodies::push(std::size_t body, const Vector3d& at, const Vector3d& 
     forces[body].torque += (at - all[body].centre).cross(force);
 }
 
+void ExplicitBodies::rub(std::size_t body, const Vector3d& at, const Vector3d& force) {
+    push(body, at, force);
+    friction[body].force += force;
+    friction[body].torque += (at - all[body].centre).cross(force);
+}
+
+double ExplicitBodies::work(const Force& start, const Force& end, std::size_t body) const {
+    return 0.5 * (start.force + end.force).dot(moved[body].head<3>()) +
+           0.5 * (start.torque + end.torque).dot(moved[body].tail<3>());
+}
+
 Vector3d ExplicitBodies::velocity_at(std::size_t body, const Vector3d& at) const {
     return all[body].velocity + all[body].spin().cross(at - all[body].centre);
 }
@@ -77,17 +89,16 @@ void ExplicitBodies::add_vertices(std::size_t body, const Substep& substep, Cont
     at_vertices[body].add_springs(
         substep.position, all[body].pose(), Curvature::convex, [&](Index v, const PointForce& spring) {
             const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
-            Vector3d force = -spring.gradient;
+            sum.force.col(v) -= spring.gradient;
+            push(body, at, spring.gradient);
             if (coefficient > 0) {
                 const Vector3d way = substep.velocity.col(v) - velocity_at(body, at);
                 const Vector3d slip = way - normal * normal.dot(way);
                 const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
                                                           shell.mass[v], substep.length);
-                sum.lost_to_friction -= substep.length * rubbed.dot(slip);
-                force += rubbed;
+                sum.rub(v, rubbed);
+                rub(body, at, -rubbed);
             }
-            sum.force.col(v) += force;
-            push(body, at, -force);
         });
 }
 
@@ -120,8 +131,8 @@ void ExplicitBodies::each_point(std::span<const Eigen::Isometry3d> places, Add a
 
 void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
                                 std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
-    before = forces;
-    forces.assign(all.size(), {});
+    before = std::exchange(forces, std::vector<Force>(all.size()));
+    friction_before = std::exchange(friction, std::vector<Force>(all.size()));
     for (std::size_t b = 0; b < all.size(); ++b) {
         add_vertices(b, substep, sum);
         if (pairs[b]) add_pairs(b, substep, sum);
@@ -141,19 +152,19 @@ void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::I
         const Vector3d rubbed =
             explicit_friction(friction_between(all[body], collider(other)) * pressed.gradient.norm(), slip,
                               mass, substep.length);
-        sum.lost_to_friction -= substep.length * rubbed.dot(slip);
         push(body, at, -pressed.gradient);
-        push(body, touched, rubbed);
+        rub(body, touched, rubbed);
         if (free) {
             push(other, at, pressed.gradient);
-            push(other, touched, -rubbed);
+            rub(other, touched, -rubbed);
         } else {
-            sum.obstacles[other - all.size()].add(touched, rubbed - pressed.gradient);
+            sum.obstacles[other - all.size()].add(touched, -pressed.gradient);
+            sum.rub(other - all.size(), touched, rubbed);
         }
     });
     for (std::size_t b = 0; b < all.size(); ++b) {
-        of_contact += 0.5 * (before[b].force + forces[b].force).dot(moved[b].head<3>()) +
-                      0.5 * (before[b].torque + forces[b].torque).dot(moved[b].tail<3>());
+        of_contact += work(before[b], forces[b], b);
+        of_friction += work(friction_before[b], friction[b], b);
         of_weight += all[b].mass * gravity.dot(moved[b].head<3>());
         moved[b].setZero();  // counted
     }

@@ -45,6 +45,7 @@ class ExplicitBodies {
 
     /// Work, J, of the forces of contact on the bodies and of all forces on them, since begin().
     double contact_work() const { return of_contact; }
+    double friction_work() const { return of_friction; }  ///< J, what of contact_work() is friction's
     double work_of_all() const { return of_contact + of_weight; }
     double kinetic_change() const;  ///< J, since begin()
 
@@ -52,8 +53,11 @@ class ExplicitBodies {
     struct Force {
         Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();  ///< about the centre of mass
     };
-    /// Adds a force (N) at a point to a body.
+    /// Adds a force (N) at a point to a body; rub(): one of friction.
     void push(std::size_t body, const Vector3d& at, const Vector3d& force);
+    void rub(std::size_t body, const Vector3d& at, const Vector3d& force);
+    /// Work, J, of forces on a body in the last substep, from what they were at its ends.
+    double work(const Force& start, const Force& end, std::size_t body) const;
     Vector3d velocity_at(std::size_t body, const Vector3d& at) const;
     void add_vertices(std::size_t body, const Substep& substep, ContactForces& sum);
     void add_pairs(std::size_t body, const Substep& substep, ContactForces& sum);
@@ -72,9 +76,10 @@ class ExplicitBodies {
     std::vector<VertexContact> at_vertices;         ///< of each body
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
     std::vector<PointContact> points;
-    std::vector<Force> forces, before;     ///< on each body, at the last two evaluations
-    std::vector<Vector6d> moved;           ///< m, rad, of each body in the last substep
-    double of_contact = 0, of_weight = 0;  ///< J
+    std::vector<Force> forces, before;                      ///< on each body, at the last two evaluations
+    std::vector<Force> friction, friction_before;           ///< what of them is friction
+    std::vector<Vector6d> moved;                            ///< m, rad, of each body in the last substep
+    double of_contact = 0, of_friction = 0, of_weight = 0;  ///< J
 };
 
 }  // namespace sherd

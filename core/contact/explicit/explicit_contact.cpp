@@ -31,11 +31,9 @@ void ExplicitContact::place(double from, double time) {
         before.push_back(obstacle.motion.at(from));
         now.push_back(obstacle.motion.at(time));
     }
-    if (!sheets) return;
-    StepContext step;
-    step.begin = from;
-    step.length = time - from;
-    sheets->begin(step);
+    substep.begin = from;
+    substep.length = time - from;
+    if (sheets) sheets->begin(substep);
 }
 
 void ExplicitContact::shell_changed() {
@@ -43,54 +41,53 @@ void ExplicitContact::shell_changed() {
     if (sheets) sheets->surface_changed();
 }
 
-ContactForces ExplicitContact::forces(const Substep& substep) {
-    ContactForces sum;
-    sum.force = Positions::Zero(3, substep.position.cols());
-    sum.obstacles.resize(options.obstacles.size());
-    add_obstacles(substep, sum);
-    bodies.add_forces(substep, before, now, sum);
-    if (sheets) add_sheets(substep, sum);
+ContactForces ExplicitContact::forces(const Substep& at_end) {
+    ContactForces sum(at_end.position.cols(), options.obstacles.size());
+    add_obstacles(at_end, sum);
+    bodies.add_forces(at_end, before, now, sum);
+    if (sheets) add_sheets(at_end, sum);
     return sum;
 }
 
-void ExplicitContact::add_obstacles(const Substep& substep, ContactForces& sum) const {
+void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) const {
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const double coefficient = options.obstacles[o].friction;
         at_vertices[o].add_springs(
-            substep.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
-                const Vector3d at = substep.position.col(v), normal = spring.gradient.normalized();
+            at_end.position, now[o], Curvature::convex, [&](Index v, const PointForce& spring) {
+                const Vector3d at = at_end.position.col(v), normal = spring.gradient.normalized();
                 const Vector3d way =
-                    substep.velocity.col(v) - velocity_of_point(before[o], now[o], at, substep.length);
+                    at_end.velocity.col(v) - velocity_of_point(before[o], now[o], at, at_end.length);
                 const Vector3d slip = way - normal * normal.dot(way);
                 const Vector3d rubbed = explicit_friction(coefficient * spring.gradient.norm(), slip,
-                                                          shell.mass[v], substep.length);
-                sum.lost_to_friction -= substep.length * rubbed.dot(slip);
-                sum.force.col(v) += rubbed - spring.gradient;
-                sum.obstacles[o].add(at, rubbed - spring.gradient);
+                                                          shell.mass[v], at_end.length);
+                sum.force.col(v) -= spring.gradient;
+                sum.obstacles[o].add(at, -spring.gradient);
+                sum.rub(v, rubbed);
+                sum.rub(o, at, rubbed);
             });
     }
 }
 
-void ExplicitContact::add_sheets(const Substep& substep, ContactForces& sum) const {
-    Positions gradient = Positions::Zero(3, substep.position.cols());
-    sheets->add_gradient(substep.position, gradient);
-    if (options.sheets) lips.add_gradient(substep.position, gradient);
+void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) const {
+    Positions gradient = Positions::Zero(3, at_end.position.cols());
+    sheets->add_gradient(at_end.position, gradient);
+    if (options.sheets) lips.add_gradient(at_end.position, gradient);
     sum.force -= gradient;
-    sheets->add_reactions(substep.position, sum.obstacles);
-    add_sheet_friction(substep, sum);
+    sheets->add_reactions(at_end.position, sum.obstacles);
+    add_sheet_friction(at_end, sum);
 }
 
-void ExplicitContact::add_sheet_friction(const Substep& substep, ContactForces& sum) const {
+void ExplicitContact::add_sheet_friction(const Substep& at_end, ContactForces& sum) const {
     const Index first = sheets->surface().collider_vertices();
-    const Positions& all = sheets->at_end(substep.position);
+    const Positions& all = sheets->at_end(at_end.position);
     Positions velocity(3, all.cols());
-    velocity << (all - sheets->at_start(substep.position)).leftCols(first) / substep.length, substep.velocity;
-    for (const ContactPair& pair : sheets->active_pairs(substep.position)) {
+    velocity << (all - sheets->at_start(at_end.position)).leftCols(first) / at_end.length, at_end.velocity;
+    for (const ContactPair& pair : sheets->active_pairs(at_end.position)) {
         const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
         const double coefficient = collider ? collider->friction : options.friction;
         if (coefficient == 0) continue;
         const SlidingPair sliding =
-            sliding_pair(pair, columns(all, pair.vertices), coefficient, substep.length);
+            sliding_pair(pair, columns(all, pair.vertices), coefficient, at_end.length);
         const Vector3d slip = sliding.slip * columns(velocity, pair.vertices).reshaped();
         if (slip.isZero(0)) continue;
         const PairPositions along = (sliding.slip.transpose() * slip.normalized()).reshaped(3, 4);
@@ -98,11 +95,14 @@ void ExplicitContact::add_sheet_friction(const Substep& substep, ContactForces& 
         for (int i = 0; i < 4; ++i)
             if (pair.vertices[i] >= first)
                 mobility += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
-        const Vector3d rubbed = explicit_friction(sliding.friction.limit, slip, 1 / mobility, substep.length);
-        sum.lost_to_friction -= substep.length * rubbed.dot(slip);
-        for (int i = 0; i < 4; ++i)
-            if (pair.vertices[i] >= first)
-                sum.force.col(pair.vertices[i] - first) -= rubbed.norm() * along.col(i);
+        const Vector3d rubbed = explicit_friction(sliding.friction.limit, slip, 1 / mobility, at_end.length);
+        const Index least = *std::ranges::min_element(pair.vertices);
+        for (int i = 0; i < 4; ++i) {
+            if (pair.vertices[i] < first) continue;
+            const Vector3d force = -rubbed.norm() * along.col(i);
+            sum.rub(pair.vertices[i] - first, force);
+            if (collider) sum.rub(sheets->obstacle_number(least), all.col(pair.vertices[i]), force);
+        }
     }
 }
 
@@ -145,8 +145,12 @@ double ExplicitContact::obstacle_work(std::span<const Reaction> forces) const {
     return sum;
 }
 
-void ExplicitContact::require_no_passage(const Positions& x, const Positions& motion) const {
-    if (sheets && sheets->safe_fraction_of_step(x, motion) < 1)
+void ExplicitContact::require_no_passage(const StepContext& step, const Positions& end) {
+    if (!sheets) return;
+    sheets->begin(step);
+    const bool free = sheets->safe_fraction_of_step(step.origin, end - step.origin) == 1;
+    sheets->begin(substep);
+    if (!free)
         throw std::runtime_error(
             "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
             "contact are overwhelmed; a stiffer or a thicker sheet, or less speed, may help");

@@ -32,8 +32,8 @@ class ExplicitContact {
     /// a motion [3, V] m from x.
     double largest_rate(const Positions& x, const Positions& motion) const;
     /// Throws std::runtime_error if a sheet passes through another one, or through an obstacle's surface, in
-    /// the motion [3, V] m from x.
-    void require_no_passage(const Positions& x, const Positions& motion) const;
+    /// the straight motion of a step, from its origin to `end` [3, V] m.
+    void require_no_passage(const StepContext& step, const Positions& end);
     /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces:
     /// the mean over the substep.
     double obstacle_work(std::span<const Reaction> forces) const;
@@ -54,7 +54,8 @@ class ExplicitContact {
 
     const Shell& shell;
     std::vector<VertexContact> at_vertices;      ///< of each obstacle
-    std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle
+    StepContext substep;                         ///< in which the obstacles were placed last
+    std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle, at its beginning and at its end
     std::unique_ptr<SheetContact> sheets;        ///< null where no surfaces meet
     LipContact lips;
 };

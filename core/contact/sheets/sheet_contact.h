@@ -41,6 +41,8 @@ class SheetContact : public Energy {
     Positions pushed_along(const Positions& x) const;
 
     const ContactSurface& surface() const { return near.surface(); }
+    /// The obstacle that a vertex of colliders, as surface() numbers it, belongs to.
+    std::size_t obstacle_number(Index vertex) const { return obstacle_of[surface().collider_number(vertex)]; }
     /// The colliders' vertices at the end of the step, or at its beginning, followed by x [3, V], as
     /// surface() numbers them, [3, surface().vertices()].
     const Positions& at_end(const Positions& x) const { return with(end, x); }
@@ -72,7 +74,7 @@ class SheetContact : public Energy {
             const Index least = *std::min_element(vertices.begin(), vertices.end());
             if (least >= 0) continue;  // two sheets
             const PairPositions gradient = elements.gradient(i, elements.gather(i, x));
-            Reaction& reaction = of_obstacles[obstacle_of[surface().collider_number(least + first)]];
+            Reaction& reaction = of_obstacles[obstacle_number(least + first)];
             for (int v = 0; v < 4; ++v)
                 if (vertices[v] >= 0) reaction.add(x.col(vertices[v]), -gradient.col(v));
         }
