@@ -18,9 +18,9 @@ using Shares = std::vector<Born<Face>::Parent>;
 std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Parents& parents) {
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
     for (const auto& [vertex, weight] : parents) {
-        const auto at = std::ranges::find(face.corners, vertex);
-        if (at == face.corners.end()) return std::nullopt;
-        weights[at - face.corners.begin()] += weight;
+        const std::size_t corner = corner_number(face.corners, vertex);
+        if (corner == 3) return std::nullopt;
+        weights[static_cast<Eigen::Index>(corner)] += weight;
     }
     return weights;
 }

@@ -23,7 +23,7 @@ Point to_point(const Vector3d& p) {
 }
 
 bool has_corner(const Mesh& mesh, Face face, Vertex vertex) {
-    return std::ranges::count(face_corners(mesh, face), vertex) > 0;
+    return corner_number(face_corners(mesh, face), vertex) < 3;
 }
 
 /// The faces of a fan as triangles, with its centre at `centre`.
@@ -77,9 +77,11 @@ void Retriangulation::replace(Face face) {
 
 void Retriangulation::pass_on(const std::map<Face, Fractions>& received) {
     std::map<Face, Fractions> now;
-    for (const auto& [face, parts] : received)
+    for (const auto& [face, parts] : received) {
+        Fractions& fractions = now[face];
         for (const auto& [from, part] : parts)
-            for (const auto& [old, share] : shares.at(from)) now[face][old] += part * share;
+            for (const auto& [old, share] : shares.at(from)) fractions[old] += part * share;
+    }
     for (auto& [face, fractions] : now) shares[face] = std::move(fractions);
 }
 
@@ -190,6 +192,7 @@ void Retriangulation::flip(Edge edge) {
     const std::array now{triangle(faces[0]), triangle(faces[1])};
     const Eigen::MatrixXd parts = covered_fractions(now, old);
     std::map<Face, Fractions> received;
+    for (const Face face : faces) received[face];
     for (const int i : {0, 1})
         for (const int j : {0, 1})
             if (parts(i, j) > 0) received[faces[i]][faces[j]] = parts(i, j);
@@ -214,6 +217,7 @@ void Retriangulation::move(Vertex vertex, const SurfacePoint& place) {
     const Eigen::MatrixXd parts =
         covered_fractions(triangles_of(fan, centre), triangles_of(fan, Vector2d::Zero()));
     std::map<Face, Fractions> received;
+    for (const Face face : fan.faces) received[face];
     for (std::size_t i = 0; i < fan.faces.size(); ++i)
         for (std::size_t j = 0; j < fan.faces.size(); ++j)
             if (parts(i, j) > 0) received[fan.faces[i]][fan.faces[j]] = parts(i, j);

@@ -43,6 +43,7 @@ class Retriangulation {
     /// The faces that are replaced so far, by the numbers that they keep, as they were.
     const std::map<Face, ReplacedFace>& replaced() const { return old_faces; }
     std::vector<Face> changed_faces() const;  ///< those and the born ones, ascending
+    bool is_changed(Face face) const { return shares.contains(face); }
     /// Sum of the normals of what a face was made of, each by its area.
     Eigen::Vector3d ancestral_normal(Face face) const;
     /// Where a vertex was in the beginning, m; of a born one, where it was put first.
