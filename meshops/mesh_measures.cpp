@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -33,6 +34,30 @@ double face_area(const Mesh& mesh, Face face) {
     const Eigen::Vector3d a = position(mesh, mesh.source(h)), b = position(mesh, mesh.target(h));
     const Eigen::Vector3d c = position(mesh, mesh.target(mesh.next(h)));
     return (b - a).cross(c - a).norm() / 2;
+}
+
+std::array<Vertex, 3> face_corners(const Mesh& mesh, Face face) {
+    const Halfedge h = mesh.halfedge(face);
+    return {mesh.target(h), mesh.target(mesh.next(h)), mesh.source(h)};
+}
+
+std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face) {
+    const auto [a, b, c] = face_corners(mesh, face);
+    return {position(mesh, a), position(mesh, b), position(mesh, c)};
+}
+
+Eigen::Vector3d triangle_normal(const std::array<Eigen::Vector3d, 3>& corners) {
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners) {
+    const double doubled_area = triangle_normal(corners).norm();
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d u = corners[(i + 1) % 3] - corners[i], v = corners[(i + 2) % 3] - corners[i];
+        smallest = std::min(smallest, std::atan2(doubled_area, u.dot(v)));
+    }
+    return smallest;
 }
 
 MeshMeasures measure(const Mesh& mesh) {

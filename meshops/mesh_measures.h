@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 
 #include "meshops/mesh.h"
 
@@ -14,6 +16,16 @@ inline Eigen::Vector3d position(const Mesh& mesh, Vertex v) {
 
 Eigen::Vector3d centroid(const Mesh& mesh, Face face);  ///< m
 double face_area(const Mesh& mesh, Face face);          ///< m^2
+/// The corners of a face, in the order of mesh.vertices_around_face(mesh.halfedge(face)).
+std::array<Vertex, 3> face_corners(const Mesh& mesh, Face face);
+/// Place of a vertex among them; 3 if it is none of them.
+inline std::size_t corner_number(const std::array<Vertex, 3>& corners, Vertex vertex) {
+    return std::find(corners.begin(), corners.end(), vertex) - corners.begin();
+}
+std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< where its corners are, m
+/// Twice the area of a triangle times its unit normal, m^2.
+Eigen::Vector3d triangle_normal(const std::array<Eigen::Vector3d, 3>& corners);
+double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< of a triangle, rad
 
 /// Sizes of a mesh with at least one face: area in m^2, lengths in m.
 struct MeshMeasures {

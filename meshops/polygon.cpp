@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "meshops/mesh.h"
+#include "meshops/plane.h"
 
 namespace sherd {
 namespace {
@@ -24,10 +25,6 @@ Kernel::Point_2 exact(const Vector2d& p) {
 Vector2d nearest_on_side(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
     const Vector2d side = b - a;
     return a + std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0) * side;
-}
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 std::vector<Segment> sides_of(const Polyline& line, bool is_closed) {

@@ -29,18 +29,29 @@ Born<Element> copy_of(Element parent, Element created) {
     return {created, {{parent, 1}}};
 }
 
-/// A change of a mesh. Nothing is renumbered; new elements are appended in the order given here.
+/// A change of a mesh. Nothing is renumbered; new elements are appended in the order given here. Parents are
+/// elements before the change, with the data that they had then.
 struct TopologyChange {
     /// A new edge that coincides with an old one, since the faces on its two sides have been separated:
     /// `edge` stays with one of them, `created` belongs to the other.
     struct OpenedEdge {
         Edge edge, created;
     };
+    /// A face, old or born, that covers another part of the sheet than before.
+    struct Reshaped {
+        Face face;
+        /// Old faces, each with the fraction of its area that has passed on to `face`, the largest part
+        /// first. The fractions of an old face in all reshaped faces sum to 1.
+        std::vector<Born<Face>::Parent> shares;
+    };
     std::vector<Born<Vertex>> vertices;
     std::vector<Born<Edge>> edges;
     std::vector<Born<Face>> faces;
-    std::vector<OpenedEdge> opened;  ///< each `created` is one of `edges`
-    std::vector<Face> changed;       ///< old faces with a new corner or side; ascending, each once
+    std::vector<OpenedEdge> opened;   ///< each `created` is one of `edges`
+    std::vector<Face> changed;        ///< old faces with a new corner, side or shape; ascending, each once
+    std::vector<Born<Vertex>> moved;  ///< old vertices at a new place of the sheet; ascending, each once
+    std::vector<Edge> flipped;        ///< old edges that now join other vertices; ascending, each once
+    std::vector<Reshaped> reshaped;   ///< ascending, each once
 };
 
 }  // namespace sherd

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "meshops/patch.h"
+#include "meshops/surface_point.h"
+#include "meshops/topology_change.h"
+
+namespace sherd {
+
+struct AdvanceOptions {
+    /// Whether a vertex may be moved onto the ray; if not, faces are always cut.
+    bool snap = true;
+    /// A vertex is moved without further changes if no angle of its faces falls below this, degrees.
+    double snap_angle = 22;
+    /// Smallest angle, in degrees, of what other changes make; or of the faces that they replace, if it is
+    /// smaller.
+    double smallest_angle = 20;
+    /// Distance of the ray's end from the tip, m: the edge ends there, or so much before it that another one
+    /// can follow.
+    double reach = std::numeric_limits<double>::infinity();
+    /// Where no change keeps the angles: the best one all the same, instead of an edge as it is.
+    bool always_straight = false;
+    KeptLines kept;
+};
+
+/// An edge of a mesh along a wanted ray.
+struct AdvancedEdge {
+    enum class Way : std::uint8_t {
+        existing,  ///< an edge as it was
+        snapped,   ///< a vertex was moved onto the ray
+        relaxed,   ///< so was it, and edges were flipped and vertices moved around it
+        cut        ///< faces were cut at a born vertex
+    };
+    Way way;
+    Halfedge halfedge;          ///< from the tip to the edge's other end
+    Eigen::Vector3d direction;  ///< unit vector of the ray there, in the plane of its last face
+    double off_course;          ///< angle between edge and ray at the tip, rad; 0 unless `existing`
+    double smallest_angle;      ///< of the changed faces, rad; pi if there are none
+    TopologyChange change;
+};
+
+/// Makes an edge along the ray from `tip` in `direction` (see SurfaceRay), in this order:
+/// - an edge that lies on the ray is taken;
+/// - the neighbour nearest to the ray by its angle, or else the one on the ray's other side, is moved onto
+/// it;
+/// - the same with flips and moves of other vertices around it;
+/// - a vertex is born on the ray, within the tip's face or by splitting the edge through which the ray leaves
+///   it, with flips and moves;
+/// - the edge nearest to the ray is taken.
+/// The edge is not longer than 1.6 mean edges of the tip, and ends where the ray meets a line or the
+/// boundary. Vertices stay on the old surface, the tip and what `kept` says stay. At most one vertex is born.
+/// Nothing is returned if the ray points off the sheet.
+std::optional<AdvancedEdge> advance_edge(Mesh& mesh, Vertex tip, const Eigen::Vector3d& direction,
+                                         const AdvanceOptions& options);
+
+}  // namespace sherd

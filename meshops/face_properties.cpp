@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/face_properties.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "meshops/face_groups.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/read_mesh.h"
+
+namespace sherd {
+namespace {
+
+using Parents = std::vector<Born<Vertex>::Parent>;
+using Shares = std::vector<Born<Face>::Parent>;
+
+/// Weights of a face's corners by what a vertex inherits; nothing when it inherits from others, too.
+std::optional<Eigen::Vector3d> corner_weights(const ReplacedFace& face, const Parents& parents) {
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    for (const auto& [vertex, weight] : parents) {
+        const std::size_t corner = corner_number(face.corners, vertex);
+        if (corner == 3) return std::nullopt;
+        weights[static_cast<Eigen::Index>(corner)] += weight;
+    }
+    return weights;
+}
+
+/// Texture of a vertex seen from a face with these shares: by the largest of them that the vertex lies in.
+Eigen::Vector2d texture_at(const std::map<Face, ReplacedFace>& old, const Shares& shares,
+                           const Parents& parents, const Eigen::Vector2d& otherwise) {
+    for (const auto& [face, share] : shares) {
+        const ReplacedFace& was = old.at(face);
+        if (const auto weights = corner_weights(was, parents))
+            return (*weights)[0] * was.texture[0] + (*weights)[1] * was.texture[1] +
+                   (*weights)[2] * was.texture[2];
+    }
+    return otherwise;
+}
+
+void inherit_texture(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
+    auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    if (!exists) return;
+    std::map<Vertex, Parents> parents;
+    for (const auto* vertices : {&change.vertices, &change.moved})
+        for (const Born<Vertex>& vertex : *vertices) parents[vertex.element] = vertex.parents;
+    for (const auto& [face, shares] : change.reshaped) {
+        const std::array<Vertex, 3> corners = face_corners(mesh, face);
+        for (int i = 0; i < 3; ++i) {
+            const auto known = parents.find(corners[i]);
+            const Parents own{{corners[i], 1}};
+            texture[face][i] = texture_at(old, shares, known == parents.end() ? own : known->second,
+                                          old.at(shares.front().element).texture[i]);
+        }
+    }
+}
+
+void inherit_axis(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
+    auto [axis, exists] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
+    if (!exists) return;
+    std::map<Face, Eigen::Vector3d> before;
+    for (const auto& [face, was] : old) before[face] = axis[face];
+    for (const auto& [face, shares] : change.reshaped) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const auto& [parent, share] : shares) sum += share * old.at(parent).area * before[parent];
+        const double length = before[shares.front().element].norm();
+        axis[face] =
+            sum.norm() > 0 ? Eigen::Vector3d(sum * (length / sum.norm())) : before[shares.front().element];
+    }
+}
+
+void inherit_groups(Mesh& mesh, const TopologyChange& change) {
+    auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
+    if (!exists) return;
+    std::map<Face, GroupNames> now;
+    for (const auto& [face, shares] : change.reshaped) now[face] = groups[shares.front().element];
+    for (const auto& [face, names] : now) groups[face] = names;
+}
+
+}  // namespace
+
+void inherit_properties(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
+    inherit_texture(mesh, old, change);
+    inherit_axis(mesh, old, change);
+    inherit_groups(mesh, change);
+    auto [number, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    if (!exists) return;
+    for (const Born<Vertex>& vertex : change.vertices)
+        number[vertex.element] = std::numeric_limits<std::uint32_t>::max();
+}
+
+}  // namespace sherd

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "meshops/patch.h"
+#include "meshops/retriangulation.h"
+
+namespace sherd {
+
+/// A change that is tried on a copy of a patch, and can be done on the mesh then.
+class PatchTrial {
+  public:
+    explicit PatchTrial(const Patch& patch);
+    PatchTrial(const PatchTrial&) = delete;
+    PatchTrial& operator=(const PatchTrial&) = delete;
+
+    const Mesh& mesh() const { return sheet; }
+    /// The operations of Retriangulation. A born vertex is fixed; halves of lines are lines.
+    Vertex split_edge(Halfedge h, double t);
+    Vertex split_face(Face face, const Eigen::Vector3d& weights);
+    void move(Vertex vertex, const SurfacePoint& place);
+    /// From now on the edge is a line, and its ends stay.
+    void keep(Edge edge);
+
+    /// Flips edges and moves free vertices until no angle of a changed face is below `bound` (rad), or as
+    /// long as it helps.
+    void improve(double bound);
+
+    /// Of the changed faces, rad; -1 if one has turned over.
+    double smallest_angle() const;
+    /// Of the faces that are replaced, as they were, rad.
+    double replaced_angle() const;
+    /// What became of the mesh that the patch was taken from.
+    struct Applied {
+        TopologyChange change;
+        std::vector<Vertex> vertices;  ///< of the mesh, for each of the trial
+    };
+    /// Does the same on that mesh.
+    Applied apply(Mesh& to) const;
+
+  private:
+    struct Step {
+        enum Kind { split_edge, split_face, flip, move } kind;
+        std::array<Vertex, 3> vertices;  ///< ends of the edge, or corners of the face
+        Eigen::Vector3d weights;         ///< of these
+        Vertex moved = Mesh::null_vertex();
+    };
+
+    double angle_of(Face face) const;
+    double star_angle(Vertex vertex, const Eigen::Vector3d& place) const;
+    bool flip_where_better();
+    bool relax(Vertex vertex);
+    SurfacePoint on_old_surface(const Eigen::Vector3d& place) const;
+    void add_vertex(Vertex born);
+
+    const Patch& patch;
+    Mesh sheet;
+    Retriangulation edits;
+    std::vector<Mobility> mobility;
+    std::vector<char> line;
+    std::vector<Step> steps;
+};
+
+}  // namespace sherd

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshops/retriangulation.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "meshops/face_properties.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/overlay.h"
+#include "meshops/plane.h"
+#include "meshops/unfold.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Point to_point(const Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+bool has_corner(const Mesh& mesh, Face face, Vertex vertex) {
+    return corner_number(face_corners(mesh, face), vertex) < 3;
+}
+
+/// The faces of a fan as triangles, with its centre at `centre`.
+std::vector<PlaneTriangle> triangles_of(const UnfoldedFan& fan, const Vector2d& centre) {
+    std::vector<PlaneTriangle> triangles;
+    for (std::size_t i = 0; i < fan.faces.size(); ++i)
+        triangles.push_back({centre, fan.places[i], fan.places[i + 1]});
+    return triangles;
+}
+
+/// Where a point near the faces of a fan is in their plane.
+Vector2d place_in(const UnfoldedFan& fan, const Mesh& mesh, Vertex centre, const Vector3d& point) {
+    double least = std::numeric_limits<double>::infinity();
+    Vector2d place = Vector2d::Zero();
+    for (std::size_t i = 0; i < fan.faces.size(); ++i) {
+        const std::array triangle{position(mesh, centre), position(mesh, fan.ring[i]),
+                                  position(mesh, fan.ring[i + 1])};
+        const Vector3d w = nearest_weights(triangle, point);
+        const double distance = (w[0] * triangle[0] + w[1] * triangle[1] + w[2] * triangle[2] - point).norm();
+        if (distance >= least) continue;
+        least = distance;
+        place = w[1] * fan.places[i] + w[2] * fan.places[i + 1];
+    }
+    return place;
+}
+
+template <class Element>
+std::vector<typename Born<Element>::Parent> parents_of(const std::map<Element, double>& weights) {
+    std::vector<typename Born<Element>::Parent> parents;
+    for (const auto& [element, weight] : weights) parents.push_back({element, weight});
+    std::ranges::stable_sort(parents, [](const auto& a, const auto& b) { return a.weight > b.weight; });
+    return parents;
+}
+
+}  // namespace
+
+Retriangulation::Retriangulation(Mesh& mesh)
+    : mesh(mesh),
+      old_vertices(mesh.number_of_vertices()),
+      old_edges(mesh.number_of_edges()),
+      old_face_count(mesh.number_of_faces()) {}
+
+void Retriangulation::replace(Face face) {
+    if (face == Mesh::null_face() || shares.contains(face)) return;
+    const Vector3d normal = triangle_normal(face_points(mesh, face));
+    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
+    old_faces[face] = {face_corners(mesh, face), normal.norm() / 2, normal,
+                       has_texture ? texture[face] : FaceTexture()};
+    shares[face] = {{face, 1}};
+}
+
+void Retriangulation::pass_on(const std::map<Face, Fractions>& received) {
+    std::map<Face, Fractions> now;
+    for (const auto& [face, parts] : received) {
+        Fractions& fractions = now[face];
+        for (const auto& [from, part] : parts)
+            for (const auto& [old, share] : shares.at(from)) fractions[old] += part * share;
+    }
+    for (auto& [face, fractions] : now) shares[face] = std::move(fractions);
+}
+
+Retriangulation::VertexWeights Retriangulation::weights_of(Vertex vertex) const {
+    const auto known = places.find(vertex);
+    return known == places.end() ? VertexWeights{{vertex, 1}} : known->second;
+}
+
+Vector3d Retriangulation::old_position(Vertex vertex) const {
+    const auto known = origin.find(vertex);
+    return known == origin.end() ? position(mesh, vertex) : known->second;
+}
+
+void Retriangulation::put(Vertex vertex, const VertexWeights& weights) {
+    Vector3d place = Vector3d::Zero();
+    for (const auto& [parent, weight] : weights) place += weight * old_position(parent);
+    if (vertex.idx() < old_vertices) origin.try_emplace(vertex, position(mesh, vertex));
+    mesh.point(vertex) = to_point(place);
+    places[vertex] = weights;
+}
+
+void Retriangulation::add_edges(Edge half, Edge copy) {
+    for (std::size_t e = old_edges + born_edges.size(); e < mesh.number_of_edges(); ++e)
+        born_edges.push_back({Edge(static_cast<Mesh::size_type>(e)), {}});
+    if (!copy.is_valid()) return;
+    std::vector<Born<Edge>::Parent> parents{{half, 1}};
+    if (half.idx() >= old_edges)
+        parents = born_edges[half.idx() - old_edges].parents;
+    else if (std::ranges::count(turned, half) > 0)
+        parents.clear();
+    born_edges[copy.idx() - old_edges].parents = parents;
+}
+
+Vertex Retriangulation::split_edge(Halfedge h, double t) {
+    const Vertex source = mesh.source(h), target = mesh.target(h);
+    VertexWeights weights;
+    for (const auto& [vertex, weight] : weights_of(source)) weights[vertex] += (1 - t) * weight;
+    for (const auto& [vertex, weight] : weights_of(target)) weights[vertex] += t * weight;
+    replace(mesh.face(h));
+    replace(mesh.face(mesh.opposite(h)));
+    const Halfedge to_new = CGAL::Euler::split_edge(h, mesh);
+    const Vertex created = mesh.target(to_new);
+    put(created, weights);
+    add_edges(mesh.edge(h), mesh.edge(to_new));
+
+    std::map<Face, Fractions> received;
+    for (const Halfedge in : {to_new, mesh.opposite(h)}) {
+        if (mesh.is_border(in)) continue;
+        const Face face = mesh.face(in);
+        CGAL::Euler::split_face(in, mesh.next(mesh.next(in)), mesh);
+        for (const Halfedge side : {in, mesh.next(mesh.opposite(mesh.next(in)))}) {
+            const Face part = mesh.face(side);
+            received[part][face] = has_corner(mesh, part, source) ? t : 1 - t;
+        }
+    }
+    add_edges(Edge(), Edge());
+    pass_on(received);
+    return created;
+}
+
+Vertex Retriangulation::split_face(Face face, const Vector3d& weights) {
+    replace(face);
+    const std::array<Vertex, 3> corners = face_corners(mesh, face);
+    VertexWeights merged;
+    for (int i = 0; i < 3; ++i)
+        for (const auto& [vertex, weight] : weights_of(corners[i])) merged[vertex] += weights[i] * weight;
+    const Vertex created = mesh.target(CGAL::Euler::add_center_vertex(mesh.halfedge(face), mesh));
+    put(created, merged);
+    add_edges(Edge(), Edge());
+    std::map<Face, Fractions> received;
+    for (const Face part : mesh.faces_around_target(mesh.halfedge(created)))
+        for (int i = 0; i < 3; ++i)
+            if (!has_corner(mesh, part, corners[i])) received[part][face] = weights[i];
+    pass_on(received);
+    return created;
+}
+
+bool Retriangulation::can_flip(Edge edge) const {
+    if (mesh.is_border(edge)) return false;
+    const Halfedge h = mesh.halfedge(edge), g = mesh.opposite(h);
+    const Vertex above = mesh.target(mesh.next(h)), below = mesh.target(mesh.next(g));
+    if (above == below || mesh.halfedge(above, below).is_valid()) return false;
+    const auto [source, target, a, b] = unfold_pair(mesh, h);
+    const double scale = 1e-9 * target.x() * target.x();
+    if (cross(b - source, a - source) <= scale || cross(a - target, b - target) <= scale) return false;
+    const Vector3d s = position(mesh, mesh.source(h)), t = position(mesh, mesh.target(h));
+    const Vector3d p = position(mesh, above), q = position(mesh, below);
+    const Vector3d normal = triangle_normal({s, t, p}) + triangle_normal({t, s, q});
+    return triangle_normal({s, q, p}).dot(normal) > 0 && triangle_normal({t, p, q}).dot(normal) > 0;
+}
+
+void Retriangulation::flip(Edge edge) {
+    const Halfedge h = mesh.halfedge(edge), g = mesh.opposite(h);
+    const std::array faces{mesh.face(h), mesh.face(g)};
+    for (const Face face : faces) replace(face);
+    const std::array vertices{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)),
+                              mesh.target(mesh.next(g))};
+    const auto places = unfold_pair(mesh, h);
+    const auto triangle = [&](Face face) {
+        PlaneTriangle corners;
+        const std::array<Vertex, 3> of_face = face_corners(mesh, face);
+        for (int i = 0; i < 3; ++i)
+            corners[i] = places[std::ranges::find(vertices, of_face[i]) - vertices.begin()];
+        return corners;
+    };
+    const std::array old{triangle(faces[0]), triangle(faces[1])};
+    CGAL::Euler::flip_edge(h, mesh);
+    const std::array now{triangle(faces[0]), triangle(faces[1])};
+    const Eigen::MatrixXd parts = covered_fractions(now, old);
+    std::map<Face, Fractions> received;
+    for (const Face face : faces) received[face];
+    for (const int i : {0, 1})
+        for (const int j : {0, 1})
+            if (parts(i, j) > 0) received[faces[i]][faces[j]] = parts(i, j);
+    pass_on(received);
+    if (edge.idx() >= old_edges)
+        born_edges[edge.idx() - old_edges].parents.clear();
+    else if (std::ranges::count(turned, edge) == 0)
+        turned.push_back(edge);
+}
+
+void Retriangulation::move(Vertex vertex, const SurfacePoint& place) {
+    const UnfoldedFan fan = unfold_fan(mesh, vertex);
+    for (const Face face : fan.faces) replace(face);
+    VertexWeights weights;
+    Vector3d target = Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+        if (place.weights[i] == 0) continue;
+        weights[place.corners[i]] += place.weights[i];
+        target += place.weights[i] * old_position(place.corners[i]);
+    }
+    const Vector2d centre = place_in(fan, mesh, vertex, target);
+    const Eigen::MatrixXd parts =
+        covered_fractions(triangles_of(fan, centre), triangles_of(fan, Vector2d::Zero()));
+    std::map<Face, Fractions> received;
+    for (const Face face : fan.faces) received[face];
+    for (std::size_t i = 0; i < fan.faces.size(); ++i)
+        for (std::size_t j = 0; j < fan.faces.size(); ++j)
+            if (parts(i, j) > 0) received[fan.faces[i]][fan.faces[j]] = parts(i, j);
+    put(vertex, weights);
+    pass_on(received);
+}
+
+std::vector<Face> Retriangulation::changed_faces() const {
+    std::vector<Face> faces;
+    for (const auto& [face, of_face] : shares) faces.push_back(face);
+    return faces;
+}
+
+Vector3d Retriangulation::ancestral_normal(Face face) const {
+    Vector3d sum = Vector3d::Zero();
+    for (const auto& [old, share] : shares.at(face)) sum += share * old_faces.at(old).normal;
+    return sum;
+}
+
+TopologyChange Retriangulation::finish() {
+    TopologyChange change;
+    for (const auto& [vertex, weights] : places)
+        (vertex.idx() < old_vertices ? change.moved : change.vertices)
+            .push_back({vertex, parents_of(weights)});
+    change.edges = born_edges;
+    change.flipped = turned;
+    std::ranges::sort(change.flipped);
+    for (const auto& [face, fractions] : shares) {
+        change.reshaped.push_back({face, parents_of(fractions)});
+        if (face.idx() < old_face_count) {
+            change.changed.push_back(face);
+            continue;
+        }
+        std::map<Face, double> weights;
+        double area = 0;
+        for (const auto& [old, share] : fractions) area += share * old_faces.at(old).area;
+        for (const auto& [old, share] : fractions) weights[old] = share * old_faces.at(old).area / area;
+        change.faces.push_back({face, parents_of(weights)});
+    }
+    inherit_properties(mesh, old_faces, change);
+    return change;
+}
+
+}  // namespace sherd
