@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
     BreakingLong, WholeScene,
     testing::Values(ShippedScene{"bowl_drop", "", "0.01"}, ShippedScene{"plate_stack", "0.015", "0.008"},
                     ShippedScene{"shards_in_box", "0.02", "0.01"},
-                    ShippedScene{"window_ball", "0.0012", "6e-4", {"obstacle.ball.velocity=[0, 0, -60]"}}),
+                    ShippedScene{"window_ball", "0.0012", "3e-4"}),
     name_of);
 INSTANTIATE_TEST_SUITE_P(
     Long, WholeScene,
