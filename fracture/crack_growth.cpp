@@ -161,13 +161,13 @@ void CrackGrowth::choose_advances(const FaceStrains& strains, double begin, doub
     }
     std::ranges::stable_sort(overloaded, std::greater(), &Overloaded::ratio);
     const Positions& rest = shell.mechanics().rest;
-    for (const auto& [ratio, angle, tip] : overloaded) {
-        const double reach = apart_edges * edge_length_ahead(all[tip]);
+    for (const Overloaded& one : overloaded) {
+        const double reach = apart_edges * edge_length_ahead(all[one.tip]);
         const bool waits = std::ranges::any_of(advances, [&](const Advance& other) {
-            return (rest.col(all[other.tip].vertex) - rest.col(all[tip].vertex)).norm() < reach;
+            return (rest.col(all[other.tip].vertex) - rest.col(all[one.tip].vertex)).norm() < reach;
         });
         if (waits) continue;
-        if (const auto found = advance(tip, angle, begin)) advances.push_back(*found);
+        if (const auto found = advance(one.tip, one.angle, begin)) advances.push_back(*found);
     }
 }
 

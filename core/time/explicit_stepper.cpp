@@ -162,7 +162,7 @@ Positions ExplicitStepper::move(double end) {
     velocity += length / 2 * acceleration;
     position += length * velocity;
     place_scripted(shell, end, position);
-    const Positions moved = position - before;
+    Positions moved = position - before;
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
         if (shell.script[v] != 0) {
             const Vector3d now = moved.col(v) / length;

@@ -34,7 +34,7 @@ std::vector<StepReport> balanced_run(const std::filesystem::path& scene, std::ve
     options.insert(options.begin(), {"run", scene.string(), "-o", "run.h5"});
     const auto result = test::run_sherd(options, directory.path);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const std::vector<StepReport> steps = Recording(directory.path / "run.h5").steps();
+    std::vector<StepReport> steps = Recording(directory.path / "run.h5").steps();
     const Extremes found = extremes(steps);
     EXPECT_LT(found.unexplained, 1e-6 * found.energy);
     return steps;

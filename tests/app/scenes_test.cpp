@@ -104,13 +104,14 @@ void expect_no_energy_from_nowhere(const std::vector<StepReport>& steps) {
 
 /// What neither work nor a loss accounts for: were it more, a force would be missing in the balance, or the
 /// losses that are told wrong.
-void expect_balance(const std::vector<StepReport>& steps) {
+void expect_balance(const std::vector<StepReport>& steps, bool is_explicit) {
     double largest = 0, unexplained = 0;
     for (const StepReport& step : steps) {
         largest = std::max({largest, step.kinetic, step.bending, step.membrane, step.contact});
         unexplained = std::max(unexplained, std::abs(step.unexplained));
     }
-    EXPECT_GT(steps.back().lost_to_scheme, 0);
+    // Implicit Euler takes energy; central differences neither take nor make any, but for what they swing by.
+    EXPECT_GT(steps.back().lost_to_scheme, is_explicit ? -1e-3 * largest : 0);
     EXPECT_LT(unexplained, 1e-6 * largest);
 }
 
@@ -174,10 +175,12 @@ TEST_P(WholeScene, KeepsEveryLawInEveryFrame) {
     const std::vector<StepReport> steps = recording.steps();
     if (scene.sheets.front().pins.empty() && scene.solver.damping.mass == 0 && scene.bodies.empty())
         expect_momentum(steps, first.mass.sum(), scene.gravity);
-    if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(),
+    const bool is_explicit = scene.solver.scheme == Scheme::explicit_differences;
+    if (!is_explicit &&
+        std::none_of(scene.obstacles.begin(), scene.obstacles.end(),
                      [](const ObstacleSpec& obstacle) { return !obstacle.motion.keys.empty(); }))
         expect_no_energy_from_nowhere(steps);
-    expect_balance(steps);
+    expect_balance(steps, is_explicit);
     const double thickness = scene.sheets.front().material.thickness;
     for (const StepReport& step : steps) {
         EXPECT_LT(step.lip_overlap, 0.1 * thickness) << "step " << step.step;
@@ -195,12 +198,12 @@ INSTANTIATE_TEST_SUITE_P(Breaking, WholeScene,
                          testing::Values(ShippedScene{"plate_drop"},
                                          ShippedScene{"bowl_on_anvil", "0.008", "0.008"}),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(
-    BreakingLong, WholeScene,
-    testing::Values(ShippedScene{"bowl_drop", "", "0.01"}, ShippedScene{"plate_stack", "0.015", "0.008"},
-                    ShippedScene{"shards_in_box", "0.02", "0.01"},
-                    ShippedScene{"window_ball", "0.0012", "3e-4"}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(BreakingLong, WholeScene,
+                         testing::Values(ShippedScene{"bowl_drop", "", "0.01"},
+                                         ShippedScene{"plate_stack", "0.015", "0.008"},
+                                         ShippedScene{"shards_in_box", "0.02", "0.01"},
+                                         ShippedScene{"window_ball", "0.0012", "3e-4"}),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(
     Long, WholeScene,
     testing::Values(ShippedScene{"sheet_hang", "", "0.4"}, ShippedScene{"drape", "0.2", "0.1"},

@@ -33,8 +33,8 @@ void advance(Stepper& stepper, int steps) {
 }
 
 /// Eigenvalues, 1/s^2, and modes of the shell at rest, with fixed vertices left out.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_at_rest(Stepper& stepper, const Shell& shell,
-                                                                        std::vector<Energy*> energies) {
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_at_rest(
+    Stepper& stepper, const Shell& shell, const std::vector<Energy*>& energies) {
     std::vector<std::pair<Index, Index>> pairs;
     for (const Energy* energy : energies) energy->add_pattern(pairs);
     BlockMatrix matrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed);

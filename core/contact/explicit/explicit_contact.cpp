@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/contact/explicit/moving_collider.h"
+#include "core/contact/sheets/sheet_friction.h"
 #include "core/energy_balance.h"
 
 namespace sherd {
