@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <numbers>
 
 #include "app/commands.h"
+#include "app/cut_lines.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/scene/build/edge_list.h"
@@ -17,7 +19,8 @@ namespace sherd {
 namespace {
 
 struct CutOptions {
-    std::filesystem::path mesh, edges, output;
+    std::filesystem::path mesh, edges, line, output;
+    bool keep_vertices = false;
     ReadMeshOptions read{.repair_advice = "--repair"};
     bool force = false, json = false;
 };
@@ -46,7 +49,7 @@ OutputLock checked_output(const CutOptions& options) {
             "'{}' ends in none of .obj, .ply and .off; name a file that does (STL would close every crack)",
             output.string()));
     std::error_code none;  // what is not there is nobody's input
-    for (const auto& input : {options.mesh, options.edges})
+    for (const auto& input : {options.mesh, options.edges, options.line})
         if (std::filesystem::equivalent(output, input, none))
             throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",
                                     output.string()));
@@ -55,17 +58,37 @@ OutputLock checked_output(const CutOptions& options) {
     return lock;
 }
 
+/// Edges of the mesh to open. Along lines they are made; what this took is added to `told`.
+std::vector<Edge> edges_to_open(const CutOptions& options, Mesh& mesh, Json& told) {
+    if (options.line.empty()) return read_edge_list(options.edges, mesh);
+    LineCut lines(mesh, options.keep_vertices);
+    for (const std::vector<LinePoint>& line : read_cut_lines(options.line)) lines.cut(line);
+    if (lines.edges().empty())
+        throw Error(
+            fmt::format("{}: the line lies on the boundary, which is open already", options.line.string()));
+    told = {{"line_length", lines.length()},
+            {"vertices_moved", lines.moved_vertices()},
+            {"vertices_born", lines.born_vertices()},
+            {"smallest_angle_made", lines.smallest_angle() * 180 / std::numbers::pi}};
+    return lines.edges();
+}
+
 int cut(const CutOptions& options) {
+    if (options.edges.empty() && options.line.empty())
+        throw Error("say what to cut: --edges FILE or --line FILE");
     const OutputLock lock = checked_output(options);
     std::vector<std::string> warnings;
-    const Mesh mesh = read_mesh(options.mesh, options.read, warnings);
+    Mesh mesh = read_mesh(options.mesh, options.read, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    const std::vector<Edge> edges = read_edge_list(options.edges, mesh);
+    const Mesh before = mesh;
+    Json told = Json::object();
+    const std::vector<Edge> edges = edges_to_open(options, mesh, told);
     CrackMesh cracks(mesh);
     const CrackMesh::Change change = cracks.fail(edges);
     write_mesh(triangle_sheet(cracks.mesh()), options.output);
 
-    const auto result = summary(mesh, edges, cracks, change);
+    Json result = summary(before, edges, cracks, change);
+    result.update(told);
     if (options.json)
         fmt::print("{}\n", result.dump(2));
     else
@@ -76,16 +99,22 @@ int cut(const CutOptions& options) {
 }  // namespace
 
 void add_cut(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("cut", "Open edges of a mesh: topology only, no physics");
+    CLI::App* command =
+        program.add_subcommand("cut", "Open edges of a mesh, or cut it along lines: no physics");
     auto options = std::make_shared<CutOptions>();
     command->add_option("mesh", options->mesh, "Mesh file (.obj, .ply, .off, .stl)")
         ->required()
         ->option_text("MESH");
+    CLI::Option* edges = command->add_option("--edges", options->edges,
+                                             "Text file, an edge a line: two 0-based vertex numbers of MESH");
+    edges->option_text("FILE");
     command
-        ->add_option("--edges", options->edges,
-                     "Text file, an edge a line: two 0-based vertex numbers of MESH")
-        ->required()
+        ->add_option("--line", options->line,
+                     "Text file, a point of a polyline a line: x y z, m; an empty line begins another")
+        ->excludes(edges)
         ->option_text("FILE");
+    command->add_flag("--keep-vertices", options->keep_vertices,
+                      "With --line: move no vertex of MESH, cut faces only");
     command->add_option("-o,--output", options->output, "Mesh to write (.obj, .ply or .off)")
         ->required()
         ->option_text("OUT");
@@ -94,7 +123,9 @@ void add_cut(CLI::App& program, Command& chosen) {
     command->add_flag("--join", options->read.join_duplicate_points, "Join points at the same place first");
     command->add_flag("--force", options->force, "Replace OUT if it exists");
     command->add_flag("--json", options->json, "Print the counts as JSON");
-    command->footer("Example:\n  sherd cut bowl.obj --edges cracks.txt -o opened.obj");
+    command->footer(
+        "Example:\n  sherd cut bowl.obj --edges cracks.txt -o opened.obj\n"
+        "  sherd cut bowl.obj --line cracks.txt -o opened.obj");
     command->callback([&chosen, options] { chosen = [options] { return cut(*options); }; });
 }
 

@@ -19,22 +19,16 @@ using Way = AdvancedEdge::Way;
 constexpr double longest = 1.6, shortest_rest = 0.5;  // of an edge, of what remains: in mean edges of the tip
 constexpr double on_ray = 1e-10;  // rad: an edge that is no farther from the ray lies on it
 
-/// Mean length of the edges at a vertex, m.
-double mean_edge(const Mesh& mesh, Vertex vertex) {
-    double sum = 0;
-    int count = 0;
-    for (const Vertex other : mesh.vertices_around_target(mesh.halfedge(vertex))) {
-        sum += (position(mesh, other) - position(mesh, vertex)).norm();
-        ++count;
-    }
-    return sum / count;
-}
-
 /// All ways to make an edge along a ray, in a patch.
 class Course {
   public:
-    Course(const Patch& patch, Vertex tip, SurfaceRay ray, double size, bool ends)
-        : patch(patch), tip(tip), ray(std::move(ray)), size(size), ends(ends) {
+    /// size: the tip's mean edge, m.
+    Course(const Patch& patch, Vertex tip, SurfaceRay ray, double size, const AdvanceOptions& options)
+        : patch(patch), tip(tip), ray(std::move(ray)), size(size) {
+        const bool is_in_reach = options.reach <= longest * size && !this->ray.end().is_valid();
+        ends = this->ray.end().is_valid() || (is_in_reach && !options.goal.is_valid());
+        const double rest = ends || is_in_reach ? this->ray.length() : options.reach;
+        limit = std::min(this->ray.length(), rest - shortest_rest * size);
         Halfedge h = patch.mesh.halfedge(this->ray.first_face());
         while (patch.mesh.source(h) != tip) h = patch.mesh.next(h);
         side = patch.mesh.next(h);
@@ -55,7 +49,7 @@ class Course {
     /// Whether an edge may end at this distance, m.
     bool may_end_at(double distance) const {
         if (ends && std::abs(distance - ray.length()) <= 1e-9 * size) return true;
-        return distance > 0 && distance <= ray.length() - (ends ? shortest_rest * size : 0);
+        return distance > 0 && distance <= limit;
     }
 
     bool lies_on_ray(Vertex neighbour) const {
@@ -84,6 +78,17 @@ class Course {
         return all;
     }
 
+    /// The edge to a vertex that lies beyond the one side of the tip's face; no trial if it cannot be made.
+    Candidate flipped_to(Vertex goal) const {
+        const Halfedge over = patch.mesh.opposite(side);
+        auto trial = std::make_unique<PatchTrial>(patch);
+        if (!goal.is_valid() || patch.mesh.is_border(over) ||
+            patch.mesh.target(patch.mesh.next(over)) != goal || !trial->can_flip(patch.mesh.edge(side)))
+            return {};
+        trial->flip(patch.mesh.edge(side));
+        return kept(std::move(trial), goal, Way::relaxed, way_to(goal).norm());
+    }
+
     const SurfaceRay& line() const { return ray; }
 
   private:
@@ -94,7 +99,10 @@ class Course {
         for (double part = 0.5; part < longest; part += 0.1)
             if (part * size < (1 - 1e-6) * ray.length() && may_end_at(part * size))
                 distances.push_back(part * size);
-        if (ends || distances.empty()) distances.push_back(ray.length());
+        if (ends)
+            distances.push_back(ray.length());
+        else if (distances.empty())
+            distances.push_back(ray.length() / 2);
         return distances;
     }
 
@@ -178,6 +186,7 @@ class Course {
     SurfaceRay ray;
     double size;
     bool ends;      ///< whether an edge may end where the ray does
+    double limit;   ///< or up to this distance, m
     Halfedge side;  ///< of the tip's face, opposite to it
 };
 
@@ -206,7 +215,7 @@ std::vector<Vertex> centres_of(const Mesh& mesh, const SurfaceRay& ray) {
 
 std::optional<AdvancedEdge> advance_edge(Mesh& mesh, Vertex tip, const Vector3d& direction,
                                          const AdvanceOptions& options) {
-    const double size = mean_edge(mesh, tip), length = std::min(options.reach, longest * size);
+    const double size = mean_edge_at(mesh, tip), length = std::min(options.reach, longest * size);
     const auto far = SurfaceRay::from(mesh, tip, direction, length, [](Edge) { return false; });
     if (!far) return std::nullopt;
     const Patch patch = patch_around(mesh, centres_of(mesh, *far), options.kept);
@@ -214,15 +223,18 @@ std::optional<AdvancedEdge> advance_edge(Mesh& mesh, Vertex tip, const Vector3d&
     auto ray =
         SurfaceRay::from(patch.mesh, local, direction, length, [&](Edge edge) { return patch.line[edge]; });
     if (!ray) return std::nullopt;
-    const bool ends = ray->end().is_valid() || options.reach <= longest * size;
-    const Course course(patch, local, *std::move(ray), size, ends);
+    const Course course(patch, local, *std::move(ray), size, options);
 
     const std::array<Vertex, 2> neighbours = course.neighbours();
+    if (options.goal.is_valid() && mesh.halfedge(tip, options.goal).is_valid())
+        return existing_edge(mesh, patch, course, tip, patch.local(options.goal));
     if (course.lies_on_ray(neighbours[0])) return existing_edge(mesh, patch, course, tip, neighbours[0]);
     std::vector<Candidate> snaps;
     for (const Vertex neighbour : neighbours)
         if (options.snap)
             if (Candidate snap = course.best_snap(neighbour); snap.trial) snaps.push_back(std::move(snap));
+    if (Candidate flip = course.flipped_to(patch.local(options.goal)); flip.trial)
+        snaps.insert(snaps.begin(), std::move(flip));
     const Candidate best = chosen(std::move(snaps), course.cuts(), options);
     if (!best.trial) return existing_edge(mesh, patch, course, tip, neighbours[0]);
     PatchTrial::Applied applied = best.trial->apply(mesh);

@@ -21,6 +21,9 @@ struct AdvanceOptions {
     /// Distance of the ray's end from the tip, m: the edge ends there, or so much before it that another one
     /// can follow.
     double reach = std::numeric_limits<double>::infinity();
+    /// A vertex where the path is to end. An edge that leads there is taken, even if it is off the ray; or
+    /// made, by flipping the edge between it and the tip.
+    Vertex goal = Mesh::null_vertex();
     /// Where no change keeps the angles: the best one all the same, instead of an edge as it is.
     bool always_straight = false;
     KeptLines kept;

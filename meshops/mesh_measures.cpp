@@ -60,6 +60,16 @@ double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners) {
     return smallest;
 }
 
+double mean_edge_at(const Mesh& mesh, Vertex vertex) {
+    double sum = 0;
+    int count = 0;
+    for (const Vertex other : mesh.vertices_around_target(mesh.halfedge(vertex))) {
+        sum += (position(mesh, other) - position(mesh, vertex)).norm();
+        ++count;
+    }
+    return sum / count;
+}
+
 MeshMeasures measure(const Mesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     MeshMeasures measures;

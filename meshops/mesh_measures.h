@@ -27,6 +27,8 @@ std::array<Eigen::Vector3d, 3> face_points(const Mesh& mesh, Face face);  ///< w
 Eigen::Vector3d triangle_normal(const std::array<Eigen::Vector3d, 3>& corners);
 double smallest_angle(const std::array<Eigen::Vector3d, 3>& corners);  ///< of a triangle, rad
 
+double mean_edge_at(const Mesh& mesh, Vertex vertex);  ///< mean length of the vertex's edges, m
+
 /// Sizes of a mesh with at least one face: area in m^2, lengths in m.
 struct MeshMeasures {
     double area = 0;

@@ -26,13 +26,6 @@ std::array<Vertex, 3> ends(const Mesh& mesh, Halfedge h) {
     return {mesh.source(h), mesh.target(h), Mesh::null_vertex()};
 }
 
-double mean_side(const Mesh& mesh, Vertex vertex) {
-    double sum = 0;
-    for (const Vertex other : mesh.vertices_around_target(mesh.halfedge(vertex)))
-        sum += (position(mesh, other) - position(mesh, vertex)).norm();
-    return sum / static_cast<double>(mesh.degree(vertex));
-}
-
 }  // namespace
 
 PatchTrial::PatchTrial(const Patch& patch)
@@ -65,9 +58,14 @@ void PatchTrial::move(Vertex vertex, const SurfacePoint& place) {
     edits.move(vertex, place);
 }
 
+void PatchTrial::flip(Edge edge) {
+    steps.push_back({Step::flip, ends(sheet, sheet.halfedge(edge)), Vector3d::Zero()});
+    edits.flip(edge);
+}
+
 void PatchTrial::keep(Edge edge) {
     line[edge] = 1;
-    for (const int side : {0, 1}) mobility[sheet.vertex(edge, side)] = Mobility::fixed;
+    for (const int side : {0, 1}) fix(sheet.vertex(edge, side));
 }
 
 double PatchTrial::angle_of(Face face) const {
@@ -108,7 +106,7 @@ bool PatchTrial::flip_where_better() {
         for (const Halfedge h : sheet.halfedges_around_face(sheet.halfedge(face))) near.insert(sheet.edge(h));
     bool has_flipped = false;
     for (const Edge edge : near) {
-        if (line[edge] || !edits.can_flip(edge)) continue;
+        if (!can_flip(edge)) continue;
         const Halfedge h = sheet.halfedge(edge), g = sheet.opposite(h);
         const Vertex above = sheet.target(sheet.next(h)), below = sheet.target(sheet.next(g));
         const Vector3d s = position(sheet, sheet.source(h)), t = position(sheet, sheet.target(h));
@@ -116,8 +114,7 @@ bool PatchTrial::flip_where_better() {
         const double now = std::min(sherd::smallest_angle({s, t, p}), sherd::smallest_angle({t, s, q}));
         const double then = std::min(sherd::smallest_angle({s, q, p}), sherd::smallest_angle({t, p, q}));
         if (then < now + least_gain) continue;
-        steps.push_back({Step::flip, ends(sheet, h), Vector3d::Zero()});
-        edits.flip(edge);
+        flip(edge);
         has_flipped = true;
     }
     return has_flipped;
@@ -142,7 +139,7 @@ bool PatchTrial::relax(Vertex vertex) {
     const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u), from = position(sheet, vertex);
     const double before = star_angle(vertex, from);
     Vector3d best = from;
-    double most = before, step = 0.25 * mean_side(sheet, vertex);
+    double most = before, step = 0.25 * mean_edge_at(sheet, vertex);
     for (int i = 0; i < halvings; ++i, step /= 2) {
         const Vector3d centre = best;
         for (int k = 0; k < ways; ++k) {

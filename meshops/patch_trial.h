@@ -18,6 +18,10 @@ class PatchTrial {
     Vertex split_edge(Halfedge h, double t);
     Vertex split_face(Face face, const Eigen::Vector3d& weights);
     void move(Vertex vertex, const SurfacePoint& place);
+    /// Gives an edge's faces their other diagonal.
+    void flip(Edge edge);
+    bool can_flip(Edge edge) const { return !line[edge] && edits.can_flip(edge); }
+    void fix(Vertex vertex) { mobility[vertex] = Mobility::fixed; }  ///< from now on it stays
     /// From now on the edge is a line, and its ends stay.
     void keep(Edge edge);
 
