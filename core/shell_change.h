@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/vector.h"
@@ -18,12 +19,21 @@ struct Heir {
     std::vector<Parent> parents;  ///< their weights sum to 1; without any, data start from defaults
 };
 
+/// An edge that opens with a change of the shell.
+struct Opening {
+    Index edge;
+    double energy;   ///< J, that it takes in all
+    double longest;  ///< s, after which nothing holds it any more
+};
+
 /// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed.
 struct ShellChange {
     std::vector<Heir> vertices = {}, edges = {}, faces = {};
     /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
     /// the number of the removed one.
     std::vector<Index> removed_hinges = {};
+    /// Of the hinge that was removed, where it opens gradually: explicit steps only.
+    std::optional<Opening> opening = {};
 };
 
 /// Removes the entry `hinge` of a list in the way hinges are removed: the last entry takes its place.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,8 @@ class BreakableShell {
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
     /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail.
     double strength(Edge edge) const { return shell.edge_strength[edge]; }
+    /// Whether the edge has a hinge that can fail.
+    bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input

@@ -14,6 +14,8 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
+/// An edge opens in at most so many times the time that its tip needs at the speed limit.
+constexpr double longest_opening = 12;
 constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 double mean_edge_length(const Shell& shell) {
@@ -67,7 +69,7 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
       breakable(with_cracks(supported(std::move(sheets), options.held))),
       stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
-      growth(breakable, options.stepper.scheme == Scheme::statics),
+      growth(breakable, options.stepper.shell.membrane, options.stepper.scheme == Scheme::statics),
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
@@ -135,7 +137,7 @@ bool Simulation::attempt(StepReport& report) {
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
     const Measured now = measured();
     const HingeMeasures& measures = now.hinges;
-    ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
+    ends_at_crack = options.until_crack && fails(now);
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
     report_peaks(report, measures);
     hinge_peaks.judge(breakable, measures);
@@ -152,12 +154,15 @@ bool Simulation::attempt(StepReport& report) {
 MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
     double waited = step_size.size();
     for (;;) {
-        const std::vector<Edge> failing = failing_edges(now, waited);
+        const std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
+        const std::vector<CrackStep> growing = next_crack_steps(now, waited);
         waited = 0;
-        report.stage_cap_reached = !failing.empty() && report.stages == options.max_stages;
-        if (!failing.empty() && !report.stage_cap_reached) {
-            break_edges(failing, now.hinges, report.stages++);
-            growth.failed();
+        const bool any = !failing.empty() || !growing.empty();
+        report.stage_cap_reached = any && report.stages == options.max_stages;
+        if (any && !report.stage_cap_reached) {
+            if (!failing.empty()) break_edges(failing, now.hinges, report.stages);
+            growth.mesh_changed();
+            grow(growing, report.stages++);
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
         } else if (!newton.converged && newton.iterations == iterations_between_stages) {
@@ -169,13 +174,21 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
     }
 }
 
-std::vector<Edge> Simulation::failing_edges(const Measured& now, double waited) {
-    std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
-    const std::vector<Edge> grown =
-        growth.failing_edges(now.strains, now.hinges, time(), time() + step_size.size(), waited);
-    failing.insert(failing.end(), grown.begin(), grown.end());
-    std::sort(failing.begin(), failing.end());
-    return failing;
+std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double waited) {
+    if (!growth.needed()) return {};
+    Judged judged{now.strains, now.hinges, time(), time() + step_size.size(), waited, {}, {}};
+    judged.is_opening = [this](Index edge) { return stepper->held(edge) > 0; };
+    // Energy swings too much in fast plates, and hinges that are not coupled have none of use.
+    if (options.stepper.scheme != Scheme::explicit_differences && stepper->coupled_bending() != nullptr)
+        judged.equilibrium = {stepper->position, stepper->elastic_gradient(), stepper->lip_forces(),
+                              stepper->coupled_bending()};
+    return growth.next(judged);
+}
+
+bool Simulation::fails(const Measured& now) {
+    return options.rule == BreakingRule::staged
+               ? !most_overloaded_edges(breakable, now.hinges).empty() || !next_crack_steps(now, 0).empty()
+               : !overloaded_edges(breakable, now.hinges).empty();
 }
 
 Simulation::Measured Simulation::measured() const {
@@ -193,12 +206,32 @@ MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) 
     return result;
 }
 
-void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
+void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
+                             const std::optional<Opening>& opening) {
     record_failures(edges, measures, stage);
-    const BreakableShell::Change change = breakable.fail(edges);
+    BreakableShell::Change change = breakable.fail(edges);
+    change.shell.opening = opening;
     record_change(change.cracks);
     follow(breakable.mechanics(), change.shell, options.gauges);
     stepper->topology_changed(change.shell);
+}
+
+void Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
+    if (crack_steps.empty()) return;
+    for (const CrackStep& one : crack_steps)
+        break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
+    growth.done(crack_steps, time() + step_size.size());
+}
+
+std::optional<Opening> Simulation::opening_of(Edge edge) const {
+    if (!stepper->opens_gradually()) return std::nullopt;
+    const Shell& shell = breakable.mechanics();
+    const auto a = static_cast<Index>(breakable.mesh().vertex(edge, 0)),
+               b = static_cast<Index>(breakable.mesh().vertex(edge, 1));
+    const double length = (shell.rest.col(a) - shell.rest.col(b)).norm();
+    const Toughness& toughness = breakable.toughness(edge);
+    const double needed = toughness.value * toughness.value / shell.young[a] * length * shell.thickness[a];
+    return Opening{static_cast<Index>(edge), needed, longest_opening * length / toughness.speed_limit};
 }
 
 void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {

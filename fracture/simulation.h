@@ -85,10 +85,17 @@ class Simulation {
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, Measured measured);
     Measured measured() const;
-    /// The edges that fail in one stage. waited: see CrackGrowth.
-    std::vector<Edge> failing_edges(const Measured& measured, double waited);
+    /// What cracks by toughness do next. waited: see Judged.
+    std::vector<CrackStep> next_crack_steps(const Measured& measured, double waited);
+    /// Whether anything fails at all.
+    bool fails(const Measured& measured);
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
-    void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
+    void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
+                     const std::optional<Opening>& opening = {});
+    /// Lets cracks go on, one edge after the other.
+    void grow(std::span<const CrackStep> crack_steps, Index stage);
+    /// How the edge of a crack that goes by toughness opens.
+    std::optional<Opening> opening_of(Edge edge) const;
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
     /// Opens what has failed before the run, and begins the list of events with it.

@@ -103,6 +103,12 @@ std::vector<Reaction> Contact::reactions(const Positions& x) const {
     return all;
 }
 
+Positions Contact::lip_forces(const Positions& x) const {
+    Positions gradient = Positions::Zero(3, x.cols());
+    if (options.sheets) lips.add_gradient(x, gradient);
+    return -gradient;
+}
+
 Touch Contact::touch(const Positions& x) const {
     Touch touch;
     std::set<const ColliderSurface*> surfaces;

@@ -61,6 +61,7 @@ class ShellEnergies {
     double bending_value(const Positions& x) const {  ///< J
         return bending->value(x) + mirrors.value(x);
     }
+    const CoupledBending* coupled_bending() const { return coupled; }  ///< null if hinges are not coupled
     /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
     /// The same, or as single hinges have them (curvatures_of_hinges(), by height).

@@ -12,15 +12,17 @@ void EnergyLedger::begin(double stored, double moving) {
     last_total = stored + moving;
 }
 
-void EnergyLedger::topology_changed(double stored) {
-    opened += solution - stored;
+double EnergyLedger::topology_changed(double stored) {
+    const double gone = solution - stored;
+    opened += gone;
     solution = stored;
+    return gone;
 }
 
 void EnergyLedger::finish(const StepWork& work, double stored, double moving) {
     EnergyBalance now = work.balance;
     now.lost_to_scheme += work.against_stored - (stored - at_begin) - opened;
-    now.lost_to_cracks = opened + last - at_begin;
+    now.lost_to_cracks += opened + last - at_begin;
     const double gained = now.work_of_loads + now.work_of_wind + now.work_of_supports + now.work_of_obstacles;
     const double lost = now.lost_to_friction + now.lost_to_damping + now.lost_to_cracks + now.lost_to_scheme;
     now.unexplained = stored + moving - last_total - gained + lost;

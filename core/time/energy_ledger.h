@@ -7,7 +7,8 @@ namespace sherd {
 
 /// The work of a step.
 struct StepWork {
-    /// All accounts but those of the ledger: lost_to_scheme has what the scheme takes of the kinetic energy.
+    /// All accounts but those of the ledger: lost_to_scheme has what the scheme takes of the kinetic energy,
+    /// and lost_to_cracks what edges take while they open.
     EnergyBalance balance;
     /// Work against the forces of elasticity and contact, less what friction took of it, J: what is stored
     /// would grow by as much if the forces were those along the way.
@@ -23,8 +24,8 @@ class EnergyLedger {
     void begin(double stored, double moving);
     /// The step has been solved: that much is stored where a change of the shell will find it.
     void solved(double stored) { solution = stored; }
-    /// The shell has changed since, at the same positions.
-    void topology_changed(double stored);
+    /// The shell has changed since, at the same positions. Returns what that took, J.
+    double topology_changed(double stored);
     void finish(const StepWork& work, double stored, double moving);
 
     const EnergyBalance& balance() const { return all; }  ///< of the finished steps

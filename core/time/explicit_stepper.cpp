@@ -58,10 +58,11 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
     : Stepper(shell, options),
       contact(shell, options.contact, options.gravity),
       elastic(forces.elastic()),
-      velocity(shell.velocity) {}
+      velocity(shell.velocity),
+      acceleration(Positions::Zero(3, shell.position.cols())) {}
 
 Positions ExplicitStepper::Forces::sum() const {
-    Positions all = elastic + contact.force;
+    Positions all = elastic + contact.force + opening;
     if (damping.cols() > 0) all += damping;
     for (const Positions& one : outer) all += one;
     return all;
@@ -123,6 +124,8 @@ ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
                                    gradient);
         all.outer.push_back(-gradient);
     }
+    all.opening = Positions::Zero(3, position.cols());
+    opening.add_forces(all.opening);
     const Stopwatch watch(spent, Task::contact);
     all.contact = contact.forces({length, position, now});
     return all;
@@ -183,6 +186,7 @@ void ExplicitStepper::make_substep(double from) {
     contact.place(from, substep.end());
     if (forces.mirrors_move())
         for (Energy* energy : elastic) energy->begin(substep);
+    opening.fade(moved, length);
     const Forces before = std::move(forces_now);
     const Positions acceleration_before = acceleration;
     forces_now = forces_at(velocity);
@@ -208,6 +212,7 @@ void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
         balance.lost_to_damping += taken(before.damping, forces_now.damping);
     else if (forces_now.damping.cols() > 0)
         balance.lost_to_damping += -0.5 * forces_now.damping.cwiseProduct(moved).sum();
+    balance.lost_to_cracks += taken(before.opening, forces_now.opening);
     for (std::size_t i = 0; i < before.outer.size(); ++i)
         balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
     const ContactForces &then = before.contact, &now = forces_now.contact;
@@ -235,8 +240,21 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     contact.shell_changed();
     changed = true;
     energies_now.reset();
+    append(acceleration, change.vertices);
+    const Positions before = acceleration;
     feel();
-    ledger.topology_changed(stored());
+    const double gone = ledger.topology_changed(stored());
+    if (!change.opening) return;
+    opening.open(*change.opening, kept_forces(before), gone);
+    forces_now.opening.setZero();
+    opening.add_forces(forces_now.opening);
+    accelerate();
+}
+
+Positions ExplicitStepper::kept_forces(const Positions& before) const {
+    Positions kept = (before - acceleration) * shell.mass.asDiagonal();
+    constrain(shell, kept);
+    return kept;
 }
 
 void ExplicitStepper::finish() {

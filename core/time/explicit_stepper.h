@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/contact/explicit/explicit_contact.h"
+#include "core/time/opening_edges.h"
 #include "core/time/stepper.h"
 
 namespace sherd {
@@ -24,11 +25,14 @@ class ExplicitStepper : public Stepper {
     /// Makes the whole step, once; its iterations are substeps.
     MinimiserResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
+    bool opens_gradually() const override { return true; }
+    double held(Index edge) const override { return opening.held(edge); }
     void topology_changed(const ShellChange& change) override;
     void finish() override;
 
     std::vector<Reaction> reactions() const override;
     Touch touch() const override { return contact.touch(position); }
+    Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.bodies.bodies(); }
 
@@ -37,7 +41,7 @@ class ExplicitStepper : public Stepper {
   private:
     /// Forces on the shell, N, [3, V] each; outer: of loads, wind and damping by the medium, one each.
     struct Forces {
-        Positions elastic, damping;
+        Positions elastic, damping, opening;
         std::vector<Positions> outer;
         ContactForces contact;
 
@@ -56,7 +60,11 @@ class ExplicitStepper : public Stepper {
     Positions move(double end);
     void enter(const Forces& before, const Positions& moved);
 
+    /// What must be added to the present forces for vertices to have accelerations as `before` (m/s^2): N.
+    Positions kept_forces(const Positions& before) const;
+
     ExplicitContact contact;
+    OpeningEdges opening;
     std::vector<Energy*> elastic;
     StepContext step;
     double time = 0;      ///< s, end of the finished steps

@@ -29,6 +29,7 @@ class ImplicitStepper : public Stepper {
     bool arrived() const override { return path && path->arrived(); }
     std::vector<Reaction> reactions() const override;
     Touch touch() const override { return contact.touch(position); }
+    Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.bodies(); }
 

@@ -46,6 +46,12 @@ PotentialEnergies Stepper::energies() const {
     return sum;
 }
 
+Positions Stepper::elastic_gradient() {
+    Positions sum = Positions::Zero(3, position.cols());
+    for (const Energy* energy : forces.elastic()) energy->add_gradient(position, sum);
+    return sum;
+}
+
 void Stepper::place_clamps_at_start(StepContext step) {
     step.length = 0;
     for (Energy* energy : forces.elastic()) energy->begin(step);

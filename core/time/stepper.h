@@ -56,6 +56,11 @@ class Stepper {
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;
 
+    /// Whether edges open gradually: see ShellChange::opening.
+    virtual bool opens_gradually() const { return false; }
+    /// Share of what held an edge together that still does.
+    virtual double held(Index /*edge*/) const { return 0; }
+
     /// The factor of all loads in the open step, or in the last one: 1, but in statics.
     virtual double load() const { return 1; }
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
@@ -66,6 +71,11 @@ class Stepper {
     std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
     Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
+    /// Coupled hinges, in the state of `position`; null without them.
+    const CoupledBending* coupled_bending() const { return forces.coupled_bending(); }
+    /// Derivative of the elastic energy at `position`, N, [3, V].
+    Positions elastic_gradient();
+    virtual Positions lip_forces() const = 0;  ///< N, [3, V], that the lips of cracks exert at `position`
     /// Those of the supports, then those of the obstacles, at `position` in the open step. A support's force
     /// on a vertex is mass times acceleration less all other forces, in the directions in which it holds the
     /// vertex; clamps and symmetry planes exert the forces of their mirror hinges, too.

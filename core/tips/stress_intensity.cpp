@@ -180,17 +180,21 @@ ModePair from_interactions(const std::array<double, 2>& interactions, double rel
 
 }  // namespace
 
-PlaneStress plane_stress_at(const Shell& shell, Index face) {
+std::optional<PlaneStress> isotropic_at(const Shell& shell, Index face) {
     const auto& [vertices, membrane] = shell.triangles[face];
     const Matrix3d& c = membrane.elasticity;
     const double poisson = c(0, 1) / c(0, 0);
     const double young = c(0, 0) * (1 - poisson * poisson) / shell.thickness[vertices[0]];
     Matrix3d isotropic;
     isotropic << 1, poisson, 0, poisson, 1, 0, 0, 0, (1 - poisson) / 2;
-    if (!((c - c(0, 0) * isotropic).norm() <= 1e-6 * c.norm()))
-        throw std::invalid_argument("face " + std::to_string(face) +
-                                    " is not isotropic: there are no stress intensity factors");
-    return {young, poisson};
+    if (!((c - c(0, 0) * isotropic).norm() <= 1e-6 * c.norm())) return std::nullopt;
+    return PlaneStress{young, poisson};
+}
+
+PlaneStress plane_stress_at(const Shell& shell, Index face) {
+    if (const std::optional<PlaneStress> found = isotropic_at(shell, face)) return *found;
+    throw std::invalid_argument("face " + std::to_string(face) +
+                                " is not isotropic: there are no stress intensity factors");
 }
 
 ModePair membrane_intensity(const Shell& shell, const VertexFaces& around, const CrackTip& tip,

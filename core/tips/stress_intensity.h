@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "core/bending/coupled_bending.h"
 #include "core/tips/crack_tip.h"
 #include "core/tips/near_tip_fields.h"
@@ -16,7 +18,9 @@ namespace sherd {
 // rotation, at its distance from the tip. Displacements are measured in the frame that turns with the sheet
 // at the tip.
 
-/// The material at a face. Throws std::invalid_argument if it is not isotropic, to 1e-6.
+/// The material at a face; nothing if it is not isotropic, to 1e-6.
+std::optional<PlaneStress> isotropic_at(const Shell& shell, Index face);
+/// The same; throws std::invalid_argument where there is none.
 PlaneStress plane_stress_at(const Shell& shell, Index face);
 
 /// K_I and K_II of the membrane, Pa m^0.5, from the faces between the first ring and the second, or, if there

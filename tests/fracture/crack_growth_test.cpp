@@ -126,8 +126,8 @@ TEST(CrackGrowth, AToughSheetArrestsItsCrack) {
 
 TEST(CrackGrowth, ASheetWithoutToughnessBreaksAsBefore) {
     const BreakableShell tough({weakened_strip(1, 1e6)}), plain({weakened_strip(1, 0)});
-    EXPECT_FALSE(CrackGrowth(plain, false).needed());
-    EXPECT_TRUE(CrackGrowth(tough, false).needed());
+    EXPECT_FALSE(CrackGrowth(plain, MembraneModel::constant_strain, false).needed());
+    EXPECT_TRUE(CrackGrowth(tough, MembraneModel::constant_strain, false).needed());
     EXPECT_EQ(tough.crack_tip_factor(Edge(0)), 1);
     EXPECT_EQ(plain.crack_tip_factor(Edge(0)), Strength().crack_tip_factor);
 }

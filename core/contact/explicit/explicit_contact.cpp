@@ -72,8 +72,7 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
 void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) const {
     Positions gradient = Positions::Zero(3, at_end.position.cols());
     sheets->add_gradient(at_end.position, gradient);
-    if (options.sheets) lips.add_gradient(at_end.position, gradient);
-    sum.force -= gradient;
+    sum.force += lip_forces(at_end.position) - gradient;
     sheets->add_reactions(at_end.position, sum.obstacles);
     add_sheet_friction(at_end, sum);
 }
@@ -155,6 +154,12 @@ void ExplicitContact::require_no_passage(const StepContext& step, const Position
         throw std::runtime_error(
             "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
             "contact are overwhelmed; a stiffer or a thicker sheet, or less speed, may help");
+}
+
+Positions ExplicitContact::lip_forces(const Positions& x) const {
+    Positions gradient = Positions::Zero(3, x.cols());
+    if (options.sheets) lips.add_gradient(x, gradient);
+    return -gradient;
 }
 
 Touch ExplicitContact::touch(const Positions& x) const {

@@ -39,6 +39,7 @@ class ExplicitContact {
     double obstacle_work(std::span<const Reaction> forces) const;
 
     Touch touch(const Positions& x) const;
+    Positions lip_forces(const Positions& x) const;  ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:

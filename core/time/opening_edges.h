@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/shell_change.h"
+
+namespace sherd {
+
+/// Edges that open gradually, so that each takes the energy that its crack needs. When an edge fails, what
+/// held it together stays as forces on the vertices, which keep their accelerations. These forces fade as
+/// they take energy: to the share sqrt(1 - W / W_c), with their work W against the opening and all that they
+/// shall take, W_c, and to nothing after the longest time. They act as friction does: never as a motor.
+class OpeningEdges {
+  public:
+    /// kept: [3, V] N, what held the edge together. gone: J, that went out of what is stored at once.
+    void open(const Opening& edge, const Positions& kept, double gone);
+    /// Lets the forces fade over a substep of `length` s in which vertices moved by `moved`, [3, V] m.
+    void fade(const Positions& moved, double length);
+
+    /// The forces now, N; as many columns as vertices.
+    void add_forces(Positions& sum) const;
+    /// Share of what held an edge together that still does; 0 for one that has opened.
+    double held(Index edge) const;
+    bool empty() const { return all.empty(); }
+
+  private:
+    struct Kept {
+        Index edge;
+        std::vector<Index> vertices;  ///< ascending
+        Positions forces;             ///< N, of each of them
+        double needed;                ///< J, that they shall take
+        double taken = 0;             ///< J, that they have taken
+        double longest;               ///< s
+        double age = 0;               ///< s
+        double share = 1;
+    };
+    std::vector<Kept> all;
+};
+
+}  // namespace sherd

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/tip_energy.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/tips/crack_direction.h"
+#include "core/tips/stress_intensity.h"
+
+namespace sherd {
+namespace {
+
+constexpr int rings_for_plate = 2;  // with fewer, k_1 and k_2 mean nothing
+/// So far along its lips a crack is followed: farther than the rings of its tip reach.
+constexpr int followed = 8;
+
+/// The lips of the crack that ends at a vertex, one after the other on both sides, as long as they were one
+/// before the crack opened.
+std::vector<std::array<Vertex, 2>> lips_of(const BreakableShell& shell, Vertex tip) {
+    const Mesh& mesh = shell.mesh();
+    Halfedge to_tip;  // on the hole's side
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(tip)))
+        if (mesh.is_border(h)) to_tip = h;
+    std::vector<std::array<Vertex, 2>> lips;
+    Halfedge before = to_tip, after = mesh.next(to_tip);
+    while (static_cast<int>(lips.size()) < followed) {
+        const Vertex a = mesh.source(before), b = mesh.target(after);
+        if (a == b || shell.cracks().original(a) != shell.cracks().original(b)) break;
+        lips.push_back({a, b});
+        before = mesh.prev(before);
+        after = mesh.next(after);
+    }
+    return lips;
+}
+
+/// By how much the largest hoop stress squared exceeds what goes straight on.
+double gain_by_turning(const ModePair& modes) {
+    const double straight = modes.first * modes.first + modes.second * modes.second;
+    if (!(straight > 0) || !(modes.first > 0)) return 1;
+    const double half = 0.5 * hoop_angle(modes), c = std::cos(half);
+    const double hoop = c * (modes.first * c * c - 1.5 * modes.second * std::sin(2 * half));
+    return std::max(1.0, hoop * hoop / straight);
+}
+
+}  // namespace
+
+void TipEnergy::mesh_changed(std::span<const GrowingTip> tips) {
+    all.clear();
+    around.emplace(shell.mechanics());
+    const Mesh& mesh = shell.mesh();
+    foreign.assign(mesh.number_of_vertices(), 0);
+    for (const Halfedge h : mesh.halfedges())
+        if (mesh.is_border(h)) foreign[mesh.target(h)] = 1;
+    for (const GrowingTip& tip : tips) foreign[tip.vertex] = 1;
+}
+
+std::vector<char> TipEnergy::foreign_to(Index vertex) const {
+    std::vector<char> others = foreign;
+    std::vector<std::array<Vertex, 2>> lips = lips_of(shell, Vertex(vertex));
+    // Where the lips end early is another tip, or the crack's mouth on the outer boundary.
+    if (static_cast<int>(lips.size()) < followed && !lips.empty()) lips.pop_back();
+    for (const auto& [a, b] : lips) others[a] = others[b] = 0;
+    others[vertex] = 0;
+    return others;
+}
+
+TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& state) {
+    const auto [place, is_new] = all.try_emplace(tip.vertex);
+    if (!is_new) return place->second.get();
+    const Mesh& mesh = shell.mesh();
+    int sides = 0;
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(Vertex(tip.vertex))))
+        sides += mesh.is_border(mesh.edge(h)) ? 1 : 0;
+    if (sides != 2) return nullptr;
+    const CrackTip found = crack_tip(shell.mechanics(), *around, tip.vertex, foreign_to(tip.vertex));
+    place->second = std::make_unique<Known>(
+        found, TipForce(shell.mechanics(), *around, {.bending = state.bending}, found));
+    return place->second.get();
+}
+
+void TipEnergy::add_modes(const Known& known, const Equilibrium& state, double membrane, double plate,
+                          TipLoad& load) const {
+    const Shell& mechanics = shell.mechanics();
+    const std::optional<PlaneStress> material =
+        isotropic_at(mechanics, (*around)[known.tip.vertex].front());
+    if (!material) return;
+    load.membrane = membrane_intensity(mechanics, *around, known.tip, state.x);
+    if (state.bending != nullptr && static_cast<int>(known.tip.rings.size()) > rings_for_plate)
+        load.plate = plate_intensity(mechanics, *around, *state.bending, known.tip, state.x);
+    const double gained = gain_by_turning(load.membrane) * membrane + plate;
+    load.intensity *= std::sqrt(gained / (membrane + plate));
+    const double turn = hoop_direction(*material, load.membrane, load.plate).angle;
+    load.direction = Eigen::AngleAxisd(turn, known.tip.normal) * known.tip.direction;
+}
+
+std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium& state,
+                                       MembraneModel membrane) {
+    if (membrane != MembraneModel::constant_strain) return std::nullopt;
+    const Known* known = known_at(tip, state);
+    if (known == nullptr) return std::nullopt;
+    const ConfigurationalForce force =
+        known->force.at(state.x, {.spread = state.elastic - state.on_lips, .on_lips = state.on_lips});
+    TipLoad load;
+    load.direction = known->tip.direction;
+    load.by_energy = true;
+    const double released = force.released() / shell.mechanics().thickness[tip.vertex];
+    load.intensity = std::sqrt(released * shell.mechanics().young[tip.vertex]);
+    if (released > 0)
+        add_modes(*known, state, std::abs(force.membrane[0]), std::abs(force.bending[0]), load);
+    return load;
+}
+
+}  // namespace sherd

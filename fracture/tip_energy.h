@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include "core/tips/configurational_force.h"
+#include "fracture/breakable_shell.h"
+#include "fracture/growing_tip.h"
+
+namespace sherd {
+
+/// A solution of the sheets, in which the forces of elasticity balance loads, inertia and contact.
+struct Equilibrium {
+    Positions x;                    ///< [3, V] m
+    Positions elastic;              ///< [3, V] N, derivative of the elastic energy
+    Positions on_lips;              ///< [3, V] N, of lips that press on each other
+    const CoupledBending* bending;  ///< of the stepper, whose state it has
+};
+
+/// What tips bear by the energy that they release: G = |J| / t with the configurational force of the tip and
+/// up to two rings (core/tips). In a membrane that is pulled and sheared by K_I and K_II it is raised by what
+/// the largest hoop stress exceeds it by, since a crack that turns releases more than one that goes straight
+/// on. The direction is that of the largest hoop stress, of membrane and bending.
+class TipEnergy {
+  public:
+    /// The shell must outlive this object.
+    explicit TipEnergy(const BreakableShell& shell) : shell(shell) {}
+
+    /// Must be called when the mesh has changed. tips: all of them.
+    void mesh_changed(std::span<const GrowingTip> tips);
+    /// Nothing where the energy is not known: at the tips of a crack that is still closed, where cracks join,
+    /// or with a membrane of arcs.
+    std::optional<TipLoad> load(const GrowingTip& tip, const Equilibrium& state, MembraneModel membrane);
+
+  private:
+    struct Known {
+        CrackTip tip;
+        TipForce force;
+    };
+    Known* known_at(const GrowingTip& tip, const Equilibrium& state);
+    /// [V] 1 where the rings of a tip must not reach: other tips, and all of the boundary but its own lips.
+    std::vector<char> foreign_to(Index vertex) const;
+    void add_modes(const Known& known, const Equilibrium& state, double membrane, double plate,
+                   TipLoad& load) const;
+
+    const BreakableShell& shell;
+    std::optional<VertexFaces> around;
+    std::vector<char> foreign;  ///< [V] 1 on the boundary and at tips
+    std::map<Index, std::unique_ptr<Known>> all;  ///< of a tip's vertex; null: its energy is not known
+};
+
+}  // namespace sherd
