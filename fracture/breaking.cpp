@@ -80,9 +80,11 @@ double largest_overload(const BreakableShell& shell, const HingeMeasures& measur
 
 std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {
     std::vector<Edge> failing;
-    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i)
-        if (overload(shell, measures, shell.edge_of_hinge(i), false) > 1)
-            failing.push_back(shell.edge_of_hinge(i));
+    for (std::size_t i = 0; i < shell.mechanics().hinges.size(); ++i) {
+        const Edge edge = shell.edge_of_hinge(i);
+        if (overload(shell, measures, edge, false) > 1 && !shell.toughness(edge).given())
+            failing.push_back(edge);
+    }
     std::sort(failing.begin(), failing.end());
     return failing;
 }

@@ -26,7 +26,8 @@ double largest_overload(const BreakableShell& shell, const HingeMeasures& measur
 /// edges are ascending; of equal ones the lowest fails. Sheets with a toughness are CrackGrowth's.
 std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures);
 
-/// All overloaded edges, ascending, without regard to crack tips: the paper's rule.
+/// All overloaded edges, ascending, without regard to crack tips: the paper's rule. Sheets with a toughness
+/// are CrackGrowth's here, too.
 std::vector<Edge> overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures);
 
 }  // namespace sherd

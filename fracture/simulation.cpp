@@ -146,8 +146,11 @@ bool Simulation::attempt(StepReport& report) {
     // By the paper's rule hinges break after the solution that balances the reactions.
     report.reactions = stepper->reactions();
     if (in_stages) return newton.converged;
+    const std::vector<CrackStep> growing = next_crack_steps(now, 0);
     if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
+    grow(growing, report.stages);
+    report.stages += growing.empty() ? 0 : 1;
     return newton.converged;
 }
 
@@ -186,9 +189,7 @@ std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double 
 }
 
 bool Simulation::fails(const Measured& now) {
-    return options.rule == BreakingRule::staged
-               ? !most_overloaded_edges(breakable, now.hinges).empty() || !next_crack_steps(now, 0).empty()
-               : !overloaded_edges(breakable, now.hinges).empty();
+    return !overloaded_edges(breakable, now.hinges).empty() || !next_crack_steps(now, 0).empty();
 }
 
 Simulation::Measured Simulation::measured() const {

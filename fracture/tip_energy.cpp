@@ -13,6 +13,8 @@ namespace {
 constexpr int rings_for_plate = 2;  // with fewer, k_1 and k_2 mean nothing
 /// So far along its lips a crack is followed: farther than the rings of its tip reach.
 constexpr int followed = 8;
+/// Cosine of the angle up to which the last edge lies on the path.
+constexpr double straight = 0.996;
 
 /// The lips of the crack that ends at a vertex, one after the other on both sides, as long as they were one
 /// before the crack opened.
@@ -78,8 +80,7 @@ TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& 
     return place->second.get();
 }
 
-void TipEnergy::add_modes(const Known& known, const Equilibrium& state, double membrane, double plate,
-                          TipLoad& load) const {
+void TipEnergy::add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const {
     const Shell& mechanics = shell.mechanics();
     const std::optional<PlaneStress> material =
         isotropic_at(mechanics, (*around)[known.tip.vertex].front());
@@ -87,8 +88,6 @@ void TipEnergy::add_modes(const Known& known, const Equilibrium& state, double m
     load.membrane = membrane_intensity(mechanics, *around, known.tip, state.x);
     if (state.bending != nullptr && static_cast<int>(known.tip.rings.size()) > rings_for_plate)
         load.plate = plate_intensity(mechanics, *around, *state.bending, known.tip, state.x);
-    const double gained = gain_by_turning(load.membrane) * membrane + plate;
-    load.intensity *= std::sqrt(gained / (membrane + plate));
     const double turn = hoop_direction(*material, load.membrane, load.plate).angle;
     load.direction = Eigen::AngleAxisd(turn, known.tip.normal) * known.tip.direction;
 }
@@ -103,10 +102,13 @@ std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium&
     TipLoad load;
     load.direction = known->tip.direction;
     load.by_energy = true;
-    const double released = force.released() / shell.mechanics().thickness[tip.vertex];
-    load.intensity = std::sqrt(released * shell.mechanics().young[tip.vertex]);
-    if (released > 0)
-        add_modes(*known, state, std::abs(force.membrane[0]), std::abs(force.bending[0]), load);
+    add_modes(*known, state, load);
+    const bool is_straight = known->tip.direction.dot(tip.direction) > straight;
+    const double released =
+        is_straight ? force.sum()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
+                    : force.released();
+    load.intensity = std::sqrt(std::max(0.0, released) * shell.mechanics().young[tip.vertex] /
+                               shell.mechanics().thickness[tip.vertex]);
     return load;
 }
 

@@ -17,10 +17,11 @@ struct Equilibrium {
     const CoupledBending* bending;  ///< of the stepper, whose state it has
 };
 
-/// What tips bear by the energy that they release: G = |J| / t with the configurational force of the tip and
-/// up to two rings (core/tips). In a membrane that is pulled and sheared by K_I and K_II it is raised by what
-/// the largest hoop stress exceeds it by, since a crack that turns releases more than one that goes straight
-/// on. The direction is that of the largest hoop stress, of membrane and bending.
+/// What tips bear by the energy that they release (core/tips), with up to two rings. Along a straight path it
+/// is the component of the configurational force along it, raised in the membrane by what the largest hoop
+/// stress of K_I and K_II exceeds it by, since a crack that turns releases more than one that goes straight
+/// on. Where the last edge is off the path, it is the length of the force. The direction is that of the
+/// largest hoop stress, of membrane and bending.
 class TipEnergy {
   public:
     /// The shell must outlive this object.
@@ -40,8 +41,8 @@ class TipEnergy {
     Known* known_at(const GrowingTip& tip, const Equilibrium& state);
     /// [V] 1 where the rings of a tip must not reach: other tips, and all of the boundary but its own lips.
     std::vector<char> foreign_to(Index vertex) const;
-    void add_modes(const Known& known, const Equilibrium& state, double membrane, double plate,
-                   TipLoad& load) const;
+    /// Enters modes and direction, in a sheet that is isotropic.
+    void add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const;
 
     const BreakableShell& shell;
     std::optional<VertexFaces> around;

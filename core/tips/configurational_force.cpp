@@ -12,9 +12,9 @@ constexpr double membrane_of_tip = 0.91, bending_of_tip = 0.96;
 
 }  // namespace
 
-double ConfigurationalForce::released() const {
-    if (rings > 0) return sum().norm();
-    return (membrane / membrane_of_tip + bending / bending_of_tip + loads).norm();
+Vector2d ConfigurationalForce::sum() const {
+    if (rings > 0) return membrane + bending + loads;
+    return membrane / membrane_of_tip + bending / bending_of_tip + loads;
 }
 
 TipForce::TipForce(const Shell& shell, const VertexFaces& around, const TipEnergies& energies,

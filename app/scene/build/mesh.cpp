@@ -5,6 +5,7 @@
 
 #include "meshops/error.h"
 #include "meshops/generate.h"
+#include "meshops/line_cut.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh.h"
@@ -16,6 +17,20 @@ void transform(Mesh& mesh, const Eigen::Affine3d& map) {
     for (const Vertex v : mesh.vertices()) {
         const Vector3d p = map * position(mesh, v);
         mesh.point(v) = Point(p.x(), p.y(), p.z());
+    }
+}
+
+/// Makes edges along the lines of the sheet's cracks: the mesh of a file keeps what it has.
+void cut_cracks(Mesh& mesh, const SheetSpec& sheet) {
+    if (!sheet.fracture || !std::holds_alternative<GeneratedMesh>(sheet.mesh)) return;
+    LineCut cut(mesh, false);
+    for (const Score& crack : sheet.fracture->cracks) {
+        const auto* line = std::get_if<ScoreLine>(&crack.kind);
+        if (line == nullptr) continue;
+        std::vector<LinePoint> points;
+        for (const Vector3d& point : line->points)
+            points.push_back({point, fmt::format("point {}", points.size())});
+        with_context(crack.where, [&] { cut.cut(points); });
     }
 }
 
@@ -57,6 +72,7 @@ Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<
         return std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
     });
     for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
+    cut_cracks(mesh, sheet);
     return mesh;
 }
 
