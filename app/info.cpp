@@ -130,6 +130,7 @@ void add_events(RunInfo& info, const CrackEvents& events) {
     info.splits = events.splits.size();
     info.vertex_births = events.vertex_births.size();
     info.face_births = events.face_births.size();
+    info.tips = tips_of(events.tips);
     for (const FragmentBirth& birth : events.births)
         if (birth.fragment >= 0 && static_cast<std::size_t>(birth.fragment) < info.fragments.size())
             info.fragments[birth.fragment].parent = birth.parent;
@@ -316,6 +317,7 @@ std::string run_info_text(const RunInfo& info) {
                        info.membrane_strain->strain, info.membrane_strain->face);
     add_field_peaks(text, info);
     add_fragment_table(text, info.fragments);
+    add_tip_table(text, info.tips, info.time_unit);
     return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/recording/recording.h"
 #include "app/run/load_history.h"
+#include "app/tip_info.h"
 
 namespace sherd {
 
@@ -62,6 +63,7 @@ struct RunInfo {
     std::optional<FieldPeakInfo> stress, curvature;  ///< largest_stress(), largest_curvature(), if recorded
     std::vector<RecordedSupport> supports;           ///< whose reactions `last` has
     std::vector<GaugeInfo> gauges;
+    std::vector<TipInfo> tips;           ///< of cracks by toughness
     std::vector<RecordedMode> modes;     ///< of vibration, if it is these that the frames show
     std::optional<StepReport> last;      ///< the last step, if there was one
     std::int64_t newton_iterations = 0;  ///< of all steps

@@ -51,6 +51,7 @@ std::string run_info_json(const RunInfo& info) {
     json["sheets"] = Json::array();
     for (const SheetInfo& s : info.sheets)
         json["sheets"].push_back({{"name", s.name}, {"faces", s.faces}, {"area", s.area}});
+    json["tips"] = tips_json(info.tips);
     json["energy"] = {{"kinetic", last.kinetic},
                       {"bending", last.bending},
                       {"membrane", last.membrane},

@@ -15,6 +15,8 @@ namespace {
 constexpr double least_progress = 0.2;
 /// Of two tips this near, in edges, only the one that bears more goes on at a time.
 constexpr double apart_edges = 2;
+/// Share of the toughness that a tip must bear to be recorded: others rest.
+constexpr double least_recorded = 0.1;
 
 }  // namespace
 
@@ -55,9 +57,11 @@ TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
 
 std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded(const Judged& now) {
     std::vector<Overloaded> found;
+    judged.clear();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].ready > now.end || now.is_opening(all[i].behind)) continue;
         const TipLoad bears = load(all[i], now);
+        judged.push_back({all[i], bears});
+        if (all[i].ready > now.end || now.is_opening(all[i].behind)) continue;
         const double ratio = bears.intensity / toughness(all[i]).value;
         if (ratio > 1) found.push_back({i, ratio, bears.direction});
     }
@@ -89,12 +93,16 @@ std::optional<CrackStep> CrackGrowth::step(const Overloaded& one, double begin) 
         if (!shell.can_fail(edge) || way.dot(one.direction) < least_progress * length || off >= least)
             continue;
         least = off;
-        GrowingTip next{to, tip.on_path + away.dot(one.direction) * one.direction, one.direction, 0,
-                        static_cast<Index>(edge)};
+        GrowingTip next = tip;
+        next.vertex = to;
+        next.on_path += away.dot(one.direction) * one.direction;
+        next.direction = one.direction;
+        next.behind = static_cast<Index>(edge);
+        next.stride = way.dot(one.direction);
         const Vector3d gap = next.on_path - rest.col(to);
         if (gap.norm() > length) next.on_path = rest.col(to) + length * gap.normalized();
         const double limit = toughness(tip).speed_limit;
-        next.ready = timeless ? begin : std::max(tip.ready, begin) + way.dot(one.direction) / limit;
+        next.ready = timeless ? begin : std::max(tip.ready, begin) + next.stride / limit;
         best = CrackStep{one.tip, edge, next};
     }
     if (best) {
@@ -121,16 +129,23 @@ std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
 
 void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready) {
     const Vector3d normal = rest_normal_at(shell, vertex);
-    const auto number = static_cast<Index>(vertex);
-    all.push_back({number, shell.mechanics().rest.col(number),
-                   (direction - normal * normal.dot(direction)).normalized(), ready,
-                   static_cast<Index>(behind)});
+    GrowingTip tip;
+    tip.vertex = static_cast<Index>(vertex);
+    tip.on_path = shell.mechanics().rest.col(tip.vertex);
+    tip.direction = (direction - normal * normal.dot(direction)).normalized();
+    tip.ready = ready;
+    tip.behind = static_cast<Index>(behind);
+    tip.number = numbers++;
+    all.push_back(tip);
 }
 
 void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
-    for (const auto& [tip, edge, next] : steps) {
-        if (tip) {
-            all[*tip] = next;
+    for (const auto& [number, edge, next] : steps) {
+        if (number) {
+            const double before = all[*number].since;
+            all[*number] = next;
+            all[*number].took = timeless ? 0 : end - before;
+            all[*number].since = timeless ? 0 : end;
             continue;
         }
         const Vertex a = shell.mesh().vertex(edge, 0), b = shell.mesh().vertex(edge, 1);
@@ -138,12 +153,47 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
                              shell.mechanics().rest.col(static_cast<Index>(a));
         const double limit = shell.toughness(edge).speed_limit;
         const double ready = end + (timeless ? 0 : 0.5 * way.norm() / limit);
-        add_tip(a, -way, edge, ready);
-        add_tip(b, way, edge, ready);
+        for (const auto& [at, direction] : {std::pair(a, Vector3d(-way)), std::pair(b, way)}) {
+            add_tip(at, direction, edge, ready);
+            all.back().since = end - (timeless ? 0 : 0.5 * way.norm() / limit);  // it began in the middle
+        }
     }
     // A tip that has arrived at the boundary or at another crack is none any more.
     std::erase_if(all, [&](const GrowingTip& tip) { return !shell.cracks().is_tip(Vertex(tip.vertex)); });
     mesh_changed();
+}
+
+std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) const {
+    const Shell& mechanics = shell.mechanics();
+    std::vector<TipRecord> records;
+    for (const auto& [tip, load] : judged) {
+        const double needed = toughness(tip).value;
+        const auto now = std::ranges::find(all, tip.number, &GrowingTip::number);
+        if (now == all.end() || load.intensity < least_recorded * needed) continue;
+        Vector3d direction = Vector3d::Zero();
+        for (const Index face : faces_around(shell.mesh(), Vertex(now->vertex))) {
+            const auto& [vertices, membrane] = mechanics.triangles[face];
+            direction +=
+                membrane.area * (deformation_gradient(membrane, columns(x, vertices)) *
+                                 frame_axes(columns(mechanics.rest, vertices)).transpose() * now->direction);
+        }
+        const double young = mechanics.young[now->vertex];
+        TipRecord record;
+        record.tip = tip.number;
+        record.vertex = now->vertex;
+        record.position = x.col(now->vertex);
+        record.direction = direction.normalized();
+        record.speed = timeless ? 0 : now->speed(time);
+        record.released = load.intensity * load.intensity / young;
+        record.toughness = needed * needed / young;
+        record.by_energy = load.by_energy;
+        record.opening = load.membrane.first;
+        record.shear = load.membrane.second;
+        record.bending = load.plate.first;
+        record.twist = load.plate.second;
+        records.push_back(record);
+    }
+    return records;
 }
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "fracture/crack_birth.h"
+#include "fracture/events.h"
 #include "fracture/tip_energy.h"
 
 namespace sherd {
@@ -52,8 +53,16 @@ class CrackGrowth {
     }
 
     const std::vector<GrowingTip>& tips() const { return all; }
+    /// The tips that bear something worth a record, as they were judged last, without step and time; x: [3,
+    /// V] m.
+    std::vector<TipRecord> records(const Positions& x, double time) const;
 
   private:
+    /// A tip as it was judged last.
+    struct JudgedTip {
+        GrowingTip tip;
+        TipLoad load;
+    };
     struct Overloaded {
         std::size_t tip;
         double ratio;  ///< intensity over toughness
@@ -75,6 +84,8 @@ class CrackGrowth {
     CrackBirth birth;
     TipEnergy energy;
     std::vector<GrowingTip> all;
+    std::vector<JudgedTip> judged;
+    Index numbers = 0;  ///< of tips that there have been
 };
 
 }  // namespace sherd

@@ -62,6 +62,22 @@ struct FaceBirth {
     Index parent = 0;
 };
 
+/// A tip of a crack by toughness at the end of a step, as it was judged last.
+struct TipRecord {
+    double time = 0;
+    std::int64_t step = 0;
+    Index tip = 0;  ///< its number, which lasts
+    Index vertex = 0;
+    Vector3d position = Vector3d::Zero();   ///< m
+    Vector3d direction = Vector3d::Zero();  ///< in which it came, as the sheet lies now, a unit vector
+    double speed = 0;                       ///< m/s; 0 in statics
+    double released = 0;                    ///< G, J/m^2
+    double toughness = 0;                   ///< G_c, J/m^2
+    bool by_energy = false;                 ///< whether G is a configurational force; else it is by stress
+    double opening = 0, shear = 0;          ///< K_I and K_II of the membrane, Pa m^0.5
+    double bending = 0, twist = 0;          ///< k_1 and k_2 of bending, Pa m^0.5
+};
+
 /// The events of fracture, in order.
 struct CrackEvents {
     std::vector<EdgeFailure> failures;
@@ -70,6 +86,7 @@ struct CrackEvents {
     std::vector<FragmentBirth> births;
     std::vector<VertexBirth> vertex_births;
     std::vector<FaceBirth> face_births;
+    std::vector<TipRecord> tips;
 };
 
 /// Calls visit(kind) for every kind of event: a pointer to its member of CrackEvents.
@@ -81,6 +98,7 @@ void visit_kinds(Visit visit) {
     visit(&CrackEvents::births);
     visit(&CrackEvents::vertex_births);
     visit(&CrackEvents::face_births);
+    visit(&CrackEvents::tips);
 }
 
 /// Sets the time (s) of the events of step `step`, which are the last ones.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "core/tips/near_tip_fields.h"
 
 namespace sherd {
@@ -12,11 +14,21 @@ struct GrowingTip {
     Vector3d direction = Vector3d::UnitX();  ///< in which the crack came, a unit vector in the tangent plane
     double ready = 0;                        ///< s, before which the speed limit does not let it go on
     Index behind = -1;                       ///< the edge that failed last, which must have opened before
+    Index number = 0;                        ///< of all tips that there have been
+    double stride = 0;                       ///< m, of its last edge along the path
+    double took = 0;                         ///< s, from the edge before to the last one
+    double since = 0;                        ///< s, when the last edge failed
+
+    /// m/s, at a time (s): that of the last edge, as long as the next one is not late.
+    double speed(double time) const {
+        const double longest = std::max(took, time - since);
+        return stride > 0 && longest > 0 ? stride / longest : 0;
+    }
 };
 
 /// What a tip bears.
 struct TipLoad {
-    double intensity = 0;  ///< K, Pa m^0.5: it goes on where this exceeds the toughness
+    double intensity = 0;                    ///< K, Pa m^0.5: it goes on where this exceeds the toughness
     Vector3d direction = Vector3d::UnitX();  ///< in which it then goes on, a unit vector in the tangent plane
     bool by_energy = false;                  ///< whether the intensity is that of the energy released
     ModePair membrane;                       ///< K_I, K_II, Pa m^0.5

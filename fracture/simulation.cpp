@@ -291,6 +291,10 @@ void Simulation::finish(StepReport& report) {
     report.time = time();
     report.load = stepper->load();
     if (report.stages > 0) update_fragments();
+    for (TipRecord& tip : growth.records(breakable.mechanics().position, time())) {
+        tip.step = steps;
+        events.tips.push_back(tip);
+    }
     set_time(events, steps, time());
     const PotentialEnergies potential = stepper->energies();
     report.kinetic = kinetic_energy(breakable.mechanics());

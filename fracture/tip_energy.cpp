@@ -82,8 +82,7 @@ TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& 
 
 void TipEnergy::add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const {
     const Shell& mechanics = shell.mechanics();
-    const std::optional<PlaneStress> material =
-        isotropic_at(mechanics, (*around)[known.tip.vertex].front());
+    const std::optional<PlaneStress> material = isotropic_at(mechanics, (*around)[known.tip.vertex].front());
     if (!material) return;
     load.membrane = membrane_intensity(mechanics, *around, known.tip, state.x);
     if (state.bending != nullptr && static_cast<int>(known.tip.rings.size()) > rings_for_plate)
@@ -104,9 +103,9 @@ std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium&
     load.by_energy = true;
     add_modes(*known, state, load);
     const bool is_straight = known->tip.direction.dot(tip.direction) > straight;
-    const double released =
-        is_straight ? force.sum()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
-                    : force.released();
+    const double released = is_straight
+                                ? force.sum()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
+                                : force.released();
     load.intensity = std::sqrt(std::max(0.0, released) * shell.mechanics().young[tip.vertex] /
                                shell.mechanics().thickness[tip.vertex]);
     return load;

@@ -46,7 +46,7 @@ class TipEnergy {
 
     const BreakableShell& shell;
     std::optional<VertexFaces> around;
-    std::vector<char> foreign;  ///< [V] 1 on the boundary and at tips
+    std::vector<char> foreign;                    ///< [V] 1 on the boundary and at tips
     std::map<Index, std::unique_ptr<Known>> all;  ///< of a tip's vertex; null: its energy is not known
 };
 

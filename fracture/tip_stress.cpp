@@ -70,8 +70,8 @@ TipLoad load_by_stress(const BreakableShell& shell, const GrowingTip& tip, const
                      std::sqrt(std::numbers::pi * reach) * 0.5 * (top.second + bottom.second)};
     load.plate = {std::sqrt(reach) * bend, std::sqrt(reach) * 0.5 * (bottom.second - top.second)};
     const double nu = poisson(mechanics, faces.front()), release = (1 + nu) / (3 * (3 + nu));
-    load.intensity = std::sqrt(std::numbers::pi * reach) *
-                     std::hypot(std::max(mean, 0.0), std::sqrt(release) * bend);
+    load.intensity =
+        std::sqrt(std::numbers::pi * reach) * std::hypot(std::max(mean, 0.0), std::sqrt(release) * bend);
     const ModePair& pulled = top.first > bottom.first ? top : bottom;
     if (!(pulled.first > 0)) return load;
     double turn = hoop_angle(pulled);

@@ -33,7 +33,7 @@ bl_info = {
 
 PATH, SLOW, SHOWN = "sherd_recording", "sherd_slow", "sherd_frame"  # properties of an object that plays a recording
 NEAR = 1e-6  # of the way between two frames: round-off
-NEWEST = 3  # version of the recording's format
+NEWEST = 4  # version of the recording's format
 
 
 def absolute(path):

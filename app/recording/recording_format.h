@@ -16,8 +16,8 @@ namespace sherd::recording_format {
 inline constexpr const char* format = "sherd recording";
 /// What the names of principal values of a field end with.
 inline constexpr const char* principal_suffix = "_principal";
-inline constexpr std::int64_t version = 3;
-/// The oldest version that can be read: it knows no faces that change.
+inline constexpr std::int64_t version = 4;
+/// The oldest version that can be read: it knows no faces that change. Version 3 knows no tips.
 inline constexpr std::int64_t oldest_version = 2;
 
 /// Calls visit(dataset name, meaning, array) for every array of a frame.
@@ -259,6 +259,31 @@ struct Table<FaceBirth> {
         visit("step", {"1"}, &R::step);
         visit("created", {"1", "the face that was born, a row of face/* of the frames"}, &R::created);
         visit("parent", {"1", "the face that was split, a part of which keeps the number"}, &R::parent);
+    }
+};
+
+template <>
+struct Table<TipRecord> {
+    static constexpr const char* group = "tips";
+    static constexpr std::int64_t since = 4;
+    template <class Visit>
+    static void visit(Visit visit) {
+        using R = TipRecord;
+        visit("time", {"s", "end of the step"}, &R::time);
+        visit("step", {"1"}, &R::step);
+        visit("tip", {"1", "number of the tip, which lasts"}, &R::tip);
+        visit("vertex", {"1", "row of vertex/* of the frames"}, &R::vertex);
+        visit("position", {"m"}, &R::position);
+        visit("direction", {"1", "in which it came, as the sheet lies now, a unit vector"}, &R::direction);
+        visit("speed", {"m/s", "of the last edge; 0 in statics"}, &R::speed);
+        visit("G", {"J/m^2", "energy released, as it was judged last in the step"}, &R::released);
+        visit("G_c", {"J/m^2", "fracture energy, over which it goes on"}, &R::toughness);
+        visit("by_energy", {"1", "1: G is a configurational force; 0: it is by the stress ahead"},
+              &R::by_energy);
+        visit("K_I", {"Pa m^0.5", "of the membrane: opening"}, &R::opening);
+        visit("K_II", {"Pa m^0.5", "of the membrane: shear"}, &R::shear);
+        visit("k_1", {"Pa m^0.5", "of bending"}, &R::bending);
+        visit("k_2", {"Pa m^0.5", "of twist"}, &R::twist);
     }
 };
 

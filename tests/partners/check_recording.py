@@ -22,7 +22,7 @@ def check_units(name, item):
 
 def check_head(file):
     assert file.attrs["format"] == "sherd recording"
-    assert file.attrs["format_version"] == 3
+    assert file.attrs["format_version"] == 4
     assert file.attrs["sherd_version"]
     assert file.attrs["wall_seconds"] >= 0
     assert file.attrs["end"] and file.attrs["scene_file"]

@@ -297,8 +297,8 @@ TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
     hdf5::create_file(folder.path / "foreign.h5");
     expect_error(opening("foreign.h5"), Fault::input, {"foreign.h5", "not a recording"});
     record(synthetic_run(), folder.path / "newer.h5");
-    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{4});
-    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 4", "versions 2 to 3"});
+    hdf5::write_attribute(hdf5::open_to_write(folder.path / "newer.h5"), "format_version", std::int64_t{5});
+    expect_error(opening("newer.h5"), Fault::input, {"newer.h5", "version 5", "versions 2 to 4"});
     const std::string whole = folder.contents().at(folder.path / "newer.h5");
     folder.write("cut.h5", whole.substr(0, whole.size() / 2));
     expect_error(opening("cut.h5"), Fault::input, {"cut.h5", "damaged"});
