@@ -195,9 +195,13 @@ MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) 
 
 void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
     record_failures(edges, measures, stage);
-    const BreakableShell::Change change = breakable.fail(edges);
+    follow_change(breakable.fail(edges));
+}
+
+void Simulation::follow_change(const BreakableShell::Change& change) {
     record_change(change.cracks);
     follow(breakable.mechanics(), change.shell, options.gauges);
+    fragments.follow(change.cracks.topology);
     stepper->topology_changed(change.shell);
 }
 

@@ -89,6 +89,8 @@ class Simulation {
     std::vector<Edge> failing_edges(const Measured& measured, double waited);
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
+    /// Lets all that refers to the shell follow a change of it.
+    void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
     /// Opens what has failed before the run, and begins the list of events with it.
