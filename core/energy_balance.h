@@ -20,7 +20,9 @@ struct EnergyBalance {
     // Positive when sheets and bodies lose.
     double lost_to_friction = 0;
     double lost_to_damping = 0;
-    double lost_to_cracks = 0;  ///< energy stored in what carried before an edge opened and does not after
+    /// Energy stored in what carried before an edge opened and does not after; and what is lost where the
+    /// sheet gets other triangles, which interpolate it.
+    double lost_to_cracks = 0;
     double lost_to_scheme = 0;  ///< what the time scheme takes
 
     double unexplained = 0;  ///< the change of the energy, less all of the above

@@ -21,26 +21,6 @@ Index number(std::size_t element) {
     return static_cast<Index>(element);
 }
 
-std::array<Index, 3> face_vertices(const Mesh& mesh, Face face) {
-    std::array<Index, 3> vertices;
-    Halfedge h = mesh.halfedge(face);
-    for (Index& vertex : vertices) {
-        vertex = number(mesh.target(h));
-        h = mesh.next(h);
-    }
-    return vertices;
-}
-
-template <class Element>
-std::vector<Heir> heirs(const std::vector<Born<Element>>& born) {
-    std::vector<Heir> all;
-    for (const auto& [element, parents] : born) {
-        all.push_back({number(element), {}});
-        for (const auto& [parent, weight] : parents) all.back().parents.push_back({number(parent), weight});
-    }
-    return all;
-}
-
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
@@ -78,11 +58,13 @@ BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs) : crack_me
         first_vertex += number(input.mesh.number_of_vertices());
     }
     add_coincident_vertices();
-    const std::vector<Vector3d> axes = joined_axes(inputs);
-    add_triangles(inputs, axes);
-    add_hinges(inputs, axes);
+    face_axes = joined_axes(inputs);
     add_strengths(inputs);
+    add_triangles();
+    add_hinges();
     add_footprints();
+    kept_vertices.assign(mesh().number_of_vertices(), 0);
+    kept_edges.assign(mesh().number_of_edges(), 0);
     first_vertex = 0;
     for (const SheetInput& input : inputs) {
         set_rigid_motion(input, first_vertex);
@@ -118,50 +100,64 @@ void BreakableShell::add_coincident_vertices() {
     lips.write(mesh(), shell);
 }
 
-void BreakableShell::add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
+TriangleStencil BreakableShell::stencil(Face face) const {
+    const std::array<Index, 3> vertices = face_vertices(mesh(), face);
+    const TrianglePositions rest = columns(shell.rest, vertices);
+    const Material& material = materials[shell.face_sheet[face]];
+    return {vertices,
+            membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, face_axes[face])))};
+}
+
+void BreakableShell::add_triangles() {
     for (const Face face : mesh().faces()) {
-        const Material& material = inputs[shell.face_sheet[face]].material;
-        const std::array<Index, 3> vertices = face_vertices(mesh(), face);
-        const TrianglePositions rest = columns(shell.rest, vertices);
-        const MembraneTriangle membrane =
-            membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, axes[face])));
-        shell.triangles.push_back({vertices, membrane});
+        const Material& material = materials[shell.face_sheet[face]];
+        shell.triangles.push_back(stencil(face));
+        const auto& [vertices, membrane] = shell.triangles.back();
         shell.face_mass.push_back(membrane.area * material.thickness * material.density);
         for (const Index vertex : vertices) shell.mass[vertex] += shell.face_mass.back() / 3;
     }
 }
 
-void BreakableShell::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
+/// Angle of the material's axis in the hinge's plane against its edge, rad.
+double BreakableShell::hinge_axis(Edge edge) const {
+    const auto axis = [&](int side) { return face_axes[mesh().face(mesh().halfedge(edge, side))]; };
+    return hinge_axis_angle(columns(shell.rest, hinge_vertices(edge)), {axis(0), axis(1)});
+}
+
+HingeStencil BreakableShell::stencil(Edge edge) const {
+    const double stiffness = hinge_stiffness(materials[sheet_of(edge)], hinge_axis(edge));
+    return hinge_stencil(shell, hinge_vertices(edge), stiffness);
+}
+
+double BreakableShell::strength_of_hinge(Edge edge) const {
+    return directional_strength(strengths[sheet_of(edge)], hinge_axis(edge)) * factors[edge];
+}
+
+void BreakableShell::add_hinges() {
     for (const Edge edge : mesh().edges()) {
         shell.edge_hinge.push_back(-1);
         shell.edge_strength.push_back(std::numeric_limits<double>::infinity());
         if (cracks().state(edge) != EdgeState::interior) continue;
-        const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
-                                        mesh().face(mesh().halfedge(edge, 1))};
-        const SheetInput& input = inputs[shell.face_sheet[faces[0]]];
         shell.edge_hinge.back() = number(shell.hinges.size());
         shell.hinge_edge.push_back(number(edge));
-        const std::array<Index, 4> vertices = hinge_vertices(edge);
-        const double angle =
-            hinge_axis_angle(columns(shell.rest, vertices), {axes[faces[0]], axes[faces[1]]});
-        shell.edge_strength.back() = directional_strength(input.strength, angle);
-        shell.hinges.push_back(hinge_stencil(shell, vertices, hinge_stiffness(input.material, angle)));
+        shell.edge_strength.back() = strength_of_hinge(edge);
+        shell.hinges.push_back(stencil(edge));
     }
 }
 
 void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
-    std::size_t first_edge = 0;
     for (const SheetInput& input : inputs) {
-        const std::vector<double>& factors = input.strength.factors;
+        const std::vector<double>& given = input.strength.factors;
         const std::size_t edges = input.mesh.number_of_edges();
-        if (!factors.empty() && factors.size() != edges)
+        if (!given.empty() && given.size() != edges)
             throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
-                        std::to_string(factors.size()) + " factors of the strength for " +
+                        std::to_string(given.size()) + " factors of the strength for " +
                         std::to_string(edges) + " edges");
-        for (std::size_t e = 0; e < factors.size(); ++e) shell.edge_strength[first_edge + e] *= factors[e];
-        first_edge += edges;
-        measures.push_back(input.strength.measure);
-        crack_tip_factors.push_back(input.toughness.given() ? 1 : input.strength.crack_tip_factor);
+        factors.insert(factors.end(), given.begin(), given.end());
+        if (given.empty()) factors.resize(factors.size() + edges, 1);
+        materials.push_back(input.material);
+        strengths.push_back(input.strength);
+        strengths.back().factors.clear();
         toughnesses.push_back(input.toughness);
     }
 }
@@ -207,11 +203,11 @@ std::array<Index, 4> BreakableShell::hinge_vertices(Edge edge) const {
 BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     Change change{crack_mesh.fail(edges), {}};
     const TopologyChange& topology = change.cracks.topology;
+    change.shell = shell_change(topology, shell);
     for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
-    change.shell.vertices = heirs(topology.vertices);
-    change.shell.edges = heirs(topology.edges);
-    change.shell.faces = heirs(topology.faces);
     follow(shell, change.shell);
+    inherit_kept(topology);
+    for (const Born<Edge>& edge : topology.edges) factors.push_back(factors[edge.parent()]);
     renumber(topology.changed);
     share_masses(topology);
     lips.open(topology);
@@ -235,15 +231,16 @@ void BreakableShell::renumber(std::span<const Face> faces) {
     }
 }
 
+double BreakableShell::mass_of_faces(Vertex vertex) const {
+    double sum = 0;
+    for (const Face face : mesh().faces_around_target(mesh().halfedge(vertex)))
+        if (face != Mesh::null_face()) sum += shell.face_mass[face] / 3;
+    return sum;
+}
+
 void BreakableShell::share_masses(const TopologyChange& change) {
-    const auto rest_mass = [this](Vertex vertex) {
-        double sum = 0;
-        for (const Face face : mesh().faces_around_target(mesh().halfedge(vertex)))
-            if (face != Mesh::null_face()) sum += shell.face_mass[face] / 3;
-        return sum;
-    };
     const auto share = [&](Vertex vertex, double footprint_per_mass) {
-        shell.mass[number(vertex)] = rest_mass(vertex);
+        shell.mass[number(vertex)] = mass_of_faces(vertex);
         shell.footprint[number(vertex)] = footprint_per_mass * shell.mass[number(vertex)];
     };
     Vertex shared;  // the original vertex whose copies are being processed; they are consecutive

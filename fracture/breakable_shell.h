@@ -8,6 +8,7 @@
 #include "core/shell/shell.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
+#include "fracture/mesh_inheritance.h"
 #include "fracture/strength.h"
 #include "fracture/toughness.h"
 
@@ -34,7 +35,8 @@ struct SheetInput {
 };
 
 /// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and
-/// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay.
+/// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay. The mesh has the
+/// rest shape at all times.
 class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
@@ -55,11 +57,14 @@ class BreakableShell {
     /// Whether the edge has a hinge that can fail.
     bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
     /// The measure that the hinge of `edge` is compared by with its strength.
-    Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
+    Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
     const Toughness& toughness(Edge edge) const { return toughnesses[sheet_of(edge)]; }
-    double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
+    double crack_tip_factor(Edge edge) const {
+        const Index sheet = sheet_of(edge);
+        return toughnesses[sheet].given() ? 1 : strengths[sheet].crack_tip_factor;
+    }
     std::vector<double> face_areas() const;  ///< [F] m^2, at rest
 
     /// What a crack changed in the mesh and in the mechanics.
@@ -70,6 +75,35 @@ class BreakableShell {
     /// Makes the hinges of `edges` fail, opens the mesh and updates all data. New vertices are appended.
     Change fail(std::span<const Edge> edges);
 
+    /// An edge that has been made along a ray: see AdvancedEdge.
+    struct Advanced {
+        AdvancedEdge::Way way;
+        Halfedge halfedge;  ///< from the tip to the edge's other end
+        Vector3d direction;
+        double off_course;  ///< rad
+        Change change;      ///< whose shell is empty where the edge was there
+    };
+    /// Makes an edge from `tip` along a ray of the rest shape, which does not fail by it, and gives the sheet
+    /// around it other triangles (advance_edge(), CrackMesh::advance()). Lips, what is pinned, held, scripted
+    /// or guided and what keep_place() and keep_border() say stay, besides options.kept.
+    ///
+    /// Each old face passes its mass on by area, so that it goes on for as much; a vertex has a third of its
+    /// faces'. Positions and velocities are interpolated, then the patch gets the rigid motion that keeps its
+    /// momentum (follow_in_motion()). Rest angles, stiffness and strength are those of a sheet that is made
+    /// of these triangles: a face has the material axis of what it has most of, in its own plane; half of an
+    /// edge has the edge's factor on the strength, and an edge across old faces the mean of the factors of
+    /// their edges, without infinite ones, unless all are.
+    std::optional<Advanced> advance(Vertex tip, const Vector3d& direction, const AdvanceOptions& options);
+    /// From now on these vertices stay in their place of the sheet.
+    void keep_place(std::span<const Index> vertices);
+    /// From now on the edges between these faces and others stay as lines.
+    void keep_border(std::span<const Index> faces);
+
+    std::span<const Vector3d> axes() const {
+        return face_axes;
+    }  ///< [F] as in SheetInput; zero: of no matter
+    double strength_factor(Edge edge) const { return factors[edge]; }  ///< as in Strength
+
     /// Passes the lips of cracks that have moved apart on to SheetContact. Returns whether there were any.
     bool release_lips();
 
@@ -77,21 +111,37 @@ class BreakableShell {
     void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);
     /// Registers with the lips which vertices of one sheet coincide at the start.
     void add_coincident_vertices();
-    void add_triangles(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
-    void add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes);
+    void add_triangles();
+    void add_hinges();
     void add_strengths(const std::vector<SheetInput>& inputs);
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
+    TriangleStencil stencil(Face face) const;
+    HingeStencil stencil(Edge edge) const;
+    double hinge_axis(Edge edge) const;
+    double strength_of_hinge(Edge edge) const;
+    double mass_of_faces(Vertex vertex) const;
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
+
+    AdvanceOptions with_kept(const AdvanceOptions& options) const;
+    ShellChange reshape(const TopologyChange& topology);
+    void inherit_kept(const TopologyChange& topology);
+    void inherit_factors(const TopologyChange& topology);
+    void reshape_faces(const ShellChange& change);
+    void reshape_hinges(ShellChange& change);
+    void add_footprints(std::span<const Index> faces, const OldSides* old, double sign);
 
     CrackMesh crack_mesh;
     Shell shell;
     Lips lips;
-    std::vector<Measure> measures;  ///< of each input
-    std::vector<double> crack_tip_factors;
+    std::vector<Material> materials;  ///< of each input
+    std::vector<Strength> strengths;  ///< of each input, without factors
     std::vector<Toughness> toughnesses;
+    std::vector<Vector3d> face_axes;              ///< [F]
+    std::vector<double> factors;                  ///< [E]
+    std::vector<char> kept_vertices, kept_edges;  ///< [V] and [E]
 };
 
 }  // namespace sherd

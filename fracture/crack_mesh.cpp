@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "meshops/error.h"
 #include "meshops/split_vertex.h"
@@ -14,6 +15,7 @@ CrackMesh::CrackMesh(Mesh mesh) : halfedges(std::move(mesh)) {
     for (const Edge edge : halfedges.edges()) {
         states.push_back(halfedges.is_border(edge) ? EdgeState::boundary : EdgeState::interior);
         edge_origin.push_back(edge);
+        outline.push_back(halfedges.is_border(edge));
     }
     for (const Vertex vertex : halfedges.vertices()) vertex_origin.push_back(vertex);
 }
@@ -41,6 +43,55 @@ int CrackMesh::boundary_vertices(Edge edge) const {
     return count;
 }
 
+bool CrackMesh::is_cracked(Vertex vertex) const {
+    const auto around = halfedges.halfedges_around_target(halfedges.halfedge(vertex));
+    return std::any_of(around.begin(), around.end(), [this](Halfedge h) {
+        const Edge edge = halfedges.edge(h);
+        return states[edge] != EdgeState::interior && !is_outline(edge);
+    });
+}
+
+std::optional<AdvancedEdge> CrackMesh::advance(Vertex tip, const Eigen::Vector3d& direction,
+                                               const AdvanceOptions& options) {
+    AdvanceOptions all = options;
+    all.kept.keeps_place = [&](Vertex vertex) {
+        return is_cracked(vertex) || options.kept.keeps_place(vertex);
+    };
+    all.kept.is_line = [&](Edge edge) {
+        return states[edge] != EdgeState::interior || options.kept.is_line(edge);
+    };
+    auto advanced = advance_edge(halfedges, tip, direction, all);
+    if (advanced) follow(advanced->change);
+    return advanced;
+}
+
+void CrackMesh::follow(const TopologyChange& change) {
+    for (const Born<Vertex>& vertex : change.vertices) vertex_origin.push_back(vertex.element);
+    for (const Born<Edge>& edge : change.edges) inherit(edge);
+    for (const Born<Vertex>& vertex : change.vertices)
+        if (is_cracked(vertex.element)) to_open.push_back(vertex.element);
+}
+
+void CrackMesh::inherit(const Born<Edge>& born) {
+    const bool is_half = born.is_copy();
+    states.push_back(is_half ? states[born.parent()] : EdgeState::interior);
+    outline.push_back(is_half ? outline[born.parent()] : 0);
+    edge_origin.push_back(born.element);
+    if (!is_half || states.back() == EdgeState::interior || outline.back() != 0) return;
+    // Of the halves of a lip, the one that still meets the other lip goes on as a side of the same crack.
+    const Edge half = born.parent();
+    const auto meets_other_lip = [&](Vertex end) {
+        const auto around = halfedges.halfedges_around_target(halfedges.halfedge(end));
+        return std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+            const Edge edge = halfedges.edge(h);
+            return edge != half && edge != born.element && original(edge) == original(half);
+        });
+    };
+    if (meets_other_lip(halfedges.vertex(born.element, 0)) ||
+        meets_other_lip(halfedges.vertex(born.element, 1)))
+        std::swap(edge_origin[half], edge_origin[born.element]);
+}
+
 CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
     for (const Edge edge : edges) {
         if (states[edge] != EdgeState::interior)
@@ -49,7 +100,7 @@ CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
         states[edge] = EdgeState::fractured_interior;
     }
     Change change;
-    std::vector<Vertex> ends;
+    std::vector<Vertex> ends = std::exchange(to_open, {});
     for (const Edge edge : edges) {
         change.boundary_vertices.push_back(boundary_vertices(edge));
         for (const int side : {0, 1}) ends.push_back(halfedges.vertex(edge, side));
@@ -61,6 +112,7 @@ CrackMesh::Change CrackMesh::fail(std::span<const Edge> edges) {
         split_vertices(halfedges, ends, [this](Edge edge) { return states[edge] != EdgeState::interior; });
     states.resize(halfedges.number_of_edges(), EdgeState::boundary);
     for (const auto& [edge, created] : change.topology.opened) states[edge] = EdgeState::boundary;
+    outline.resize(halfedges.number_of_edges(), 0);
     for (const Born<Edge>& edge : change.topology.edges) edge_origin.push_back(original(edge.parent()));
     for (const Born<Vertex>& vertex : change.topology.vertices)
         vertex_origin.push_back(original(vertex.parent()));

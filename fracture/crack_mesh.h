@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fracture/edge_state.h"
-#include "meshops/topology_change.h"
+#include "meshops/advance_edge.h"
 
 namespace sherd {
 
@@ -18,9 +18,14 @@ class CrackMesh {
 
     const Mesh& mesh() const { return halfedges; }
     EdgeState state(Edge edge) const { return states[edge]; }
-    /// The vertex of the uncut mesh that `vertex` is, or is a copy of; edges likewise.
+    /// The vertex of the uncut mesh that `vertex` is, or is a copy of; edges likewise. What was born is its
+    /// own original.
     Vertex original(Vertex vertex) const { return vertex_origin[vertex]; }
     Edge original(Edge edge) const { return edge_origin[edge]; }
+    /// Whether the edge is on the boundary of the sheet, and not of a crack.
+    bool is_outline(Edge edge) const { return outline[edge] != 0; }
+    /// Whether an edge of the vertex has failed.
+    bool is_cracked(Vertex vertex) const;
     /// Whether a crack ends at `vertex` inside the sheet: exactly one failed edge leads there.
     bool is_tip(Vertex vertex) const;
 
@@ -36,13 +41,23 @@ class CrackMesh {
     /// given twice.
     Change fail(std::span<const Edge> edges);
 
+    /// Makes an edge along a ray: see advance_edge(). Vertices of cracks keep their place, and edges that
+    /// have failed stay as lines, besides what options.kept says. The edge itself does not fail. Where it
+    /// ends at an edge that has failed and is still closed, that opens there when the next edge fails.
+    std::optional<AdvancedEdge> advance(Vertex tip, const Eigen::Vector3d& direction,
+                                        const AdvanceOptions& options);
+
   private:
     int boundary_vertices(Edge edge) const;
+    void follow(const TopologyChange& change);
+    void inherit(const Born<Edge>& born);
 
     Mesh halfedges;
     std::vector<EdgeState> states;
     std::vector<Vertex> vertex_origin;
     std::vector<Edge> edge_origin;
+    std::vector<char> outline;    ///< [E]
+    std::vector<Vertex> to_open;  ///< born on failed edges that are closed: they open with the next failure
 };
 
 }  // namespace sherd

@@ -10,6 +10,11 @@ Fragments::Fragments(const Mesh& mesh, std::span<const double> areas)
     update(mesh, areas);
 }
 
+void Fragments::follow(const TopologyChange& change) {
+    for (const Born<Face>& face : change.faces)
+        fragment_of_face.push_back(fragment_of_face[face.parents.front().element]);
+}
+
 void Fragments::update(const Mesh& mesh, std::span<const double> areas) {
     const Components pieces = connected_components(mesh);
     std::vector<double> area(pieces.count, 0.0);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "meshops/mesh.h"
+#include "meshops/topology_change.h"
 
 namespace sherd {
 
@@ -16,6 +16,9 @@ class Fragments {
   public:
     /// areas: [F] m^2. The fragments of the unbroken mesh are numbered in the order of their first faces.
     Fragments(const Mesh& mesh, std::span<const double> areas);
+
+    /// Born faces belong to the fragment of what they are mostly made of.
+    void follow(const TopologyChange& change);
 
     /// Must be called when the mesh was opened.
     void update(const Mesh& mesh, std::span<const double> areas);

@@ -37,8 +37,8 @@ Gauge nearest_gauge(const Shell& shell, const Vector3d& place, Index sheet);
 /// state: of its face; none is needed when no field is wanted.
 GaugeReading reading(const Shell& shell, const Gauge& gauge, const std::optional<FaceState>& state = {});
 
-/// Lets gauges stay with their material when the shell has changed: of the parts of a face that was split,
-/// the one that has the place is the gauge's from then on.
+/// Lets gauges stay with their material when the shell has changed: of the faces that have a part of what
+/// was the gauge's face, the one that has the place is the gauge's from then on.
 void follow(const Shell& shell, const ShellChange& change, std::span<Gauge> gauges);
 
 }  // namespace sherd

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/hinge_peaks.h"
 
+#include <algorithm>
+
 namespace sherd {
 namespace {
 
@@ -10,11 +12,12 @@ constexpr VectorXd HingeMeasures::*all[] = {&HingeMeasures::bending, &HingeMeasu
 }  // namespace
 
 void HingePeaks::judge(const BreakableShell& shell, const HingeMeasures& measures) {
-    // Edges that were appended are sides of cracks, which have no hinge.
-    if (peaks.strain.size() == 0)
-        for (VectorXd HingeMeasures::*member : all)
-            peaks.*member = VectorXd::Zero(static_cast<Index>(shell.mesh().number_of_edges()));
+    // Most edges that were appended are sides of cracks, which have no hinge.
+    Eigen::Index edges = peaks.strain.size();
+    if (edges == 0) edges = static_cast<Eigen::Index>(shell.mesh().number_of_edges());
+    for (const Index edge : shell.mechanics().hinge_edge) edges = std::max<Eigen::Index>(edges, edge + 1);
     for (VectorXd HingeMeasures::*member : all) {
+        (peaks.*member).conservativeResizeLike(VectorXd::Zero(edges));
         (attempt.*member).setZero((peaks.*member).size());
         for (Index i = 0; i < static_cast<Index>((measures.*member).size()); ++i)
             (attempt.*member)[shell.edge_of_hinge(i)] = (measures.*member)[i];

@@ -13,7 +13,8 @@ class HingePeaks {
     /// Makes the recorded measures final, when the step is finished.
     void finish_step();
 
-    /// [E] in the order of the unbroken mesh's edges, failed ones included; 0 where there was no hinge.
+    /// In the order of the unbroken mesh's edges, failed ones included, and as far as later edges have
+    /// hinges; 0 where there was none.
     const HingeMeasures& of_edges() const { return peaks; }
 
   private:

@@ -51,6 +51,22 @@ void Lips::open(const TopologyChange& change) {
     for (const auto& [edge, created] : change.opened) edges.push_back({edge, created});
 }
 
+void Lips::cut(const Mesh& mesh, const TopologyChange& change) {
+    for (const Born<Edge>& half : change.edges) {
+        if (!half.is_copy()) continue;
+        for (std::size_t i = 0, count = edges.size(); i < count; ++i)
+            for (const int side : {0, 1}) {
+                if (edges[i][side] != half.parent()) continue;
+                const Edge other = edges[i][1 - side];
+                edges.push_back({half.element, other});
+                for (const Born<Vertex>& born : change.vertices)
+                    if (mesh.vertex(half.element, 0) == born.element ||
+                        mesh.vertex(half.element, 1) == born.element)
+                        for (const int end : {0, 1}) lie_together(born.element, mesh.vertex(other, end));
+            }
+    }
+}
+
 bool Lips::are_twins(Vertex a, Vertex b) const {
     const auto of_a = twins.find(a);
     return of_a != twins.end() && std::count(of_a->second.begin(), of_a->second.end(), b) > 0;
@@ -106,7 +122,7 @@ void Lips::write(const Mesh& mesh, Shell& shell) const {
             const Vertex a = mesh.source(h), b = mesh.target(h), apex = mesh.target(mesh.next(h));
             const double length = (shell.rest.col(number(a)) - shell.rest.col(number(b))).norm();
             for (const auto& [own, other] : {Twins{a, mesh.target(facing)}, Twins{b, mesh.source(facing)}})
-                if (are_twins(own, other))
+                if (are_twins(own, other) && shell.rest.col(number(own)) == shell.rest.col(number(other)))
                     shell.lips.push_back({{number(other), number(a), number(b), number(apex)},
                                           length * shell.young[number(a)] / 8});
         }

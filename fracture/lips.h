@@ -24,6 +24,10 @@ class Lips {
     /// Must be called when the mesh was opened.
     void open(const TopologyChange& change);
 
+    /// Must be called when faces have been cut. A vertex that was born on a lip lies on the other one, too:
+    /// it is a twin of both ends of the edge there.
+    void cut(const Mesh& mesh, const TopologyChange& change);
+
     /// Releases the twins whose elements are all farther apart at x [3, V] m than the sheet is thick;
     /// elements that still share a vertex or have other twins do not count. Returns whether there were any.
     bool release(const Mesh& mesh, const Shell& shell, const Positions& x);
@@ -33,12 +37,13 @@ class Lips {
     /// is Y / 2 times the overlap, on any mesh.
     void write(const Mesh& mesh, Shell& shell) const;
 
+    bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
+
   private:
     using Twins = std::array<Vertex, 2>;
 
     bool are_twins(Vertex a, Vertex b) const;
     bool apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const;
-    bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
     std::vector<Twins> pairs() const;  ///< all pairs of twins, each once, ascending
 
     std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any; pairs are stored both ways

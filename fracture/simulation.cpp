@@ -212,8 +212,13 @@ void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& m
     record_failures(edges, measures, stage);
     BreakableShell::Change change = breakable.fail(edges);
     change.shell.opening = opening;
+    follow_change(change);
+}
+
+void Simulation::follow_change(const BreakableShell::Change& change) {
     record_change(change.cracks);
     follow(breakable.mechanics(), change.shell, options.gauges);
+    fragments.follow(change.cracks.topology);
     stepper->topology_changed(change.shell);
 }
 

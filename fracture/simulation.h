@@ -96,6 +96,8 @@ class Simulation {
     void grow(std::span<const CrackStep> crack_steps, Index stage);
     /// How the edge of a crack that goes by toughness opens.
     std::optional<Opening> opening_of(Edge edge) const;
+    /// Lets all that refers to the shell follow a change of it.
+    void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
     /// Opens what has failed before the run, and begins the list of events with it.

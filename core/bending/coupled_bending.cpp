@@ -58,8 +58,9 @@ void CoupledBending::start_from(const Positions& x, double factor) {
 }
 
 std::vector<Index> CoupledBending::follow(const ShellChange& change) {
+    folds.follow(change);
     std::vector<Index> changed = curvature.follow(change);
-    folds.follow(change, start);
+    folds.extend(change, start);
     if (of_all)
         count_all();
     else

@@ -41,7 +41,7 @@ class CoupledBending : public Energy {
     void begin(const StepContext& step) override { folds.begin(step); }
     void topology_changed(const ShellChange& change, const StepContext&) override { follow(change); }
     /// Does what topology_changed() does, and returns the faces whose curvature depends on other folds or in
-    /// another way than before.
+    /// another way than before. Where triangles have changed, angles are measured from the rest shape again.
     std::vector<Index> follow(const ShellChange& change);
     double value(const Positions& x) const override;
     double round_off() const override;

@@ -5,9 +5,16 @@ namespace sherd {
 
 CubicHinges::CubicHinges(const std::vector<HingeStencil>& stencils, const Positions& rest, double scale,
                          bool cubic_part)
-    : HingeElements{&stencils, {}}, cubic_part(cubic_part) {
-    for (const HingeStencil& stencil : stencils)
-        hinges.push_back(cubic_hinge(columns(rest, stencil.vertices), scale * stencil.stiffness));
+    : HingeElements{&stencils, &rest, {}}, scale(scale), cubic_part(cubic_part) {
+    for (std::size_t i = 0; i < stencils.size(); ++i) hinges.push_back(made(i));
+}
+
+CubicHinge CubicHinges::made(std::size_t i) const {
+    return cubic_hinge(at_rest(i), scale * (*stencils)[i].stiffness);
+}
+
+void CubicHinges::follow(const ShellChange& change) {
+    follow_hinges(change, hinges, [this](Index hinge) { return made(hinge); });
 }
 
 HingeHessian CubicHinges::hessian(std::size_t i, const HingePositions& x, Curvature curvature) const {
@@ -16,11 +23,10 @@ HingeHessian CubicHinges::hessian(std::size_t i, const HingePositions& x, Curvat
 
 CubicHinges2007::CubicHinges2007(const std::vector<HingeStencil>& stencils, const Positions& rest,
                                  bool cubic_part)
-    : HingeElements{&stencils, {}}, cubic_part(cubic_part) {
-    for (const HingeStencil& stencil : stencils) {
-        const HingePositions local = columns(rest, stencil.vertices);
-        hinges.push_back(cubic_hinge_2007(local, stencil.stiffness));
-        in_equilibrium.push_back(cubic_hinge(local, stencil.stiffness));
+    : HingeElements{&stencils, &rest, {}}, cubic_part(cubic_part) {
+    for (std::size_t i = 0; i < stencils.size(); ++i) {
+        hinges.push_back(cubic_hinge_2007(at_rest(i), stencils[i].stiffness));
+        in_equilibrium.push_back(cubic_hinge(at_rest(i), stencils[i].stiffness));
     }
 }
 
@@ -30,8 +36,11 @@ HingeHessian CubicHinges2007::hessian(std::size_t i, const HingePositions& x, Cu
 }
 
 void CubicHinges2007::follow(const ShellChange& change) {
-    HingeElements::follow(change);
-    follow_hinges(change, in_equilibrium);
+    follow_hinges(change, hinges, [this](Index hinge) {
+        return cubic_hinge_2007(at_rest(hinge), (*stencils)[hinge].stiffness);
+    });
+    follow_hinges(change, in_equilibrium,
+                  [this](Index hinge) { return cubic_hinge(at_rest(hinge), (*stencils)[hinge].stiffness); });
 }
 
 }  // namespace sherd

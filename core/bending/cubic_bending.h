@@ -8,12 +8,15 @@ namespace sherd {
 
 /// The cubic hinges of a shell, in equilibrium at rest.
 struct CubicHinges : HingeElements<CubicHinge> {
-    /// rest: [3, V] m; scale: factor on the hinges' stiffness; cubic_part: whether the Hessian includes the
-    /// cubic part, which is indefinite (the paper's CS), or is Q alone (CC).
+    /// rest: [3, V] m, see HingeElements; scale: factor on the hinges' stiffness; cubic_part: whether the
+    /// Hessian includes the cubic part, which is indefinite (the paper's CS), or is Q alone (CC).
     CubicHinges(const std::vector<HingeStencil>& stencils, const Positions& rest, double scale = 1,
                 bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
+    CubicHinge made(std::size_t i) const;
+    void follow(const ShellChange& change);
 
+    double scale;
     bool cubic_part;
 };
 

@@ -31,7 +31,7 @@ void FaceCurvature::build() {
 }
 
 std::vector<Index> FaceCurvature::follow(const ShellChange& change) {
-    if (!change.faces.empty()) {
+    if (!change.faces.empty() || !change.reshaped.empty()) {
         patches.build();
         build();
         std::vector<Index> all(faces.size());

@@ -29,7 +29,7 @@ class FaceCurvature {
     FaceCurvature(const Shell& shell, const Folds& folds);
 
     /// Must be called when the shell has changed. Only the faces around removed hinges are computed anew,
-    /// which it returns by ascending number; all, if faces were born.
+    /// which it returns by ascending number; all, if the shell has other triangles.
     std::vector<Index> follow(const ShellChange& change);
 
     /// What the change of curvature of a face consists of.

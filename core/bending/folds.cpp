@@ -81,7 +81,11 @@ void Folds::add_gradient(std::span<const Slope> slopes, const VectorXd& of_angle
     }
 }
 
-void Folds::follow(const ShellChange& change, VectorXd& angles) const {
+void Folds::extend(const ShellChange& change, VectorXd& angles) const {
+    if (!change.reshaped.empty()) {
+        angles = rest_angles();
+        return;
+    }
     const Eigen::Index known = angles.size();
     angles.conservativeResize(size());
     angles.tail(angles.size() - known).setZero();

@@ -31,6 +31,7 @@ class Folds {
     }
     /// The side that has the mirror behind it.
     const TriangleEdge& mirror_side(Index mirror) const { return mirrors[mirror].side; }
+    const Mirrors& all_mirrors() const { return mirrors; }
     std::array<Index, 4> vertices(Index fold) const;  ///< -1: no vertex
     /// Appends the vertices of a fold that are not among `vertices` yet.
     void collect(Index fold, std::vector<Index>& vertices) const;
@@ -55,8 +56,11 @@ class Folds {
     /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
     void add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,
                       std::span<const Index> some) const;
-    /// Appends the rest angles of new edges to angles of all folds.
-    void follow(const ShellChange& change, VectorXd& angles) const;
+    /// Must be called when the shell has changed. Where its triangles have, mirrors may be more than before.
+    void follow(const ShellChange& change) { mirrors.follow(change); }
+    /// Appends the rest angles of new edges to angles of all folds; where triangles have changed, all angles
+    /// become rest angles.
+    void extend(const ShellChange& change, VectorXd& angles) const;
 
     /// Adds what the angles' own second derivatives give to its Hessian.
     void add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian) const {

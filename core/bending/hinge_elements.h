@@ -28,6 +28,7 @@ template <class Hinge>
 struct HingeElements {
     /// The shell's stencils, which must outlive this object; they hold the vertices.
     const std::vector<HingeStencil>* stencils;
+    const Positions* rest;      ///< [3, V] m, from which hinges are made; must live when a change is followed
     std::vector<Hinge> hinges;  ///< one for each stencil
 
     std::size_t size() const { return hinges.size(); }
@@ -41,7 +42,7 @@ struct HingeElements {
         for (const Hinge& hinge : hinges) sum += round_off_of(hinge);
         return sum;
     }
-    void follow(const ShellChange& change) { follow_hinges(change, hinges); }
+    HingePositions at_rest(std::size_t i) const { return columns(*rest, vertices(i)); }
 };
 
 /// Bending energy of uncoupled hinges.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/bending/mirror_hinge.h"
 
+#include <numeric>
+
 namespace sherd {
 namespace {
 
@@ -37,6 +39,25 @@ MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const V
     return {side, normal, offset, stiffness};
 }
 
+Mirrors::Mirrors(const Shell& shell, std::vector<MirrorHinge> hinges)
+    : shell(shell), at_rest(std::move(hinges)), hinges(at_rest), origins(at_rest.size()) {
+    std::iota(origins.begin(), origins.end(), 0);
+}
+
+void Mirrors::follow(const ShellChange& change) {
+    for (std::size_t i = 0, count = hinges.size(); i < count; ++i) {
+        const std::vector<TriangleEdge> sides = sides_after(shell, change, hinges[i].side);
+        at_rest[i].side = hinges[i].side = sides.front();
+        if (sides.size() == 1) continue;
+        for (std::vector<MirrorHinge>* list : {&at_rest, &hinges}) {
+            MirrorHinge second = (*list)[i];
+            second.side = sides.back();
+            list->push_back(second);
+        }
+        origins.push_back(origins[i]);
+    }
+}
+
 void Mirrors::begin(const StepContext& step) {
     for (std::size_t i = 0; i < hinges.size(); ++i)
         if (const Index script = hinges[i].script; script != 0)
@@ -65,6 +86,17 @@ Eigen::Matrix<double, 9, 9> Mirrors::folded(std::size_t i, const HingeHessian& h
 
 MirrorEnergy::MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges)
     : mirrors(shell, std::move(hinges)) {
+    find_bending();
+}
+
+void MirrorEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
+    mirrors.follow(change);
+    if (!change.reshaped.empty()) find_bending();
+    begin(step);
+}
+
+void MirrorEnergy::find_bending() {
+    bending.clear();
     for (std::size_t i = 0; i < mirrors.size(); ++i)
         bending.push_back(cubic_hinge(mirrors.rest(i), mirrors[i].stiffness));
 }

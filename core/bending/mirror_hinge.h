@@ -33,12 +33,15 @@ MirrorHinge symmetry_hinge(const Shell& shell, const TriangleEdge& side, const V
 class Mirrors {
   public:
     /// The shell must outlive this object.
-    Mirrors(const Shell& shell, std::vector<MirrorHinge> hinges)
-        : shell(shell), at_rest(std::move(hinges)), hinges(at_rest) {}
+    Mirrors(const Shell& shell, std::vector<MirrorHinge> hinges);
     void begin(const StepContext& step);
+    /// Where a mirror's side was split, the second part of it is appended.
+    void follow(const ShellChange& change);
 
     std::size_t size() const { return hinges.size(); }
     const MirrorHinge& operator[](std::size_t i) const { return hinges[i]; }
+    /// Number at the start of the mirror that this one is, or is a part of.
+    std::size_t origin(std::size_t i) const { return origins[i]; }
     std::array<Index, 3> vertices(std::size_t i) const { return edge_and_apex(shell, hinges[i].side); }
     /// The triangle and its image as a hinge, m.
     HingePositions with_image(std::size_t i, const Positions& x) const;
@@ -53,6 +56,7 @@ class Mirrors {
   private:
     const Shell& shell;
     std::vector<MirrorHinge> at_rest, hinges;  ///< with their planes at rest, and at the end of the step
+    std::vector<std::size_t> origins;
 };
 
 /// The derivative of a mirror hinge's energy by the vertices of its triangle, N; its forces on them are the
@@ -69,6 +73,7 @@ class MirrorEnergy : public Energy {
     MirrorEnergy(const Shell& shell, std::vector<MirrorHinge> hinges);
     std::vector<MirrorGradient> gradients(const Positions& x) const;  ///< of each
     void begin(const StepContext& step) override { mirrors.begin(step); }
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
@@ -77,6 +82,8 @@ class MirrorEnergy : public Energy {
     const Mirrors& all() const { return mirrors; }  ///< in the open step
 
   private:
+    void find_bending();
+
     Mirrors mirrors;
     std::vector<CubicHinge> bending;  ///< of each mirror hinge
 };

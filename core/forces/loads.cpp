@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace sherd {
@@ -10,6 +11,64 @@ namespace {
 
 double fraction(const Load& load, double time) {
     return load.ramp > 0 ? std::clamp(time / load.ramp, 0.0, 1.0) : 1.0;
+}
+
+/// The corner of a reshaped face at a vertex: of the face that has most of `from`, if one with it has any.
+CornerForce at_vertex(const Shell& shell, const ShellChange& change, Index from, Index vertex,
+                      CornerForce force) {
+    double most = -1;
+    for (const auto& [face, parents] : change.reshaped)
+        for (int corner = 0; corner < 3; ++corner) {
+            if (shell.triangles[face].vertices[corner] != vertex) continue;
+            const auto own = std::ranges::find(parents, from, &Heir::Parent::element);
+            const double share = own == parents.end() ? 0 : own->weight;
+            if (share <= most) continue;
+            most = share;
+            force.triangle = face;
+            force.corner = corner;
+        }
+    return force;
+}
+
+void follow(const Shell& shell, const ShellChange& change, std::vector<CornerForce>& forces) {
+    for (CornerForce& force : forces)
+        if (const auto* was = changed_face(change, force.triangle))
+            force = at_vertex(shell, change, force.triangle, was->vertices[force.corner], force);
+}
+
+void follow(const ShellChange& change, std::vector<FaceForce>& forces) {
+    std::map<Index, Vector3d> of_changed;
+    for (const auto& [triangle, force] : forces)
+        if (changed_face(change, triangle) != nullptr)
+            of_changed.try_emplace(triangle, Vector3d::Zero()).first->second += force;
+    if (of_changed.empty()) return;
+    std::erase_if(forces, [&](const FaceForce& force) { return of_changed.contains(force.triangle); });
+    for (const auto& [face, parents] : change.reshaped) {
+        FaceForce sum{face, Vector3d::Zero()};
+        for (const auto& [parent, share] : parents)
+            if (const auto force = of_changed.find(parent); force != of_changed.end())
+                sum.force += share * force->second;
+        forces.push_back(sum);
+    }
+}
+
+void follow(const Shell& shell, const ShellChange& change, std::vector<EdgeMoment>& moments) {
+    const auto length = [&](const TriangleEdge& side) {
+        const auto [from, to, apex] = edge_and_apex(shell, side);
+        return (shell.rest.col(to) - shell.rest.col(from)).norm();
+    };
+    for (std::size_t i = 0, count = moments.size(); i < count; ++i) {
+        const std::vector<TriangleEdge> sides = sides_after(shell, change, moments[i].side);
+        if (sides.empty()) throw std::runtime_error("a side with a moment on it is gone");
+        moments[i].side = sides.front();
+        if (sides.size() == 1) continue;
+        EdgeMoment second = moments[i];
+        second.side = sides.back();
+        const double share = length(sides.back()) / (length(sides.front()) + length(sides.back()));
+        second.moment *= share;
+        moments[i].moment *= 1 - share;
+        moments.push_back(second);
+    }
 }
 
 }  // namespace
@@ -40,12 +99,11 @@ std::vector<CornerForce> line_forces(const Shell& shell, std::span<const Triangl
     return result;
 }
 
-std::vector<CornerForce> area_forces(const Shell& shell, std::span<const Index> triangles,
-                                     const Vector3d& force) {
-    std::vector<CornerForce> result;
+std::vector<FaceForce> area_forces(const Shell& shell, std::span<const Index> triangles,
+                                   const Vector3d& force) {
+    std::vector<FaceForce> result;
     for (const Index triangle : triangles)
-        for (int corner = 0; corner < 3; ++corner)
-            result.push_back({triangle, corner, shell.triangles[triangle].membrane.area / 3 * force});
+        result.push_back({triangle, shell.triangles[triangle].membrane.area * force});
     return result;
 }
 
@@ -83,7 +141,13 @@ void LoadEnergy::begin(const StepContext& step) {
 }
 
 void LoadEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
-    for (Load& load : loads) follow_faces(change, load.pressed);
+    for (Load& load : loads) {
+        follow_faces(change, load.pressed);
+        if (change.reshaped.empty()) continue;
+        follow(shell, change, load.dead);
+        follow(change, load.spread);
+        follow(shell, change, load.moments);
+    }
     begin(step);
 }
 
@@ -95,6 +159,9 @@ void LoadEnergy::sum_loads(const StepContext& step) {
         const double share = step.load * fraction(load, step.end());
         for (const CornerForce& dead : load.dead)
             force.col(shell.triangles[dead.triangle].vertices[dead.corner]) += share * dead.force;
+        for (const FaceForce& spread : load.spread)
+            for (const Index vertex : shell.triangles[spread.triangle].vertices)
+                force.col(vertex) += share / 3 * spread.force;
         for (const Index triangle : load.pressed)
             pressed.triangles.push_back({shell.triangles[triangle].vertices, share * load.pressure});
         for (const EdgeMoment& moment : load.moments)

@@ -12,6 +12,12 @@ struct CornerForce {
     Vector3d force = Vector3d::Zero();
 };
 
+/// A dead force, N, that is spread evenly over a triangle: a third of it on each corner.
+struct FaceForce {
+    Index triangle = 0;
+    Vector3d force = Vector3d::Zero();
+};
+
 /// External forces, which grow linearly from zero at time 0 and keep their full size from time `ramp` on.
 struct Load {
     std::vector<CornerForce> dead;         ///< forces of constant direction
@@ -19,6 +25,7 @@ struct Load {
     std::vector<EdgeMoment> moments = {};  ///< on sides of triangles
     double pressure = 0;                   ///< Pa, along the normal of a triangle in its current position
     double ramp = 0;                       ///< s; 0: full size from the start
+    std::vector<FaceForce> spread = {};    ///< forces of constant direction, too
 };
 
 /// Applies `force` (N) to each of the vertices. Throws std::out_of_range if a vertex has no triangle.
@@ -28,8 +35,8 @@ std::vector<CornerForce> point_forces(const Shell& shell, std::span<const Index>
 std::vector<CornerForce> line_forces(const Shell& shell, std::span<const TriangleEdge> sides,
                                      const Vector3d& force);
 /// Distributes `force`, in N per m^2 of rest area, over the triangles.
-std::vector<CornerForce> area_forces(const Shell& shell, std::span<const Index> triangles,
-                                     const Vector3d& force);
+std::vector<FaceForce> area_forces(const Shell& shell, std::span<const Index> triangles,
+                                   const Vector3d& force);
 
 /// Triangles under pressure, with the energy minus pressure times the volume under them.
 struct PressedTriangles {
@@ -60,6 +67,8 @@ class LoadEnergy : public Energy {
     LoadEnergy(const Shell& shell, std::vector<Load> loads) : shell(shell), loads(std::move(loads)) {}
     void begin(const StepContext& step) override;
     /// Faces that are born under pressure stay under it. Dead forces stay on the corners of their triangles.
+    /// Where triangles change, forces on corners and moments go on with their vertices and sides, which must
+    /// stay in their place, and what is spread over triangles goes on with their area.
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
     void add_gradient(const Positions& x, Positions& gradient) const override;

@@ -83,11 +83,12 @@ void ShellEnergies::add_outer(const Positions& x, const Positions& moved, Energy
 
 std::vector<Reaction> ShellEnergies::mirror_reactions(const Positions& x) const {
     std::vector<Reaction> all(mirror_scripts.size());
+    const Mirrors& parts = coupled != nullptr ? coupled->all_folds().all_mirrors() : mirrors.all();
     const auto add = [&](const std::vector<MirrorGradient>& gradients) {
         for (std::size_t m = 0; m < gradients.size(); ++m)
             for (int k = 0; k < 4; ++k)
                 if (const Index vertex = gradients[m].vertices[k]; vertex >= 0)
-                    all[m].add(x.col(vertex), -gradients[m].gradient.col(k));
+                    all[parts.origin(m)].add(x.col(vertex), -gradients[m].gradient.col(k));
     };
     add(coupled != nullptr ? coupled->mirror_gradients(x) : mirrors.gradients(x));
     if (arcs != nullptr) add(arcs->mirror_gradients(x));

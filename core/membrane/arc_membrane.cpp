@@ -81,6 +81,7 @@ void ArcMembrane::start_from(const Positions& x, double scale) {
 }
 
 void ArcMembrane::topology_changed(const ShellChange& change, const StepContext&) {
+    folds.follow(change);
     curvature.follow(change);
     measure_from_rest();
 }

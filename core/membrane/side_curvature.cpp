@@ -29,7 +29,7 @@ void SideCurvature::update(Index face, int side) {
 }
 
 void SideCurvature::follow(const ShellChange& change) {
-    if (!change.faces.empty()) {
+    if (!change.faces.empty() || !change.reshaped.empty()) {
         patches.build();
         return build();
     }

@@ -17,7 +17,7 @@ class SideCurvature {
     SideCurvature(const Shell& shell, const Folds& folds);
 
     /// Must be called when the shell has changed. Only sides around removed hinges are computed anew, unless
-    /// faces were born.
+    /// the shell has other triangles.
     void follow(const ShellChange& change);
 
     /// What a side's curvature is summed from; weights in 1/m.

@@ -13,14 +13,24 @@ Value mean(const std::vector<Heir::Parent>& parents, const Value& zero, Part par
     return sum;
 }
 
+Vector3d mean_column(const std::vector<Heir::Parent>& parents, const Positions& columns) {
+    return mean(parents, Vector3d(Vector3d::Zero()),
+                [&](Index parent) { return Vector3d(columns.col(parent)); });
+}
+
 }  // namespace
 
 void append(Positions& columns, std::span<const Heir> heirs) {
     Eigen::Index next = columns.cols();
     columns.conservativeResize(3, next + static_cast<Eigen::Index>(heirs.size()));
-    for (const Heir& heir : heirs)
-        columns.col(next++) = mean(heir.parents, Vector3d(Vector3d::Zero()),
-                                   [&](Index parent) { return Vector3d(columns.col(parent)); });
+    for (const Heir& heir : heirs) columns.col(next++) = mean_column(heir.parents, columns);
+}
+
+void follow(Positions& of_vertices, const ShellChange& change) {
+    std::vector<Vector3d> moved;  // all of them from where the parents were
+    for (const Heir& vertex : change.moved) moved.push_back(mean_column(vertex.parents, of_vertices));
+    append(of_vertices, change.vertices);
+    for (std::size_t i = 0; i < moved.size(); ++i) of_vertices.col(change.moved[i].element) = moved[i];
 }
 
 void append(VectorXd& values, std::span<const Heir> heirs) {

@@ -21,6 +21,10 @@ enum class Inheritance {
 void append(Positions& columns, std::span<const Heir> heirs);
 void append(VectorXd& values, std::span<const Heir> heirs);
 
+/// Lets positions or velocities of vertices [3, V] follow a change: heirs are appended, and moved vertices
+/// get the mean of their parents.
+void follow(Positions& of_vertices, const ShellChange& change);
+
 /// Appends the heirs' values to a list by `rule`; `missing` for an heir that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {

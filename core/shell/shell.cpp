@@ -33,7 +33,12 @@ void follow(Shell& shell, const ShellChange& change) {
     const auto append_to = [](const std::vector<Heir>& heirs) {
         return [&heirs](auto& values, const auto&... rule) { append(values, heirs, rule...); };
     };
-    visit_vertices(shell, append_to(change.vertices));
+    visit_vertices(shell, [&](auto& values, const auto&... rule) {
+        if constexpr (std::is_same_v<decltype(values), Positions&>)
+            follow(values, change);
+        else
+            append(values, change.vertices, rule...);
+    });
     visit_edges(shell, append_to(change.edges));
     visit_faces(shell, append_to(change.faces));
 }

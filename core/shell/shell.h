@@ -108,8 +108,9 @@ void visit_faces(S& shell, Visit visit) {
 /// Gives the vertices' arrays `count` entries; new ones are zero.
 void resize_vertices(Shell& shell, Index count);
 
-/// Applies a change to all attributes of elements. Whoever made the change sets masses, footprints and the
-/// shape of elements that are new or lost a part.
+/// Applies a change to all attributes of elements. Of moved vertices rest, position and velocity follow.
+/// Whoever made the change sets masses, footprints and the shape of elements that are new, changed or lost a
+/// part, and appends hinges.
 void follow(Shell& shell, const ShellChange& change);
 
 /// Removes the hinge of an edge. The last hinge takes its number, which is returned.

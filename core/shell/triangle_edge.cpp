@@ -24,6 +24,28 @@ std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<
     return sides;
 }
 
+std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& change,
+                                      const TriangleEdge& side) {
+    const ShellChange::ChangedFace* was = changed_face(change, side.triangle);
+    if (was == nullptr) return {side};
+    const auto find = [&](Index from, Index to) {
+        std::vector<TriangleEdge> found;
+        for (const Heir& face : change.reshaped)
+            for (int corner = 0; corner < 3; ++corner)
+                if (const auto [a, b, c] = edge_and_apex(shell, {face.element, corner}); a == from && b == to)
+                    found.push_back({face.element, corner});
+        return found;
+    };
+    const Index from = was->vertices[(side.corner + 1) % 3], to = was->vertices[(side.corner + 2) % 3];
+    std::vector<TriangleEdge> after = find(from, to);
+    if (!after.empty()) return after;
+    for (const Heir& born : change.vertices) {
+        const std::vector<TriangleEdge> first = find(from, born.element), second = find(born.element, to);
+        if (!first.empty() && !second.empty()) return {first.front(), second.front()};
+    }
+    return {};
+}
+
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
     // The sides by the vertices that they run from and to, which no two triangles have in common.
     std::vector<std::tuple<Index, Index, TriangleEdge>> sides;

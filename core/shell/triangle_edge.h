@@ -25,6 +25,11 @@ inline std::array<Index, 3> edge_and_apex(const Shell& shell, const TriangleEdge
 /// corner.
 std::vector<TriangleEdge> boundary_triangle_edges(const Shell& shell, std::span<const char> selected);
 
+/// The sides that a side of a triangle is after a change: one, or two where it was split, in its direction;
+/// none where its edge was flipped.
+std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& change,
+                                      const TriangleEdge& side);
+
 /// The two sides that each hinge joins, [H]: of T0, then of T1 (HingePositions).
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell);
 

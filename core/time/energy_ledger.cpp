@@ -4,30 +4,35 @@
 namespace sherd {
 
 void EnergyLedger::begin(double stored, double moving) {
+    if (!started) {
+        started = true;
+        last = stored;
+        last_moving = moving;
+    }
     at_begin = stored;
     opened = 0;
-    if (started) return;
-    started = true;
-    last = stored;
-    last_total = stored + moving;
+    motion = moving;
+    slowed = last_moving - moving;
 }
 
-double EnergyLedger::topology_changed(double stored) {
+double EnergyLedger::topology_changed(double stored, double moving) {
     const double gone = solution - stored;
     opened += gone;
     solution = stored;
+    slowed += motion - moving;
+    motion = moving;
     return gone;
 }
 
 void EnergyLedger::finish(const StepWork& work, double stored, double moving) {
     EnergyBalance now = work.balance;
     now.lost_to_scheme += work.against_stored - (stored - at_begin) - opened;
-    now.lost_to_cracks += opened + last - at_begin;
+    now.lost_to_cracks += opened + last - at_begin + slowed;
     const double gained = now.work_of_loads + now.work_of_wind + now.work_of_supports + now.work_of_obstacles;
     const double lost = now.lost_to_friction + now.lost_to_damping + now.lost_to_cracks + now.lost_to_scheme;
-    now.unexplained = stored + moving - last_total - gained + lost;
+    now.unexplained = stored + moving - (last + last_moving) - gained + lost;
     last = stored;
-    last_total = stored + moving;
+    last_moving = moving;
     all += now;
 }
 

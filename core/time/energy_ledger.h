@@ -24,8 +24,12 @@ class EnergyLedger {
     void begin(double stored, double moving);
     /// The step has been solved: that much is stored where a change of the shell will find it.
     void solved(double stored) { solution = stored; }
-    /// The shell has changed since, at the same positions. Returns what that took, J.
-    double topology_changed(double stored);
+    /// The same of the moving energy, for schemes whose solution has its velocities; else it is that of the
+    /// beginning.
+    void moves(double moving) { motion = moving; }
+    /// The shell has changed since, at the same positions of the sheet. What its other triangles and masses
+    /// take of the moving energy counts as lost to cracks, too. Returns what it took of what was stored, J.
+    double topology_changed(double stored, double moving);
     void finish(const StepWork& work, double stored, double moving);
 
     const EnergyBalance& balance() const { return all; }  ///< of the finished steps
@@ -33,10 +37,12 @@ class EnergyLedger {
   private:
     EnergyBalance all;
     bool started = false;
-    double last = 0, last_total = 0;  ///< J, stored and in all at the end of the last step
-    double at_begin = 0;              ///< J, stored at the beginning of the open step
-    double solution = 0;              ///< J, stored when the open step was solved last
-    double opened = 0;                ///< J, what edges that opened in the open step stored
+    double last = 0, last_moving = 0;  ///< J, stored and moving at the end of the last step
+    double at_begin = 0;               ///< J, stored at the beginning of the open step
+    double solution = 0;               ///< J, stored when the open step was solved last
+    double motion = 0;                 ///< J, moving then, or at the beginning of the open step
+    double opened = 0;                 ///< J, what edges that opened in the open step stored
+    double slowed = 0;  ///< J, what changes of triangles have taken of the moving energy since the last step
 };
 
 }  // namespace sherd

@@ -108,7 +108,7 @@ MinimiserResult EquilibriumPath::solve(Potential& potential, std::span<Energy* c
 
 void EquilibriumPath::topology_changed(const ShellChange& change, const Potential& potential,
                                        const Positions& x) {
-    if (direction.cols() > 0) append(direction, change.vertices);
+    if (direction.cols() > 0) follow(direction, change);
     system.topology_changed(change, potential, x);
 }
 

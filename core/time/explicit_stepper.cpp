@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/shell/patch_momentum.h"
 #include "core/shell/supports.h"
 #include "core/time/highest_frequency.h"
 
@@ -148,6 +149,9 @@ MinimiserResult ExplicitStepper::solve(int) {
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
     energies_now.reset();
     made = true;
+    work.balance.lost_to_scheme =
+        inertia_work - free_kinetic(shell, velocity) + free_kinetic(shell, shell.velocity);
+    ledger.moves(moving(velocity, position));
     substeps_since += substeps;
     require_stable(position.allFinite());
     contact.require_no_passage(step, position);
@@ -230,20 +234,21 @@ void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
 }
 
 void ExplicitStepper::topology_changed(const ShellChange& change) {
-    append(position, change.vertices);
-    append(velocity, change.vertices);
-    if (mode.cols() > 0) append(mode, change.vertices);
+    follow_in_motion(shell, change, position, velocity);
+    if (mode.cols() > 0) follow(mode, change);
     step.origin = shell.position;
     step.velocity_origin = shell.velocity;
     for (Energy* energy : elastic) energy->topology_changed(change, step);
     for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
     contact.shell_changed();
     changed = true;
+    if (!change.reshaped.empty())
+        substeps_since = substeps_after_crack;  // smaller triangles may be far stiffer
     energies_now.reset();
     append(acceleration, change.vertices);
     const Positions before = acceleration;
     feel();
-    const double gone = ledger.topology_changed(stored());
+    const double gone = ledger.topology_changed(stored(), moving(velocity, position));
     if (!change.opening) return;
     opening.open(*change.opening, kept_forces(before), gone);
     forces_now.opening.setZero();
@@ -260,9 +265,7 @@ Positions ExplicitStepper::kept_forces(const Positions& before) const {
 void ExplicitStepper::finish() {
     work.against_stored -= contact.bodies.contact_work() - contact.bodies.friction_work();
     work.balance.lost_to_friction -= contact.bodies.friction_work();
-    work.balance.lost_to_scheme = inertia_work - free_kinetic(shell, velocity) +
-                                  free_kinetic(shell, shell.velocity) + contact.bodies.work_of_all() -
-                                  contact.bodies.kinetic_change();
+    work.balance.lost_to_scheme += contact.bodies.work_of_all() - contact.bodies.kinetic_change();
     ledger.finish(work, stored(), moving(velocity, position));
     shell.position = position;
     shell.velocity = velocity;

@@ -91,14 +91,14 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
 }
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {
-    append(position, change.vertices);
+    follow(position, change);
     scheme->topology_changed(shell, change, step);
     potential.topology_changed(change, step);
     if (path)
         path->topology_changed(change, potential, position);
     else
         minimiser->topology_changed(change, potential, position);
-    ledger.topology_changed(stored());
+    ledger.topology_changed(stored(), moving(shell.velocity, shell.position));
 }
 
 void ImplicitStepper::finish() {

@@ -11,8 +11,7 @@ namespace {
 Load weight_as_load(const Shell& shell, const Vector3d& gravity) {
     Load load;
     for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
-        for (int corner = 0; corner < 3; ++corner)
-            load.dead.push_back({t, corner, shell.face_mass[t] / 3 * gravity});
+        load.spread.push_back({t, shell.face_mass[t] * gravity});
     return load;
 }
 

@@ -50,8 +50,8 @@ class Stepper {
     virtual MinimiserResult solve(int max_iterations) = 0;
     /// Whether a change of the shell changes the end of the open step.
     virtual bool solves_again() const = 0;
-    /// Must be called when the shell has other vertices, hinges or lips. New vertices are placed where their
-    /// parents are.
+    /// Must be called when the shell has other vertices, triangles, hinges or lips. New and moved vertices
+    /// are placed where their parents are.
     virtual void topology_changed(const ShellChange& change) = 0;
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;

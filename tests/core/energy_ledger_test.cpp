@@ -147,7 +147,7 @@ TEST(EnergyLedger, LoadsWorkAlongTheWay) {
     std::vector<Index> triangles(shell.triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) triangles[t] = static_cast<Index>(t);
     Load load;
-    load.dead = area_forces(shell, triangles, Vector3d(0, 100, 0));
+    load.spread = area_forces(shell, triangles, Vector3d(0, 100, 0));
     options.shell.loads = {load};
     ImplicitStepper stepper(shell, options);
     const EnergyBalance& balance = after_steps(stepper, 20);

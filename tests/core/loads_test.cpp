@@ -48,7 +48,7 @@ Positions forces(const Energy& energy, const Positions& x) {
 TEST(Loads, GradientAndHessianAreDerivatives) {
     for (const Shell& shell : {test::tetrahedron(test::thick_foam), test::two_triangles(test::thick_foam)}) {
         Load load = pressure_on_all(shell, 30);
-        load.dead = area_forces(shell, load.pressed, {1, 2, 3});
+        load.spread = area_forces(shell, load.pressed, {1, 2, 3});
         test::expect_derivatives(loaded(shell, {load}, 1), crumpled(shell, 1), 1e-4, 1e-7);
     }
 }
@@ -85,14 +85,15 @@ TEST(Loads, PressureOnAnOpenSheetIsExactAtTheBeginningOfTheStep) {
 // Load a length, an area and a vertex: the totals are what the units say.
 TEST(Loads, DeadLoadsAddUpToForceTimesExtent) {
     const Shell shell = test::two_triangles(test::thick_foam);
-    const auto total = [&](const std::vector<CornerForce>& dead) {
+    const auto total = [&](const std::vector<CornerForce>& dead, const std::vector<FaceForce>& spread = {}) {
         Load load;
         load.dead = dead;
+        load.spread = spread;
         return Vector3d(forces(loaded(shell, {load}, 0), shell.rest).rowwise().sum());
     };
     const Vector3d f(1, -2, 3);
     const double area = shell.triangles[0].membrane.area + shell.triangles[1].membrane.area;
-    EXPECT_LT((total(area_forces(shell, all_triangles(shell), f)) - area * f).norm(), 1e-13);
+    EXPECT_LT((total({}, area_forces(shell, all_triangles(shell), f)) - area * f).norm(), 1e-13);
     EXPECT_LT((total(point_forces(shell, std::array<Index, 2>{1, 3}, f)) - 2 * f).norm(), 1e-13);
     const std::vector<char> ends{1, 0, 1, 0};
     const std::vector<TriangleEdge> sides = boundary_triangle_edges(shell, ends);
@@ -111,7 +112,7 @@ TEST(Loads, RampGrowsLinearlyAndThenStays) {
     options.gravity.setZero();
     options.step = 0.01;
     Load load;
-    load.dead = area_forces(shell, all_triangles(shell), {0, 0, 2});
+    load.spread = area_forces(shell, all_triangles(shell), {0, 0, 2});
     load.ramp = 0.04;
     options.shell.loads = {load};
     const double force = 2 * (shell.triangles[0].membrane.area + shell.triangles[1].membrane.area);

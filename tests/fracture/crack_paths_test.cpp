@@ -35,7 +35,7 @@ Outcome press(const SheetInput& input, const std::vector<Index>& faces, double f
     options.stepper.contact.sheets = false;  // it is where cracks begin and run that counts here
     const BreakableShell sheet({input});
     Load load;
-    load.dead = area_forces(sheet.mechanics(), faces, Vector3d(0, 0, -force));
+    load.spread = area_forces(sheet.mechanics(), faces, Vector3d(0, 0, -force));
     load.ramp = ramp;
     options.stepper.shell.loads = {load};
     Simulation simulation({input}, options);

@@ -38,13 +38,13 @@ void add_loads(const Scene& scene, const std::vector<SheetInput>& inputs, const 
         else if (spec.kind == "line")
             load.dead = line_forces(mechanics, boundary_triangle_edges(mechanics, selected), spec.force);
         else if (spec.kind == "area")
-            load.dead = area_forces(mechanics, selected_triangles(mechanics, selected), spec.force);
+            load.spread = area_forces(mechanics, selected_triangles(mechanics, selected), spec.force);
         else if (spec.kind == "moment")
             load.moments = edge_moments(mechanics, boundary_triangle_edges(mechanics, selected), spec.moment);
         else
             load.pressed = selected_triangles(mechanics, selected);
         load.pressure = spec.pressure;
-        if (load.dead.empty() && load.pressed.empty() && load.moments.empty())
+        if (load.dead.empty() && load.spread.empty() && load.pressed.empty() && load.moments.empty())
             throw Error(fmt::format(
                 "{}: acts on nothing: {} must be in its box, boundary or group", spec.where,
                 spec.kind == "point"                           ? "a vertex"

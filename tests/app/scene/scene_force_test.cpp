@@ -39,6 +39,7 @@ std::string force_message(const std::string& text) {
 Vector3d total(const Load& load) {
     Vector3d sum = Vector3d::Zero();
     for (const CornerForce& dead : load.dead) sum += dead.force;
+    for (const FaceForce& spread : load.spread) sum += spread.force;
     return sum;
 }
 

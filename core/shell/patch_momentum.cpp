@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shell/patch_momentum.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace sherd {
+namespace {
+
+/// Of some vertices, about their centre of mass.
+struct Momentum {
+    double mass = 0;
+    Vector3d moment = Vector3d::Zero();  ///< of mass, kg m, about the place that sums are taken about
+    Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
+
+    void add(double of_vertex, const Vector3d& arm, const Vector3d& velocity) {
+        mass += of_vertex;
+        moment += of_vertex * arm;
+        linear += of_vertex * velocity;
+        angular += of_vertex * arm.cross(velocity);
+    }
+    Vector3d centre() const { return moment / mass; }
+    Vector3d spin() const { return angular - centre().cross(linear); }  ///< kg m^2/s
+};
+
+/// The spin with which a body of this inertia has an angular momentum; without what it has no inertia for.
+Vector3d spin_of(const Matrix3d& inertia, const Vector3d& angular) {
+    constexpr double none = 1e-12;  // of the largest principal moment
+    Eigen::SelfAdjointEigenSolver<Matrix3d> principal(inertia);
+    Vector3d spin = principal.eigenvectors().transpose() * angular;
+    for (int i = 0; i < 3; ++i) {
+        const double moment = principal.eigenvalues()[i];
+        spin[i] = moment > none * principal.eigenvalues()[2] ? spin[i] / moment : 0;
+    }
+    return principal.eigenvectors() * spin;
+}
+
+/// Adds the rigid motion that has a momentum about the centre of mass `middle`.
+void push(const Shell& shell, std::span<const Index> vertices, const Vector3d& middle, const Vector3d& linear,
+          const Vector3d& angular, const Positions& position, Positions& velocity) {
+    double mass = 0;
+    Matrix3d inertia = Matrix3d::Zero();
+    for (const Index v : vertices) {
+        const Matrix3d arm = cross_matrix(position.col(v) - middle);
+        mass += shell.mass[v];
+        inertia -= shell.mass[v] * arm * arm;
+    }
+    const Vector3d spin = spin_of(inertia, angular);
+    for (const Index v : vertices)
+        velocity.col(v) += linear / mass + spin.cross(Vector3d(position.col(v) - middle));
+}
+
+Vector3d centre_of(const Shell& shell, std::span<const Index> vertices, const Positions& position) {
+    Vector3d sum = Vector3d::Zero();
+    double mass = 0;
+    for (const Index v : vertices) {
+        sum += shell.mass[v] * position.col(v);
+        mass += shell.mass[v];
+    }
+    return sum / mass;
+}
+
+}  // namespace
+
+void follow_in_motion(const Shell& shell, const ShellChange& change, Positions& position,
+                      Positions& velocity) {
+    const Positions place = position, before = velocity;
+    follow(position, change);
+    follow(velocity, change);
+    std::vector<Index> patch, loose;
+    for (const auto& [vertex, mass] : change.weights) patch.push_back(vertex);
+    if (patch.empty()) return;
+    for (const Heir& born : change.vertices) patch.push_back(born.element);
+    for (const Index v : patch)
+        if (shell.fixed[v] == 0 && shell.guide[v] == 0) loose.push_back(v);
+    if (loose.empty()) return;
+    const Vector3d middle = centre_of(shell, loose, position);
+    Momentum then, now;  // sums about `middle`
+    for (const auto& [vertex, mass] : change.weights)
+        then.add(mass, place.col(vertex) - middle, before.col(vertex));
+    for (const Index v : patch) now.add(shell.mass[v], position.col(v) - middle, velocity.col(v));
+    const Vector3d linear = then.linear - now.linear;
+    const Vector3d angular = then.spin() - now.spin() + now.centre().cross(linear);
+    push(shell, loose, middle, linear, angular, position, velocity);
+}
+
+}  // namespace sherd

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/shell/patch_momentum.h"
+#include "fracture/breakable_shell.h"
+#include "meshops/mesh_measures.h"
+
+namespace sherd {
+namespace {
+
+/// An axis turned into the plane of a face, as long as it was; as it was if it is at right angles to it.
+Vector3d in_plane(const Vector3d& axis, const TrianglePositions& rest) {
+    const Vector3d normal =
+        Vector3d(rest.col(1) - rest.col(0)).cross(Vector3d(rest.col(2) - rest.col(0))).normalized();
+    const Vector3d within = axis - normal * normal.dot(axis);
+    return within.norm() > 1e-9 * axis.norm() ? Vector3d(axis.norm() * within.normalized()) : axis;
+}
+
+double mean_factor(const std::vector<Edge>& edges, const std::vector<double>& factors) {
+    double sum = 0;
+    int count = 0;
+    for (const Edge edge : edges)
+        if (std::isfinite(factors[edge])) {
+            sum += factors[edge];
+            ++count;
+        }
+    return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Index> faces_of(const std::vector<ShellChange::ChangedFace>& changed) {
+    std::vector<Index> faces;
+    for (const auto& [face, vertices] : changed) faces.push_back(face);
+    return faces;
+}
+
+std::vector<Index> elements_of(const std::vector<Heir>& heirs) {
+    std::vector<Index> elements;
+    for (const Heir& heir : heirs) elements.push_back(heir.element);
+    return elements;
+}
+
+}  // namespace
+
+void BreakableShell::keep_place(std::span<const Index> vertices) {
+    for (const Index vertex : vertices) kept_vertices[vertex] = 1;
+}
+
+void BreakableShell::keep_border(std::span<const Index> faces) {
+    std::vector<char> inside(mesh().number_of_faces(), 0);
+    for (const Index face : faces) inside[face] = 1;
+    for (const Edge edge : mesh().edges())
+        if (!mesh().is_border(edge) &&
+            inside[mesh().face(mesh().halfedge(edge, 0))] != inside[mesh().face(mesh().halfedge(edge, 1))])
+            kept_edges[edge] = 1;
+}
+
+AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
+    AdvanceOptions all = options;
+    all.kept.keeps_place = [this, given = options.kept.keeps_place](Vertex v) {
+        return shell.fixed[v] != 0 || shell.script[v] != 0 || shell.guide[v] != 0 || shell.held[v] != 0 ||
+               kept_vertices[v] != 0 || lips.has_twin(v) || given(v);
+    };
+    all.kept.is_line = [this, given = options.kept.is_line](Edge edge) {
+        return kept_edges[edge] != 0 || given(edge);
+    };
+    return all;
+}
+
+std::optional<BreakableShell::Advanced> BreakableShell::advance(Vertex tip, const Vector3d& direction,
+                                                                const AdvanceOptions& options) {
+    auto edge = crack_mesh.advance(tip, direction, with_kept(options));
+    if (!edge) return std::nullopt;
+    Advanced advanced{edge->way, edge->halfedge, edge->direction, edge->off_course, {}};
+    TopologyChange& topology = advanced.change.cracks.topology = std::move(edge->change);
+    if (!topology.reshaped.empty()) advanced.change.shell = reshape(topology);
+    return advanced;
+}
+
+ShellChange BreakableShell::reshape(const TopologyChange& topology) {
+    ShellChange change = shell_change(topology, shell);
+    const OldSides old(mesh(), topology, shell);
+    add_footprints(faces_of(change.changed), &old, -1);
+    inherit_kept(topology);
+    inherit_factors(topology);
+    Positions position = shell.position, velocity = shell.velocity;
+    follow(shell, change);
+    for (const auto* vertices : {&topology.vertices, &topology.moved})
+        for (const Born<Vertex>& vertex : *vertices)
+            shell.rest.col(static_cast<Index>(vertex.element)) = sherd::position(mesh(), vertex.element);
+    for (const Heir& born : change.vertices) shell.footprint[born.element] = 0;
+    reshape_faces(change);
+    reshape_hinges(change);
+    add_footprints(elements_of(change.reshaped), nullptr, 1);
+    lips.cut(mesh(), topology);
+    lips.write(mesh(), shell);
+    follow_in_motion(shell, change, position, velocity);
+    shell.position = std::move(position);
+    shell.velocity = std::move(velocity);
+    return change;
+}
+
+void BreakableShell::inherit_kept(const TopologyChange& topology) {
+    for (const Born<Vertex>& vertex : topology.vertices)
+        kept_vertices.push_back(vertex.is_copy() ? kept_vertices[vertex.parent()] : 0);
+    for (const Born<Edge>& edge : topology.edges)
+        kept_edges.push_back(edge.is_copy() ? kept_edges[edge.parent()] : 0);
+}
+
+void BreakableShell::inherit_factors(const TopologyChange& topology) {
+    const OldSides old(mesh(), topology, shell);
+    std::vector<double> now = factors;
+    for (const Edge edge : topology.flipped) now[edge] = mean_factor(old.around(edge), factors);
+    for (const Born<Edge>& edge : topology.edges)
+        now.push_back(edge.is_copy() ? factors[edge.parent()]
+                                     : mean_factor(old.around(edge.element), factors));
+    factors = std::move(now);
+}
+
+void BreakableShell::reshape_faces(const ShellChange& change) {
+    std::vector<double> masses;
+    std::vector<Vector3d> axes;
+    std::set<Vertex> corners;
+    for (const auto& [face, shares] : change.reshaped) {
+        double& mass = masses.emplace_back(0);
+        for (const auto& [parent, share] : shares) mass += share * shell.face_mass[parent];
+        const TrianglePositions rest =
+            columns(shell.rest, face_vertices(mesh(), Face(static_cast<unsigned>(face))));
+        axes.push_back(in_plane(face_axes[shares.front().element], rest));
+    }
+    face_axes.resize(shell.triangles.size(), Vector3d::Zero());
+    for (std::size_t i = 0; i < change.reshaped.size(); ++i) {
+        const Face face(static_cast<unsigned>(change.reshaped[i].element));
+        shell.face_mass[face] = masses[i];
+        face_axes[face] = axes[i];
+        shell.triangles[face] = stencil(face);
+        for (const Index vertex : shell.triangles[face].vertices)
+            corners.insert(Vertex(static_cast<unsigned>(vertex)));
+    }
+    for (const Vertex vertex : corners) shell.mass[static_cast<Index>(vertex)] = mass_of_faces(vertex);
+}
+
+void BreakableShell::reshape_hinges(ShellChange& change) {
+    std::set<Edge> edges;
+    for (const Heir& face : change.reshaped)
+        for (const Halfedge h :
+             mesh().halfedges_around_face(mesh().halfedge(Face(static_cast<unsigned>(face.element)))))
+            if (cracks().state(mesh().edge(h)) == EdgeState::interior) edges.insert(mesh().edge(h));
+    for (const Edge edge : edges) {
+        Index& hinge = shell.edge_hinge[edge];
+        if (hinge < 0) {
+            hinge = static_cast<Index>(shell.hinges.size());
+            shell.hinges.emplace_back();
+            shell.hinge_edge.push_back(static_cast<Index>(edge));
+        }
+        shell.hinges[hinge] = stencil(edge);
+        shell.edge_strength[edge] = strength_of_hinge(edge);
+        change.reshaped_hinges.push_back(hinge);
+    }
+    std::ranges::sort(change.reshaped_hinges);
+}
+
+/// Adds or takes away what faces give to the contact areas of their corners, also by their sides on the
+/// outline. old: how edges were called between the corners that the faces have in the shell; null: as now.
+void BreakableShell::add_footprints(std::span<const Index> faces, const OldSides* old, double sign) {
+    const auto edge_between = [&](Index from, Index to) {
+        if (old != nullptr) return old->between(from, to);
+        return mesh().edge(
+            mesh().halfedge(Vertex(static_cast<unsigned>(from)), Vertex(static_cast<unsigned>(to))));
+    };
+    for (const Index face : faces) {
+        const auto& [vertices, membrane] = shell.triangles[face];
+        for (int i = 0; i < 3; ++i) {
+            const Index from = vertices[i], to = vertices[(i + 1) % 3];
+            shell.footprint[from] += sign * membrane.area / 3;
+            const Edge edge = edge_between(from, to);
+            if (!edge.is_valid() || !cracks().is_outline(edge)) continue;
+            const double rim = 0.5 * (shell.rest.col(from) - shell.rest.col(to)).norm();
+            for (const Index end : {from, to}) shell.footprint[end] += sign * rim * shell.thickness[end];
+        }
+    }
+}
+
+}  // namespace sherd

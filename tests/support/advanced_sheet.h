@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <rapidcheck/gtest.h>
+
+#include "fracture/breakable_shell.h"
+#include "meshops/mesh_measures.h"
+#include "tests/support/drawn_sheet.h"
+
+namespace sherd::test {
+
+/// A sheet of drawn_sheet() of a material and a strength with directions, which spins and flies.
+inline SheetInput directed_input(unsigned shape, unsigned seed) {
+    SheetInput input;
+    input.mesh = drawn_sheet(shape, seed);
+    input.material = {.density = 1000, .thickness = 0.01, .young = 1e9, .poisson = 0.3};
+    input.material.young1 = 4e8;
+    input.material.shear = 2e8;
+    input.strength = {.measure = Measure::stress, .along = 2, .across = 1};
+    Random random(seed + 5);
+    for (const Face face : input.mesh.faces()) {
+        const Eigen::Vector3d normal = triangle_normal(face_points(input.mesh, face)).normalized();
+        const Eigen::Vector3d wanted(0.8, 0.1, 0.6);
+        input.axes.push_back((wanted - normal * normal.dot(wanted)).normalized());
+    }
+    for (std::size_t e = 0; e < input.mesh.number_of_edges(); ++e)
+        input.strength.factors.push_back(random.uniform(0.5, 1.5));
+    return input;
+}
+
+/// The same sheet made anew from the mesh that it has now. Edges that have failed and are still closed fail.
+inline BreakableShell made_anew(const BreakableShell& sheet, SheetInput input) {
+    input.mesh = sheet.mesh();
+    input.axes.assign(sheet.axes().begin(), sheet.axes().end());
+    input.strength.factors.clear();
+    std::vector<Edge> closed;
+    for (const Edge edge : sheet.mesh().edges()) {
+        input.strength.factors.push_back(sheet.strength_factor(edge));
+        if (sheet.cracks().state(edge) == EdgeState::fractured_interior) closed.push_back(edge);
+    }
+    BreakableShell anew({input});
+    if (!closed.empty()) anew.fail(closed);
+    return anew;
+}
+
+/// Makes edges in a sheet, which may fail or not, from tips of cracks or from anywhere.
+class Advances {
+  public:
+    Advances(BreakableShell& sheet, unsigned seed) : sheet(sheet), random(seed) {}
+
+    /// Nothing if the direction pointed off the sheet.
+    std::optional<BreakableShell::Advanced> next() {
+        const Vertex tip = chosen_tip();
+        Vector3d direction = random.matrix<Vector3d>(1);
+        const Halfedge h = sheet.mesh().halfedge(tip);
+        const Face face = sheet.mesh().face(sheet.mesh().is_border(h) ? sheet.mesh().opposite(h) : h);
+        const Vector3d normal = triangle_normal(face_points(sheet.mesh(), face)).normalized();
+        direction -= normal * normal.dot(direction);
+        AdvanceOptions options;
+        options.snap = random.below(4) > 0;
+        return sheet.advance(tip, direction, options);
+    }
+    /// The edge fails, if it can.
+    std::optional<BreakableShell::Change> fail(Halfedge h) {
+        const Edge edge = sheet.mesh().edge(h);
+        if (sheet.cracks().state(edge) != EdgeState::interior) return std::nullopt;
+        return sheet.fail(std::array{edge});
+    }
+    bool flips_a_coin() { return random.below(2) == 0; }
+
+  private:
+    Vertex chosen_tip() {
+        std::vector<Vertex> tips;
+        for (const Vertex vertex : sheet.mesh().vertices())
+            if (sheet.cracks().is_tip(vertex)) tips.push_back(vertex);
+        if (!tips.empty() && random.below(3) > 0) return tips[random.below(tips.size())];
+        return Vertex(random.below(sheet.mesh().number_of_vertices()));
+    }
+
+    BreakableShell& sheet;
+    Random random;
+};
+
+}  // namespace sherd::test
