@@ -119,8 +119,13 @@ Index remove_hinge_of(Shell& shell, Index edge);
 /// stiffness: lambda, N m.
 HingeStencil hinge_stencil(const Shell& shell, const std::array<Index, 4>& vertices, double stiffness);
 
-/// Kinetic energy, J.
-double kinetic_energy(const Shell& shell);
+/// Kinetic energy, J. mass: [V] kg; velocity: [3, V] m/s.
+inline double kinetic_energy(const VectorXd& mass, const Positions& velocity) {
+    return 0.5 * velocity.colwise().squaredNorm().dot(mass);
+}
+inline double kinetic_energy(const Shell& shell) {
+    return kinetic_energy(shell.mass, shell.velocity);
+}
 /// Linear momentum, kg m/s.
 Vector3d linear_momentum(const Shell& shell);
 /// Angular momentum about the origin, kg m^2/s.
