@@ -18,7 +18,8 @@ struct Toughness {
 double toughness_of_energy(double energy, const Material& material);
 
 /// The speed that cracks in brittle materials do not exceed, m/s: 0.45 of that of shear waves. In glass this
-/// is 1,500 (Schardin 1959: 1,520), in PMMA 450 (branching sets in at 400: Sharon and Fineberg 1999).
+/// is 1,500 (Schardin 1959: 1,520), in PMMA 450, above the 330 from which on its cracks sprout micro-branches
+/// (Fineberg, Gross, Marder and Swinney 1992; Sharon, Gross and Fineberg 1995).
 double usual_speed_limit(const Material& material);
 
 }  // namespace sherd
