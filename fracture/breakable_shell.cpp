@@ -56,10 +56,12 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
         if (const std::string broken = broken_inequality(elastic_constants(input.material)); !broken.empty())
             throw Error("sheet " + number + ": inadmissible material: " + broken);
         const std::size_t faces = input.mesh.number_of_faces();
-        const bool directed = !is_isotropic(input.material) || input.strength.along != input.strength.across;
+        const bool directed = !is_isotropic(input.material) ||
+                              input.strength.along != input.strength.across ||
+                              input.toughness.has_directions();
         if (input.axes.size() != faces && (directed || !input.axes.empty()))
             throw Error("sheet " + number +
-                        ": a material or a strength with directions needs an axis for each of " +
+                        ": a material, a strength or a toughness with directions needs an axis for each of " +
                         std::to_string(faces) + " faces, not " + std::to_string(input.axes.size()));
         all.insert(all.end(), input.axes.begin(), input.axes.end());
         if (input.axes.empty()) all.resize(all.size() + faces, Vector3d::Zero());
@@ -134,7 +136,8 @@ void BreakableShell::add_triangles(const std::vector<SheetInput>& inputs, const 
 void BreakableShell::add_hinges(const std::vector<SheetInput>& inputs, const std::vector<Vector3d>& axes) {
     for (const Edge edge : mesh().edges()) {
         shell.edge_hinge.push_back(-1);
-        shell.edge_strength.push_back(std::numeric_limits<double>::infinity());
+        shell.edge_strength.push_back(never);
+        shell.edge_toughness.push_back(0);
         if (cracks().state(edge) != EdgeState::interior) continue;
         const std::array<Face, 2> faces{mesh().face(mesh().halfedge(edge, 0)),
                                         mesh().face(mesh().halfedge(edge, 1))};
@@ -145,6 +148,7 @@ void BreakableShell::add_hinges(const std::vector<SheetInput>& inputs, const std
         const double angle =
             hinge_axis_angle(columns(shell.rest, vertices), {axes[faces[0]], axes[faces[1]]});
         shell.edge_strength.back() = directional_strength(input.strength, angle);
+        shell.edge_toughness.back() = directional_toughness(input.toughness, angle);
         shell.hinges.push_back(hinge_stencil(shell, vertices, hinge_stiffness(input.material, angle)));
     }
 }
@@ -152,18 +156,30 @@ void BreakableShell::add_hinges(const std::vector<SheetInput>& inputs, const std
 void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
     std::size_t first_edge = 0;
     for (const SheetInput& input : inputs) {
-        const std::vector<double>& factors = input.strength.factors;
         const std::size_t edges = input.mesh.number_of_edges();
-        if (!factors.empty() && factors.size() != edges)
-            throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
-                        std::to_string(factors.size()) + " factors of the strength for " +
-                        std::to_string(edges) + " edges");
-        for (std::size_t e = 0; e < factors.size(); ++e) shell.edge_strength[first_edge + e] *= factors[e];
+        const auto multiply = [&](std::vector<double>& values, const std::vector<double>& factors,
+                                  const char* of) {
+            if (!factors.empty() && factors.size() != edges)
+                throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
+                            std::to_string(factors.size()) + " factors of the " + of + " for " +
+                            std::to_string(edges) + " edges");
+            for (std::size_t e = 0; e < factors.size(); ++e) values[first_edge + e] *= factors[e];
+        };
+        multiply(shell.edge_strength, input.strength.factors, "strength");
+        multiply(shell.edge_toughness, input.toughness.factors, "toughness");
         first_edge += edges;
         measures.push_back(input.strength.measure);
         crack_tip_factors.push_back(input.toughness.given() ? 1 : input.strength.crack_tip_factor);
+        directed.push_back(input.strength.along != input.strength.across);
         toughnesses.push_back(input.toughness);
+        art_directions.push_back(input.art_direction);
     }
+    set_time(0);
+}
+
+void BreakableShell::set_time(double now) {
+    time = now;
+    some_wait = std::ranges::any_of(art_directions, [&](const ArtDirection& one) { return now < one.after; });
 }
 
 std::vector<double> BreakableShell::face_areas() const {

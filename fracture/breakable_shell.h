@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shell/shell.h"
+#include "fracture/art_direction.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/strength.h"
@@ -26,6 +27,7 @@ struct SheetInput {
         axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
     Strength strength;                     ///< by default the sheet does not break
     Toughness toughness;                   ///< by default cracks go by the strength, too
+    ArtDirection art_direction;            ///< by default it breaks whenever and into whatever it does
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted
@@ -37,8 +39,8 @@ struct SheetInput {
 class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
-    /// depend on the direction and an axis is missing for a face, or if the number of the strength's factors
-    /// differs from the number of edges.
+    /// or toughness depend on the direction and an axis is missing for a face, or if the number of their
+    /// factors differs from the number of edges.
     explicit BreakableShell(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -49,13 +51,23 @@ class BreakableShell {
     Edge edge_of_hinge(std::size_t hinge) const { return Edge(shell.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
-    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail.
-    double strength(Edge edge) const { return shell.edge_strength[edge]; }
+    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail, or
+    /// not yet (ArtDirection::after).
+    double strength(Edge edge) const { return waits(edge) ? never : shell.edge_strength[edge]; }
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return measures[sheet_of(edge)]; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
-    const Toughness& toughness(Edge edge) const { return toughnesses[sheet_of(edge)]; }
+    /// Whether strength depends on the direction in which the edge is pulled open.
+    bool has_directed_strength(Edge edge) const { return directed[sheet_of(edge)] != 0; }
+    /// Of an edge, in its direction and with its factor.
+    Toughness toughness(Edge edge) const {
+        return {.value = shell.edge_toughness[edge], .speed_limit = toughnesses[sheet_of(edge)].speed_limit};
+    }
+    const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
+    /// Tells what time (s) it is: see ArtDirection::after.
+    void set_time(double now);
+    void forbid(Edge edge) { shell.edge_strength[edge] = never; }  ///< makes an edge unbreakable
     double crack_tip_factor(Edge edge) const { return crack_tip_factors[sheet_of(edge)]; }
     std::vector<double> face_areas() const;  ///< [F] m^2, at rest
 
@@ -83,12 +95,19 @@ class BreakableShell {
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
 
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    bool waits(Edge edge) const { return some_wait && time < art_directions[sheet_of(edge)].after; }
+
     CrackMesh crack_mesh;
     Shell shell;
     Lips lips;
     std::vector<Measure> measures;  ///< of each input
     std::vector<double> crack_tip_factors;
+    std::vector<char> directed;  ///< whether its strength has directions
     std::vector<Toughness> toughnesses;
+    std::vector<ArtDirection> art_directions;
+    double time = 0;         ///< s
+    bool some_wait = false;  ///< whether there is a sheet that nothing of may fail yet
 };
 
 }  // namespace sherd

@@ -148,26 +148,26 @@ std::optional<CrackGrowth::Advance> CrackGrowth::advance(std::size_t number, dou
 
 void CrackGrowth::choose_advances(const FaceStrains& strains, double begin, double end) {
     struct Overloaded {
-        double ratio, angle;
-        std::size_t tip;
+        double ratio;
+        Advance next;
     };
     std::vector<Overloaded> overloaded;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].ready > end) continue;
-        const Index face = faces_around(shell.mesh(), Vertex(all[i].vertex)).front();
         const TipLoad now = load(all[i], strains);
-        const double ratio = now.intensity / shell.toughness_of_sheet(shell.face_sheet()[face]).value;
-        if (ratio > 1) overloaded.push_back({ratio, now.angle, i});
+        const auto next = now.intensity > 0 ? advance(i, now.angle, begin) : std::nullopt;
+        if (!next) continue;
+        const double ratio = now.intensity / shell.toughness(next->edge).value;
+        if (ratio > 1) overloaded.push_back({ratio, *next});
     }
     std::ranges::stable_sort(overloaded, std::greater(), &Overloaded::ratio);
     const Positions& rest = shell.mechanics().rest;
     for (const Overloaded& one : overloaded) {
-        const double reach = apart_edges * edge_length_ahead(all[one.tip]);
+        const double reach = apart_edges * edge_length_ahead(all[one.next.tip]);
         const bool waits = std::ranges::any_of(advances, [&](const Advance& other) {
-            return (rest.col(all[other.tip].vertex) - rest.col(all[one.tip].vertex)).norm() < reach;
+            return (rest.col(all[other.tip].vertex) - rest.col(all[one.next.tip].vertex)).norm() < reach;
         });
-        if (waits) continue;
-        if (const auto found = advance(one.tip, one.angle, begin)) advances.push_back(*found);
+        if (!waits) advances.push_back(one.next);
     }
 }
 
@@ -186,7 +186,9 @@ bool CrackGrowth::near_a_tip(Edge edge) const {
 
 double CrackGrowth::birth_ratio(const FaceStrains& strains, double across, Edge edge) const {
     const Mesh& mesh = shell.mesh();
-    if (mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1))) return across;
+    if (mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1)) ||
+        shell.has_directed_strength(edge))
+        return across;
     SurfaceStress stress;
     for (const int side : {0, 1})
         stress += surface_stress(shell.mechanics(), static_cast<Index>(mesh.face(mesh.halfedge(edge, side))),

@@ -63,8 +63,8 @@ class CrackGrowth {
     void choose_advances(const FaceStrains& strains, double begin, double end);
     void choose_birth(const FaceStrains& strains, const HingeMeasures& measures, double end, double waited);
     /// What a hinge bears over its strength where a crack may be born: within a sheet the principal tension,
-    /// since the crack may begin across it along another edge, and at lips and rims the tension across the
-    /// edge.
+    /// since the crack may begin across it along another edge, and at lips and rims, or where strength has
+    /// directions, the tension across the edge.
     double birth_ratio(const FaceStrains& strains, double across, Edge edge) const;
     bool near_a_tip(Edge edge) const;
     void add_tip(Vertex vertex, const Vector3d& direction, double time);

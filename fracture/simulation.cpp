@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fracture/hinge_measures.h"
+#include "fracture/small_pieces.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -133,6 +134,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
+    breakable.set_time(time() + step_size.size());
     const Measured now = measured();
     const HingeMeasures& measures = now.hinges;
     ends_at_crack = options.until_crack && !overloaded_edges(breakable, measures).empty();
@@ -170,12 +172,16 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
 }
 
 std::vector<Edge> Simulation::failing_edges(const Measured& now, double waited) {
-    std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
-    const std::vector<Edge> grown =
-        growth.failing_edges(now.strains, now.hinges, time(), time() + step_size.size(), waited);
-    failing.insert(failing.end(), grown.begin(), grown.end());
-    std::sort(failing.begin(), failing.end());
-    return failing;
+    for (;; waited = 0) {
+        std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
+        const std::vector<Edge> grown =
+            growth.failing_edges(now.strains, now.hinges, time(), time() + step_size.size(), waited);
+        failing.insert(failing.end(), grown.begin(), grown.end());
+        std::sort(failing.begin(), failing.end());
+        const Index kept = keep_small_pieces_on(breakable, failing);
+        forbidden += kept;
+        if (kept == 0) return failing;
+    }
 }
 
 Simulation::Measured Simulation::measured() const {

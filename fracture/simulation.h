@@ -61,6 +61,8 @@ class Simulation {
     const std::vector<RigidBody>& bodies() const { return stepper->bodies(); }
     const std::vector<Gauge>& gauges() const { return options.gauges; }
     const HingePeaks& peaks() const { return hinge_peaks; }
+    /// How many edges have been kept from failing by ArtDirection::smallest.
+    Index forbidden_failures() const { return forbidden; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
     /// far.
     const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
@@ -112,6 +114,7 @@ class Simulation {
     std::vector<char> obstacles_touched, bodies_touched;
     StepSize step_size;
     bool ends_at_crack = false;
+    Index forbidden = 0;
 };
 
 }  // namespace sherd
