@@ -26,34 +26,32 @@ const FracturePreset* read_fracture_preset(TomlTable& table, const MaterialPrese
     return &none;
 }
 
+/// What a hinge fails by, in the unit of the key that gives its strength.
+Measure read_measure(TomlTable& table, bool in_pascal) {
+    constexpr std::array<std::string_view, 2> names{"surface", "bending"};
+    if (!table.has("measure") || table.choice("measure", names) != "bending")
+        return in_pascal ? Measure::stress : Measure::strain;
+    if (in_pascal) table.report("measure", "\"bending\" is a strain: give strain (1/m) instead of strength");
+    return Measure::bending;
+}
+
 Strength read_strength(TomlTable& table, const FracturePreset* preset) {
-    Strength strength;
-    const bool in_pascal = table.has("strength") || preset, in_strain = table.has("strain");
+    const bool given = table.has("strength"), in_pascal = given || preset, in_strain = table.has("strain");
     if (in_pascal && in_strain)
-        table.report(table.has("strength") ? "strength" : "preset",
-                     "conflicts with strain: give one of them");
+        table.report(given ? "strength" : "preset", "conflicts with strain: give one of them");
     if (!in_pascal && !in_strain)
         table.report("", "needs strain (1/m) or strength (Pa): what the sheet withstands; or preset = true");
-    if (in_pascal) {
-        strength.measure = Measure::stress;
-        const Eigen::Vector2d value = table.has("strength")
-                                          ? read_value(table, "strength", "Pa")
-                                          : Eigen::Vector2d(preset->strength, preset->strength_across);
-        strength.along = value[0];
-        strength.across = value[1];
-    } else if (in_strain) {
-        const Eigen::Vector2d value = read_value(table, "strain", "1/m");
-        strength.along = value[0];
-        strength.across = value[1];
-    }
-    if (table.has("measure")) {
-        constexpr std::array<std::string_view, 2> names{"surface", "bending"};
-        if (table.choice("measure", names) == "bending") {
-            if (in_pascal)
-                table.report("measure", "\"bending\" is a strain: give strain (1/m) instead of strength");
-            strength.measure = Measure::bending;
-        }
-    }
+    Strength strength;
+    strength.measure = read_measure(table, in_pascal);
+    Eigen::Vector2d value(strength.along, strength.across);
+    if (given)
+        value = read_value(table, "strength", "Pa");
+    else if (preset)
+        value = {preset->strength, preset->strength_across};
+    else if (in_strain)
+        value = read_value(table, "strain", "1/m");
+    strength.along = value[0];
+    strength.across = value[1];
     strength.crack_tip_factor =
         table.number("crack_tip", "", {[](double x) { return x > 0 && x <= 1; }, "a number above 0, up to 1"},
                      strength.crack_tip_factor);
