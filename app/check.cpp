@@ -30,6 +30,14 @@ struct CheckOptions {
     bool force = false;
 };
 
+void print_factors(const std::vector<double>& factors) {
+    const auto range = factor_range(factors);
+    if (range) fmt::print("  times {:.3g} to {:.3g}, edge by edge", range->least, range->most);
+    if (range && range->never > 0) fmt::print("; {} edges never break", range->never);
+    if (range) fmt::print("\n");
+    if (!range && !factors.empty()) fmt::print("  no edge ever breaks\n");
+}
+
 void print_strength(const SheetSpec& sheet, const Strength& strength) {
     if (!sheet.fracture) {
         fmt::print("  does not break\n");
@@ -46,9 +54,18 @@ void print_strength(const SheetSpec& sheet, const Strength& strength) {
     else
         fmt::print("  breaks above {} along its axis, {} across\n", words(strength.along),
                    words(strength.across));
-    if (strength.factors.empty()) return;
-    const auto [least, most] = std::minmax_element(strength.factors.begin(), strength.factors.end());
-    fmt::print("  times {:.3g} to {:.3g}, edge by edge\n", *least, *most);
+    print_factors(strength.factors);
+}
+
+void print_toughness(const Toughness& toughness) {
+    if (!toughness.given()) return;
+    if (toughness.has_directions())
+        fmt::print("  cracks go on above {:.4g} Pa m^0.5 along its axis, {:.4g} across,", toughness.value,
+                   *toughness.across);
+    else
+        fmt::print("  cracks go on above {:.4g} Pa m^0.5,", toughness.value);
+    fmt::print(" at {:.4g} m/s at most\n", toughness.speed_limit);
+    print_factors(toughness.factors);
 }
 
 SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
@@ -67,6 +84,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m\n", m.mean_edge, m.smallest_edge,
                m.largest_edge);
     print_strength(sheet, input.strength);
+    print_toughness(input.toughness);
     return input;
 }
 

@@ -152,6 +152,18 @@ void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) 
         fmt::format_to(out, "  and {} smaller ones (--json lists all)\n", fragments.size() - most);
 }
 
+void add_balance(std::string& text, const EnergyBalance& balance) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(
+        out, "work         loads {:.5g}, wind {:.5g}, supports {:.5g}, obstacles {:.5g} J since the start\n",
+        balance.work_of_loads, balance.work_of_wind, balance.work_of_supports, balance.work_of_obstacles);
+    fmt::format_to(out,
+                   "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, time scheme {:.5g} J; "
+                   "unexplained {:.2g} J\n",
+                   balance.lost_to_friction, balance.lost_to_damping, balance.lost_to_cracks,
+                   balance.lost_to_scheme, balance.unexplained);
+}
+
 void add_last_step(std::string& text, const RunInfo& info) {
     auto out = std::back_inserter(text);
     const StepReport& last = *info.last;
@@ -159,14 +171,7 @@ void add_last_step(std::string& text, const RunInfo& info) {
         out,
         "energy       kinetic {:.5g}, bending {:.5g}, membrane {:.5g}, gravity {:.5g}, contact {:.5g} J\n",
         last.kinetic, last.bending, last.membrane, last.gravity, last.contact);
-    fmt::format_to(
-        out, "work         loads {:.5g}, wind {:.5g}, supports {:.5g}, obstacles {:.5g} J since the start\n",
-        last.work_of_loads, last.work_of_wind, last.work_of_supports, last.work_of_obstacles);
-    fmt::format_to(out,
-                   "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, time scheme {:.5g} J; "
-                   "unexplained {:.2g} J\n",
-                   last.lost_to_friction, last.lost_to_damping, last.lost_to_cracks, last.lost_to_scheme,
-                   last.unexplained);
+    if (info.has_balance) add_balance(text, last);
     fmt::format_to(out,
                    "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",
                    last.linear_momentum.x(), last.linear_momentum.y(), last.linear_momentum.z(),
@@ -268,6 +273,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     if (info.frames > 0) add_last_frame(info, header, recording.frame(info.frames - 1));
     const std::vector<StepReport> steps = recording.steps();
     add_steps(info, steps);
+    info.has_balance = recording.has_balance();
     info.supports = header.supports;
     add_gauges(info, header, steps);
     add_fields(info, recording);

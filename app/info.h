@@ -66,6 +66,7 @@ struct RunInfo {
     std::vector<TipInfo> tips;           ///< of cracks by toughness
     std::vector<RecordedMode> modes;     ///< of vibration, if it is these that the frames show
     std::optional<StepReport> last;      ///< the last step, if there was one
+    bool has_balance = true;             ///< whether it has a balance of energy: Recording::has_balance()
     std::int64_t newton_iterations = 0;  ///< of all steps
     std::size_t capped_steps = 0;
     Index halvings = 0;

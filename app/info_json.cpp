@@ -5,6 +5,18 @@
 namespace sherd {
 namespace {
 
+Json balance_json(const EnergyBalance& balance) {
+    return {{"work_of_loads", balance.work_of_loads},
+            {"work_of_wind", balance.work_of_wind},
+            {"work_of_supports", balance.work_of_supports},
+            {"work_of_obstacles", balance.work_of_obstacles},
+            {"lost_to_friction", balance.lost_to_friction},
+            {"lost_to_damping", balance.lost_to_damping},
+            {"lost_to_cracks", balance.lost_to_cracks},
+            {"lost_to_scheme", balance.lost_to_scheme},
+            {"unexplained", balance.unexplained}};
+}
+
 Json gauge_json(const GaugeInfo& g) {
     Json json{{"name", g.gauge.name}, {"sheet", g.gauge.sheet}};
     if (g.gauge.displacement) {
@@ -57,15 +69,7 @@ std::string run_info_json(const RunInfo& info) {
                       {"membrane", last.membrane},
                       {"gravity", last.gravity},
                       {"contact", last.contact}};
-    json["balance"] = {{"work_of_loads", last.work_of_loads},
-                       {"work_of_wind", last.work_of_wind},
-                       {"work_of_supports", last.work_of_supports},
-                       {"work_of_obstacles", last.work_of_obstacles},
-                       {"lost_to_friction", last.lost_to_friction},
-                       {"lost_to_damping", last.lost_to_damping},
-                       {"lost_to_cracks", last.lost_to_cracks},
-                       {"lost_to_scheme", last.lost_to_scheme},
-                       {"unexplained", last.unexplained}};
+    json["balance"] = info.has_balance ? balance_json(last) : Json();
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};
     json["reactions"] = Json::array();

@@ -14,7 +14,7 @@ MaterialFile read_material_file(const std::filesystem::path& file) {
     if (table.has("bending_stiffness"))
         result.bending_stiffness = table.number("bending_stiffness", "N m", positive);
     result.axis = read_axis(table, file.parent_path());
-    result.material = read_material(table);
+    result.material = read_material(table, read_preset(table));
     problems.throw_if_any();
     return result;
 }

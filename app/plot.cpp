@@ -246,8 +246,8 @@ std::string plot_svg(const Recording& recording) {
                          .stepped = true}}};
     std::vector<Chart> charts{motion_chart(steps),   elastic_chart(steps),
                               fragment_chart(steps), cracks,
-                              strain_chart(steps),   size_chart(fragment_sizes(last)),
-                              balance_chart(steps)};
+                              strain_chart(steps),   size_chart(fragment_sizes(last))};
+    if (Chart balance = balance_chart(steps); !balance.series.empty()) charts.push_back(std::move(balance));
     if (!header.supports.empty()) charts.push_back(reaction_chart(header, steps));
     add_gauge_charts(charts, header, steps);
     if (header.time_unit != "s") {

@@ -63,6 +63,10 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     if (totals.halvings > 0)
         add_row(text, "steps halved",
                 fmt::format("{} times, down to {:g}{}", totals.halvings, totals.smallest_step, unit));
+    if (simulation.forbidden_failures() > 0)
+        add_row(text, "failures forbidden",
+                fmt::format("{}, which would have made pieces below fracture.smallest",
+                            simulation.forbidden_failures()));
     if (totals.capped > 0) add_row(text, "steps out of stages", fmt::format("{}", totals.capped));
     if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));
     if (const auto names = untouched_obstacles(scene, simulation); !names.empty())

@@ -36,10 +36,12 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
         if (const std::string broken = broken_inequality(elastic_constants(input.material)); !broken.empty())
             throw Error("sheet " + number + ": inadmissible material: " + broken);
         const std::size_t faces = input.mesh.number_of_faces();
-        const bool directed = !is_isotropic(input.material) || input.strength.along != input.strength.across;
+        const bool directed = !is_isotropic(input.material) ||
+                              input.strength.along != input.strength.across ||
+                              input.toughness.has_directions();
         if (input.axes.size() != faces && (directed || !input.axes.empty()))
             throw Error("sheet " + number +
-                        ": a material or a strength with directions needs an axis for each of " +
+                        ": a material, a strength or a toughness with directions needs an axis for each of " +
                         std::to_string(faces) + " faces, not " + std::to_string(input.axes.size()));
         all.insert(all.end(), input.axes.begin(), input.axes.end());
         if (input.axes.empty()) all.resize(all.size() + faces, Vector3d::Zero());
@@ -130,36 +132,54 @@ HingeStencil BreakableShell::stencil(Edge edge) const {
 }
 
 double BreakableShell::strength_of_hinge(Edge edge) const {
-    return directional_strength(strengths[sheet_of(edge)], hinge_axis(edge)) * factors[edge];
+    return directional_strength(strengths[sheet_of(edge)], hinge_axis(edge)) * strength_factors[edge];
+}
+
+double BreakableShell::toughness_of_hinge(Edge edge) const {
+    return directional_toughness(toughnesses[sheet_of(edge)], hinge_axis(edge)) * toughness_factors[edge];
 }
 
 void BreakableShell::add_hinges() {
     for (const Edge edge : mesh().edges()) {
         shell.edge_hinge.push_back(-1);
-        shell.edge_strength.push_back(std::numeric_limits<double>::infinity());
+        shell.edge_strength.push_back(never);
+        shell.edge_toughness.push_back(0);
         if (cracks().state(edge) != EdgeState::interior) continue;
         shell.edge_hinge.back() = number(shell.hinges.size());
         shell.hinge_edge.push_back(number(edge));
         shell.edge_strength.back() = strength_of_hinge(edge);
+        shell.edge_toughness.back() = toughness_of_hinge(edge);
         shell.hinges.push_back(stencil(edge));
     }
 }
 
 void BreakableShell::add_strengths(const std::vector<SheetInput>& inputs) {
     for (const SheetInput& input : inputs) {
-        const std::vector<double>& given = input.strength.factors;
         const std::size_t edges = input.mesh.number_of_edges();
-        if (!given.empty() && given.size() != edges)
-            throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
-                        std::to_string(given.size()) + " factors of the strength for " +
-                        std::to_string(edges) + " edges");
-        factors.insert(factors.end(), given.begin(), given.end());
-        if (given.empty()) factors.resize(factors.size() + edges, 1);
+        const auto take = [&](std::vector<double>& factors, const std::vector<double>& given,
+                              const char* of) {
+            if (!given.empty() && given.size() != edges)
+                throw Error("sheet " + std::to_string(&input - inputs.data()) + ": " +
+                            std::to_string(given.size()) + " factors of the " + of + " for " +
+                            std::to_string(edges) + " edges");
+            factors.insert(factors.end(), given.begin(), given.end());
+            if (given.empty()) factors.resize(factors.size() + edges, 1);
+        };
+        take(strength_factors, input.strength.factors, "strength");
+        take(toughness_factors, input.toughness.factors, "toughness");
         materials.push_back(input.material);
         strengths.push_back(input.strength);
         strengths.back().factors.clear();
         toughnesses.push_back(input.toughness);
+        toughnesses.back().factors.clear();
+        art_directions.push_back(input.art_direction);
     }
+    set_time(0);
+}
+
+void BreakableShell::set_time(double now) {
+    time = now;
+    some_wait = std::ranges::any_of(art_directions, [&](const ArtDirection& one) { return now < one.after; });
 }
 
 std::vector<double> BreakableShell::face_areas() const {
@@ -171,6 +191,21 @@ std::vector<double> BreakableShell::face_areas() const {
 Index BreakableShell::sheet_of(Edge edge) const {
     const Halfedge h = mesh().halfedge(edge);
     return shell.face_sheet[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
+}
+
+double BreakableShell::toughness_towards(Vertex from, const Vector3d& direction) const {
+    double nearest = 0, found = never;
+    for (const Halfedge h : mesh().halfedges_around_target(mesh().halfedge(from))) {
+        const Edge edge = mesh().edge(h);
+        const Vector3d way = shell.rest.col(number(mesh().source(h))) - shell.rest.col(number(from));
+        const double along = way.dot(direction) / way.norm();
+        if (along <= nearest || !can_fail(edge)) continue;
+        nearest = along;
+        const Vector3d& axis = face_axes[mesh().face(mesh().is_border(h) ? mesh().opposite(h) : h)];
+        const double angle = std::atan2(axis.cross(direction).norm(), axis.dot(direction));
+        found = directional_toughness(toughnesses[sheet_of(edge)], angle) * toughness_factors[edge];
+    }
+    return found;
 }
 
 void BreakableShell::add_footprints() {
@@ -207,7 +242,9 @@ BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
     follow(shell, change.shell);
     inherit_kept(topology);
-    for (const Born<Edge>& edge : topology.edges) factors.push_back(factors[edge.parent()]);
+    for (const Born<Edge>& edge : topology.edges)
+        for (std::vector<double>* factors : {&strength_factors, &toughness_factors})
+            factors->push_back((*factors)[edge.parent()]);
     renumber(topology.changed);
     share_masses(topology);
     lips.open(topology);

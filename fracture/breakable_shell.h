@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/shell/shell.h"
+#include "fracture/art_direction.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
@@ -28,6 +29,7 @@ struct SheetInput {
         axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
     Strength strength;                     ///< by default the sheet does not break
     Toughness toughness;                   ///< by default cracks go by the strength, too
+    ArtDirection art_direction;            ///< by default it breaks whenever and into whatever it does
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted
@@ -40,8 +42,8 @@ struct SheetInput {
 class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
-    /// depend on the direction and an axis is missing for a face, or if the number of the strength's factors
-    /// differs from the number of edges.
+    /// or toughness depend on the direction and an axis is missing for a face, or if the number of their
+    /// factors differs from the number of edges.
     explicit BreakableShell(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -52,15 +54,30 @@ class BreakableShell {
     Edge edge_of_hinge(std::size_t hinge) const { return Edge(shell.hinge_edge[hinge]); }
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
-    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail.
-    double strength(Edge edge) const { return shell.edge_strength[edge]; }
+    /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail, or
+    /// not yet (ArtDirection::after).
+    double strength(Edge edge) const { return waits(edge) ? never : shell.edge_strength[edge]; }
     /// Whether the edge has a hinge that can fail.
     bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
-    const Toughness& toughness(Edge edge) const { return toughnesses[sheet_of(edge)]; }
+    /// Whether strength depends on the direction in which the edge is pulled open.
+    bool has_directed_strength(Edge edge) const {
+        const Strength& strength = strengths[sheet_of(edge)];
+        return strength.along != strength.across;
+    }
+    /// Of an edge, in its direction and with its factor.
+    Toughness toughness(Edge edge) const {
+        return {.value = shell.edge_toughness[edge], .speed_limit = toughnesses[sheet_of(edge)].speed_limit};
+    }
+    /// K_Ic, Pa m^0.5, of a crack that goes on from a vertex in a direction at rest; infinite where it cannot.
+    double toughness_towards(Vertex from, const Vector3d& direction) const;
+    const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
+    /// Tells what time (s) it is: see ArtDirection::after.
+    void set_time(double now);
+    void forbid(Edge edge);  ///< makes an edge unbreakable
     double crack_tip_factor(Edge edge) const {
         const Index sheet = sheet_of(edge);
         return toughnesses[sheet].given() ? 1 : strengths[sheet].crack_tip_factor;
@@ -102,7 +119,7 @@ class BreakableShell {
     std::span<const Vector3d> axes() const {
         return face_axes;
     }  ///< [F] as in SheetInput; zero: of no matter
-    double strength_factor(Edge edge) const { return factors[edge]; }  ///< as in Strength
+    double strength_factor(Edge edge) const { return strength_factors[edge]; }  ///< as in Strength
 
     /// Passes the lips of cracks that have moved apart on to SheetContact. Returns whether there were any.
     bool release_lips();
@@ -121,6 +138,7 @@ class BreakableShell {
     HingeStencil stencil(Edge edge) const;
     double hinge_axis(Edge edge) const;
     double strength_of_hinge(Edge edge) const;
+    double toughness_of_hinge(Edge edge) const;
     double mass_of_faces(Vertex vertex) const;
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
@@ -133,15 +151,21 @@ class BreakableShell {
     void reshape_hinges(ShellChange& change);
     void add_footprints(std::span<const Index> faces, const OldSides* old, double sign);
 
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    bool waits(Edge edge) const { return some_wait && time < art_directions[sheet_of(edge)].after; }
+
     CrackMesh crack_mesh;
     Shell shell;
     Lips lips;
-    std::vector<Material> materials;  ///< of each input
-    std::vector<Strength> strengths;  ///< of each input, without factors
-    std::vector<Toughness> toughnesses;
-    std::vector<Vector3d> face_axes;              ///< [F]
-    std::vector<double> factors;                  ///< [E]
-    std::vector<char> kept_vertices, kept_edges;  ///< [V] and [E]
+    std::vector<Material> materials;      ///< of each input
+    std::vector<Strength> strengths;      ///< of each input, without factors
+    std::vector<Toughness> toughnesses;  ///< of each input, without factors
+    std::vector<ArtDirection> art_directions;
+    std::vector<Vector3d> face_axes;                           ///< [F]
+    std::vector<double> strength_factors, toughness_factors;  ///< [E]
+    std::vector<char> kept_vertices, kept_edges;               ///< [V] and [E]
+    double time = 0;                                           ///< s
+    bool some_wait = false;  ///< whether there is a sheet that nothing of may fail yet
 };
 
 }  // namespace sherd

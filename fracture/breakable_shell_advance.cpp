@@ -111,12 +111,18 @@ void BreakableShell::inherit_kept(const TopologyChange& topology) {
 
 void BreakableShell::inherit_factors(const TopologyChange& topology) {
     const OldSides old(mesh(), topology, shell);
-    std::vector<double> now = factors;
-    for (const Edge edge : topology.flipped) now[edge] = mean_factor(old.around(edge), factors);
-    for (const Born<Edge>& edge : topology.edges)
-        now.push_back(edge.is_copy() ? factors[edge.parent()]
-                                     : mean_factor(old.around(edge.element), factors));
-    factors = std::move(now);
+    for (std::vector<double>* factors : {&strength_factors, &toughness_factors}) {
+        std::vector<double> now = *factors;
+        for (const Edge edge : topology.flipped) now[edge] = mean_factor(old.around(edge), *factors);
+        for (const Born<Edge>& edge : topology.edges)
+            now.push_back(edge.is_copy() ? (*factors)[edge.parent()]
+                                         : mean_factor(old.around(edge.element), *factors));
+        *factors = std::move(now);
+    }
+}
+
+void BreakableShell::forbid(Edge edge) {
+    strength_factors[edge] = shell.edge_strength[edge] = never;
 }
 
 void BreakableShell::reshape_faces(const ShellChange& change) {
@@ -157,6 +163,7 @@ void BreakableShell::reshape_hinges(ShellChange& change) {
         }
         shell.hinges[hinge] = stencil(edge);
         shell.edge_strength[edge] = strength_of_hinge(edge);
+        shell.edge_toughness[edge] = toughness_of_hinge(edge);
         change.reshaped_hinges.push_back(hinge);
     }
     std::ranges::sort(change.reshaped_hinges);

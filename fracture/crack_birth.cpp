@@ -41,7 +41,9 @@ bool CrackBirth::near_a_tip(Edge edge, std::span<const GrowingTip> tips) const {
 
 double CrackBirth::ratio(const FaceStrains& strains, double across, Edge edge) const {
     const Mesh& mesh = shell.mesh();
-    if (mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1))) return across;
+    if (mesh.is_border(mesh.vertex(edge, 0)) || mesh.is_border(mesh.vertex(edge, 1)) ||
+        shell.has_directed_strength(edge))
+        return across;
     SurfaceStress stress;
     for (const int side : {0, 1})
         stress += surface_stress(shell.mechanics(), static_cast<Index>(mesh.face(mesh.halfedge(edge, side))),

@@ -21,8 +21,8 @@ class CrackBirth {
 
   private:
     /// What a hinge bears over its strength where a crack may be born: within a sheet the principal tension,
-    /// since the crack may begin across it along another edge, and at lips and rims the tension across the
-    /// edge.
+    /// since the crack may begin across it along another edge, and at lips and rims, or where strength has
+    /// directions, the tension across the edge.
     double ratio(const FaceStrains& strains, double across, Edge edge) const;
     bool near_a_tip(Edge edge, std::span<const GrowingTip> tips) const;
 

@@ -62,7 +62,8 @@ std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded(const Judged& now) 
         const TipLoad bears = load(all[i], now);
         judged.push_back({all[i], bears});
         if (all[i].ready > now.end || now.is_opening(all[i].behind)) continue;
-        const double ratio = bears.intensity / toughness(all[i]).value;
+        const double ratio =
+            bears.intensity / shell.toughness_towards(Vertex(all[i].vertex), bears.direction);
         if (ratio > 1) found.push_back({i, ratio, bears.direction});
     }
     std::ranges::stable_sort(found, std::greater(), &Overloaded::ratio);
@@ -78,52 +79,84 @@ std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded(const Judged& now) 
     return apart;
 }
 
-std::optional<CrackStep> CrackGrowth::step(const Overloaded& one, double begin) const {
+GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, Edge edge, Index to,
+                              double begin) const {
+    const Positions& rest = shell.mechanics().rest;
+    const Vector3d way = rest.col(to) - rest.col(tip.vertex), away = rest.col(to) - tip.on_path;
+    GrowingTip next = tip;
+    next.vertex = to;
+    next.on_path += away.dot(direction) * direction;
+    const Vector3d gap = next.on_path - rest.col(to);
+    if (gap.norm() > way.norm()) next.on_path = rest.col(to) + way.norm() * gap.normalized();
+    const Matrix3d turn = smallest_turn(rest_normal_at(shell, Vertex(tip.vertex)),
+                                        rest_normal_at(shell, Vertex(to)));
+    next.direction = (turn * direction).normalized();
+    next.behind = static_cast<Index>(edge);
+    next.stride = way.dot(direction);
+    const double limit = toughness(tip).speed_limit;
+    next.ready = timeless ? begin : std::max(tip.ready, begin) + next.stride / limit;
+    return next;
+}
+
+std::optional<CrackStep> CrackGrowth::along_edges(const Overloaded& one, double begin) const {
     const GrowingTip& tip = all[one.tip];
     const Mesh& mesh = shell.mesh();
     const Positions& rest = shell.mechanics().rest;
-    const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex)), left = normal.cross(one.direction);
-    std::optional<CrackStep> best;
+    const Vector3d left = rest_normal_at(shell, Vertex(tip.vertex)).cross(one.direction);
+    Edge best = Mesh::null_edge();
+    Index end = 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(Vertex(tip.vertex)))) {
-        const Edge edge = mesh.edge(h);
         const auto to = static_cast<Index>(mesh.source(h));
         const Vector3d way = rest.col(to) - rest.col(tip.vertex), away = rest.col(to) - tip.on_path;
         const double length = way.norm(), off = std::abs(away.dot(left)) / length;
-        if (!shell.can_fail(edge) || way.dot(one.direction) < least_progress * length || off >= least)
+        if (!shell.can_fail(mesh.edge(h)) || way.dot(one.direction) < least_progress * length || off >= least)
             continue;
         least = off;
-        GrowingTip next = tip;
-        next.vertex = to;
-        next.on_path += away.dot(one.direction) * one.direction;
-        next.direction = one.direction;
-        next.behind = static_cast<Index>(edge);
-        next.stride = way.dot(one.direction);
-        const Vector3d gap = next.on_path - rest.col(to);
-        if (gap.norm() > length) next.on_path = rest.col(to) + length * gap.normalized();
-        const double limit = toughness(tip).speed_limit;
-        next.ready = timeless ? begin : std::max(tip.ready, begin) + next.stride / limit;
-        best = CrackStep{one.tip, edge, next};
+        best = mesh.edge(h);
+        end = to;
     }
-    if (best) {
-        const Matrix3d turn = smallest_turn(normal, rest_normal_at(shell, Vertex(best->next.vertex)));
-        best->next.direction = (turn * one.direction).normalized();
-    }
-    return best;
+    if (!best.is_valid()) return std::nullopt;
+    return CrackStep{one.tip, best, one.direction, moved(tip, one.direction, best, end, begin)};
+}
+
+CrackStep CrackGrowth::along_ray(const Overloaded& one) const {
+    const GrowingTip& tip = all[one.tip];
+    const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
+    // Where the last edge missed the path, this one leads back to it.
+    const Vector3d aim = tip.on_path + edge_length_ahead(shell, tip) * one.direction -
+                         shell.mechanics().rest.col(tip.vertex);
+    const Vector3d ray = (aim - normal * normal.dot(aim)).normalized();
+    CrackStep step{one.tip, Mesh::null_edge(), ray, tip};
+    step.next.direction = one.direction;
+    return step;
+}
+
+bool CrackGrowth::take(const BreakableShell::Advanced& made, double begin, CrackStep& step) const {
+    const Mesh& mesh = shell.mesh();
+    const GrowingTip& tip = all[*step.tip];
+    const auto to = static_cast<Index>(mesh.target(made.halfedge));
+    const Vector3d way = shell.mechanics().rest.col(to) - shell.mechanics().rest.col(tip.vertex);
+    step.edge = mesh.edge(made.halfedge);
+    if (!shell.can_fail(step.edge) || way.dot(step.ray) < least_progress * way.norm()) return false;
+    step.next = moved(tip, step.next.direction, step.edge, to, begin);
+    return true;
 }
 
 std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
     std::vector<CrackStep> steps;
     if (!is_needed) return steps;
-    for (const Overloaded& one : overloaded(now))
-        if (const std::optional<CrackStep> found = step(one, now.begin)) steps.push_back(*found);
+    // Births come first: their edges are of the mesh as it is.
     if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
-        steps.push_back({{}, *born, {}});
-    // Two tips that meet take the same edge.
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        steps.erase(std::remove_if(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end(),
-                                   [&](const CrackStep& other) { return other.edge == steps[i].edge; }),
-                    steps.end());
+        steps.push_back({{}, *born});
+    for (const Overloaded& one : overloaded(now)) {
+        const auto step = toughness(all[one.tip]).path == CrackPath::edges ? along_edges(one, now.begin)
+                                                                           : along_ray(one);
+        // Two tips that meet take the same edge.
+        const bool is_taken = step && step->edge.is_valid() &&
+                              std::ranges::find(steps, step->edge, &CrackStep::edge) != steps.end();
+        if (step && !is_taken) steps.push_back(*step);
+    }
     return steps;
 }
 
@@ -140,7 +173,7 @@ void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind,
 }
 
 void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
-    for (const auto& [number, edge, next] : steps) {
+    for (const auto& [number, edge, ray, next] : steps) {
         if (number) {
             const double before = all[*number].since;
             all[*number] = next;
@@ -167,9 +200,10 @@ std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) con
     const Shell& mechanics = shell.mechanics();
     std::vector<TipRecord> records;
     for (const auto& [tip, load] : judged) {
-        const double needed = toughness(tip).value;
         const auto now = std::ranges::find(all, tip.number, &GrowingTip::number);
-        if (now == all.end() || load.intensity < least_recorded * needed) continue;
+        if (now == all.end()) continue;
+        const double needed = shell.toughness_towards(Vertex(now->vertex), now->direction);
+        if (load.intensity < least_recorded * needed) continue;
         Vector3d direction = Vector3d::Zero();
         for (const Index face : faces_around(shell.mesh(), Vertex(now->vertex))) {
             const auto& [vertices, membrane] = mechanics.triangles[face];

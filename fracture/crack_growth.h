@@ -23,17 +23,18 @@ struct Judged {
 
 /// One edge by which a crack is born, or goes on.
 struct CrackStep {
-    std::optional<std::size_t> tip;  ///< number of the tip that goes on; none: a birth
-    Edge edge;
-    GrowingTip next;  ///< what becomes of the tip
+    std::optional<std::size_t> tip;   ///< number of the tip that goes on; none: a birth
+    Edge edge = Mesh::null_edge();    ///< none yet: it is to be made, along the ray
+    Vector3d ray = Vector3d::Zero();  ///< unit vector from the tip's vertex
+    GrowingTip next = {};             ///< what becomes of the tip
 };
 
 /// The cracks of sheets that have a toughness: where they are born (CrackBirth), and where they go on.
 ///
 /// A tip goes on where its intensity is over the toughness, by the energy that it releases (TipEnergy) or by
-/// the stress ahead of it (load_by_stress()): along the edge nearest to its path, whose departure from the
-/// path it keeps in mind; at most so fast as the speed limit says, and not before the edge behind it has
-/// opened.
+/// the stress ahead of it (load_by_stress()); at most so fast as the speed limit says, and not before the
+/// edge behind it has opened. It takes an edge that is made along its path, or the one that is nearest to it
+/// (CrackPath), and keeps in mind by how much an edge misses the path.
 class CrackGrowth {
   public:
     /// The shell must outlive this object. timeless: in statics, where nothing takes time.
@@ -42,8 +43,11 @@ class CrackGrowth {
     /// Whether a sheet has a toughness.
     bool needed() const { return is_needed; }
 
-    /// What cracks do next: at most one edge for each tip, and one birth.
+    /// What cracks do next: at most one birth, and one edge for each tip.
     std::vector<CrackStep> next(const Judged& now);
+    /// Lets a step take the edge that has been made for it, in a time step that began at `begin` (s). Returns
+    /// false if its tip cannot go there.
+    bool take(const BreakableShell::Advanced& made, double begin, CrackStep& step) const;
     /// Must be called when the edges of these steps have failed, and the mesh has opened, at the end of a
     /// step (s).
     void done(std::span<const CrackStep> steps, double end);
@@ -72,8 +76,12 @@ class CrackGrowth {
     const Toughness& toughness(const GrowingTip& tip) const;
     /// The tips that go on, the most overloaded first, without those that another one of them is near to.
     std::vector<Overloaded> overloaded(const Judged& now);
-    /// The edge along which a tip goes on in a direction; nothing where there is none.
-    std::optional<CrackStep> step(const Overloaded& one, double begin) const;
+    /// The edge nearest to the path of a tip that goes on in a direction; nothing where there is none.
+    std::optional<CrackStep> along_edges(const Overloaded& one, double begin) const;
+    CrackStep along_ray(const Overloaded& one) const;
+    /// What becomes of a tip that goes on in a direction, by an edge with this other end.
+    GrowingTip moved(const GrowingTip& tip, const Vector3d& direction, Edge edge, Index to,
+                     double begin) const;
     void add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready);
     /// The tips of the cracks that there are, each away from its crack.
     void find_tips();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fracture/hinge_measures.h"
+#include "fracture/small_pieces.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -135,6 +136,7 @@ bool Simulation::attempt(StepReport& report) {
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
+    breakable.set_time(time() + step_size.size());
     const Measured now = measured();
     const HingeMeasures& measures = now.hinges;
     ends_at_crack = options.until_crack && fails(now);
@@ -149,23 +151,25 @@ bool Simulation::attempt(StepReport& report) {
     const std::vector<CrackStep> growing = next_crack_steps(now, 0);
     if (const std::vector<Edge> failing = overloaded_edges(breakable, measures); !failing.empty())
         break_edges(failing, measures, report.stages++);
-    grow(growing, report.stages);
-    report.stages += growing.empty() ? 0 : 1;
+    if (grow(growing, report.stages)) ++report.stages;
     return newton.converged;
 }
 
 MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
     double waited = step_size.size();
     for (;;) {
-        const std::vector<Edge> failing = most_overloaded_edges(breakable, now.hinges);
+        const std::vector<Edge> failing = allowed(most_overloaded_edges(breakable, now.hinges));
         const std::vector<CrackStep> growing = next_crack_steps(now, waited);
         waited = 0;
         const bool any = !failing.empty() || !growing.empty();
         report.stage_cap_reached = any && report.stages == options.max_stages;
+        bool broken = false;
         if (any && !report.stage_cap_reached) {
             if (!failing.empty()) break_edges(failing, now.hinges, report.stages);
-            growth.mesh_changed();
-            grow(growing, report.stages++);
+            broken = grow(growing, report.stages) || !failing.empty();
+        }
+        if (broken) {
+            ++report.stages;
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
         } else if (!newton.converged && newton.iterations == iterations_between_stages) {
@@ -222,11 +226,29 @@ void Simulation::follow_change(const BreakableShell::Change& change) {
     stepper->topology_changed(change.shell);
 }
 
-void Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
-    if (crack_steps.empty()) return;
-    for (const CrackStep& one : crack_steps)
+std::vector<Edge> Simulation::allowed(std::vector<Edge> edges) {
+    forbidden += keep_small_pieces_on(breakable, edges);
+    std::erase_if(edges, [this](Edge edge) { return !breakable.can_fail(edge); });
+    return edges;
+}
+
+bool Simulation::make_edge(CrackStep& crack_step) {
+    const Vertex tip(static_cast<unsigned>(crack_step.next.vertex));
+    const auto made = breakable.advance(tip, crack_step.ray, {});
+    if (made && made->way != AdvancedEdge::Way::existing) follow_change(made->change);
+    return made && growth.take(*made, time(), crack_step);
+}
+
+bool Simulation::grow(std::vector<CrackStep> crack_steps, Index stage) {
+    std::vector<CrackStep> grown;
+    for (CrackStep& one : crack_steps) {
+        if (!one.edge.is_valid() && !make_edge(one)) continue;
+        if (allowed({one.edge}).empty()) continue;
         break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
-    growth.done(crack_steps, time() + step_size.size());
+        grown.push_back(one);
+    }
+    growth.done(grown, time() + step_size.size());
+    return !grown.empty();
 }
 
 std::optional<Opening> Simulation::opening_of(Edge edge) const {

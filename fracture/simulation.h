@@ -61,6 +61,8 @@ class Simulation {
     const std::vector<RigidBody>& bodies() const { return stepper->bodies(); }
     const std::vector<Gauge>& gauges() const { return options.gauges; }
     const HingePeaks& peaks() const { return hinge_peaks; }
+    /// How many edges have been kept from failing by ArtDirection::smallest.
+    Index forbidden_failures() const { return forbidden; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
     /// far.
     const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
@@ -92,8 +94,12 @@ class Simulation {
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
                      const std::optional<Opening>& opening = {});
-    /// Lets cracks go on, one edge after the other.
-    void grow(std::span<const CrackStep> crack_steps, Index stage);
+    /// Those of the edges that fail in a stage that may: see ArtDirection::smallest.
+    std::vector<Edge> allowed(std::vector<Edge> edges);
+    /// Lets cracks go on, one edge after the other. Returns whether any did.
+    bool grow(std::vector<CrackStep> crack_steps, Index stage);
+    /// Makes the edge along the ray of a step. Returns whether the step can take it.
+    bool make_edge(CrackStep& crack_step);
     /// How the edge of a crack that goes by toughness opens.
     std::optional<Opening> opening_of(Edge edge) const;
     /// Lets all that refers to the shell follow a change of it.
@@ -121,6 +127,7 @@ class Simulation {
     std::vector<char> obstacles_touched, bodies_touched;
     StepSize step_size;
     bool ends_at_crack = false;
+    Index forbidden = 0;
 };
 
 }  // namespace sherd

@@ -24,11 +24,31 @@ Strength uniform_strength(double value, Measure measure) {
     return {.measure = measure, .along = value, .across = value};
 }
 
-double directional_strength(const Strength& strength, double angle) {
-    const double s0 = strength.along, s1 = strength.across;
-    if (s0 == s1) return s0;
+double hankinson(double along, double across, double angle) {
+    if (along == across) return along;
     const double cosine = std::cos(angle), sine = std::sin(angle);
-    return 1 / (cosine * cosine / s1 + sine * sine / s0);
+    return 1 / (cosine * cosine / across + sine * sine / along);
+}
+
+double directional_strength(const Strength& strength, double angle) {
+    return hankinson(strength.along, strength.across, angle);
+}
+
+std::optional<FactorRange> factor_range(std::span<const double> factors) {
+    std::optional<FactorRange> range;
+    std::size_t never = 0;
+    for (const double factor : factors) {
+        if (std::isinf(factor)) {
+            ++never;
+        } else if (!range) {
+            range = FactorRange{factor, factor};
+        } else {
+            range->least = std::min(range->least, factor);
+            range->most = std::max(range->most, factor);
+        }
+    }
+    if (range) range->never = never;
+    return range;
 }
 
 std::vector<double> weibull_factors(const Mesh& mesh, const Weibull& weibull) {

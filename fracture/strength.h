@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "meshops/mesh.h"
@@ -28,10 +30,23 @@ struct Strength {
 /// A strength of `value`, in the measure's unit, in all directions.
 Strength uniform_strength(double value, Measure measure = Measure::strain);
 
+/// What an edge withstands that makes `angle` (rad) with the first material axis, between what one along and
+/// across the axis do when they are pulled open: by Hankinson's formula, s0 s1 / (s0 sin^2 p + s1 cos^2 p),
+/// where p is the angle of the pull, at 90 degrees to the edge (R. L. Hankinson, US Air Service Information
+/// Circular 259, 1921). along, across: for a pull along and across the axis.
+double hankinson(double along, double across, double angle);
+
 /// Strength of a hinge whose edge makes `angle` (rad) with the first material axis, without its factor.
-/// Between the axes it follows Hankinson's formula, s0 s1 / (s0 sin^2 p + s1 cos^2 p), where p is the angle
-/// of the pull, at 90 degrees to the edge (R. L. Hankinson, US Air Service Information Circular 259, 1921).
 double directional_strength(const Strength& strength, double angle);
+
+/// The smallest and the largest of the factors that are finite, and how many are not: those of edges that
+/// never fail.
+struct FactorRange {
+    double least = 0, most = 0;
+    std::size_t never = 0;
+};
+/// None without a finite factor.
+std::optional<FactorRange> factor_range(std::span<const double> factors);
 
 /// Random scatter of the strength between hinges.
 struct Weibull {

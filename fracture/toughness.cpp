@@ -3,7 +3,13 @@
 
 #include <cmath>
 
+#include "fracture/strength.h"
+
 namespace sherd {
+
+double directional_toughness(const Toughness& toughness, double angle) {
+    return hankinson(toughness.value, toughness.across.value_or(toughness.value), angle);
+}
 
 double toughness_of_energy(double energy, const Material& material) {
     return std::sqrt(energy * mean_young(material));

@@ -131,6 +131,7 @@ class Recording {
     std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
     std::vector<StepReport> steps() const;  ///< with reactions and gauges as header() has them
+    bool has_balance() const;               ///< whether steps() have a balance: not of before there was one
     CrackEvents events() const;
     std::vector<RecordedMode> modes() const;  ///< none in the recording of a run
     double wall_seconds() const;              ///< 0 while the run goes on

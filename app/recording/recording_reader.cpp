@@ -240,6 +240,11 @@ CrackEvents Recording::events() const {
     });
 }
 
+bool Recording::has_balance() const {
+    return read_with(
+        [](hid_t opened) { return hdf5::contains(opened, column(Table<StepReport>::group, "unexplained")); });
+}
+
 std::vector<RecordedMode> Recording::modes() const {
     return read_with([](hid_t opened) {
         std::vector<RecordedMode> modes;

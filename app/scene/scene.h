@@ -24,6 +24,7 @@
 #include "core/membrane/membrane.h"
 #include "core/shell/face_fields.h"
 #include "core/time/implicit_stepper.h"
+#include "fracture/art_direction.h"
 #include "fracture/breaking.h"
 
 namespace sherd {
@@ -94,11 +95,15 @@ struct FractureSpec {
     Strength strength;  ///< without factors
     /// Pa m^0.5 and J/m^2, of which one may be given; 0: none
     double toughness = 0, fracture_energy = 0;
+    std::optional<double> toughness_across = {};   ///< for a pull across the axis; none: as along it
     double speed_limit = 0;                        ///< m/s; 0: by the material
     double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
-    std::optional<StrengthMap> map;                ///< none: the same strength everywhere
+    std::vector<StrengthMap> maps;                 ///< none: the same strength everywhere
     std::vector<Score> scores;
     std::vector<Score> cracks;  ///< that are there from the start; their factors have no meaning
+    ArtDirection art_direction;
+
+    bool has_toughness() const { return toughness > 0 || fracture_energy > 0; }
 };
 
 struct SheetSpec {

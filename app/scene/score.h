@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/scene/fracture_law.h"
+
 namespace sherd {
 
 /// A list of edges, see read_edge_list.
@@ -19,10 +21,11 @@ struct ScoreLine {
     std::vector<Eigen::Vector3d> points;
 };
 
-/// Where a sheet was scored, and what this does to its strength.
+/// Where a sheet was scored, and what this does to its strength, or to its toughness.
 struct Score {
     std::variant<ScoreFile, ScoreLine> kind;
-    double factor = 1;  ///< times the strength
+    double factor = 1;  ///< times the strength, or the toughness
+    FractureLaw of = FractureLaw::strength;
     std::string where;  ///< "FILE:LINE: dotted.key", for errors
 };
 

@@ -116,9 +116,7 @@ Touch Contact::touch(const Positions& x) const {
     for (std::size_t o = 0; o < obstacle_contact.size(); ++o) {
         Touch own;
         obstacle_contact[o]->add_touch(x, own);
-        if (!own.vertices.empty() || surfaces.contains(options.obstacles[o].surface.get()))
-            touch.obstacles.insert(o);
-        touch.include(own);
+        touch.include_obstacle(o, own, surfaces.contains(options.obstacles[o].surface.get()));
     }
     if (body_contact) body_contact->add_touch(x, touch);
     return touch;

@@ -56,10 +56,6 @@ HingeStencil hinge_stencil(const Shell& shell, const std::array<Index, 4>& verti
     return {vertices, rest_hinge(columns(shell.rest, vertices)), stiffness};
 }
 
-double kinetic_energy(const Shell& shell) {
-    return 0.5 * shell.mass.dot(shell.velocity.colwise().squaredNorm().transpose());
-}
-
 Vector3d linear_momentum(const Shell& shell) {
     return shell.velocity * shell.mass;
 }

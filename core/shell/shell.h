@@ -57,8 +57,9 @@ struct Shell {
     std::vector<double> face_mass;           ///< [F] kg
     std::vector<Index> face_sheet;           ///< [F] number of the sheet that the face belongs to
 
-    std::vector<Index> edge_hinge;      ///< [E] number of the edge's hinge, -1 when it has none
-    std::vector<double> edge_strength;  ///< [E] measure at which the hinge fails; infinite: never
+    std::vector<Index> edge_hinge;       ///< [E] number of the edge's hinge, -1 when it has none
+    std::vector<double> edge_strength;   ///< [E] measure at which the hinge fails; infinite: never
+    std::vector<double> edge_toughness;  ///< [E] Pa m^0.5, by which a crack goes on along it; 0: none
 
     std::vector<HingeStencil> hinges;  ///< [H]
     std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
@@ -95,6 +96,7 @@ template <class S, class Visit>
 void visit_edges(S& shell, Visit visit) {
     visit(shell.edge_hinge, Inheritance::none, Index(-1));
     visit(shell.edge_strength, Inheritance::first, std::numeric_limits<double>::infinity());
+    visit(shell.edge_toughness, Inheritance::first, 0.0);
 }
 
 /// Visits the attributes of faces in the same way. Whoever makes the change sets their corners and shape.
@@ -120,8 +122,13 @@ Index remove_hinge_of(Shell& shell, Index edge);
 /// stiffness: lambda, N m.
 HingeStencil hinge_stencil(const Shell& shell, const std::array<Index, 4>& vertices, double stiffness);
 
-/// Kinetic energy, J.
-double kinetic_energy(const Shell& shell);
+/// Kinetic energy, J. mass: [V] kg; velocity: [3, V] m/s.
+inline double kinetic_energy(const VectorXd& mass, const Positions& velocity) {
+    return 0.5 * velocity.colwise().squaredNorm().dot(mass);
+}
+inline double kinetic_energy(const Shell& shell) {
+    return kinetic_energy(shell.mass, shell.velocity);
+}
 /// Linear momentum, kg m/s.
 Vector3d linear_momentum(const Shell& shell);
 /// Angular momentum about the origin, kg m^2/s.

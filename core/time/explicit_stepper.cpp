@@ -33,10 +33,6 @@ void require_stable(bool is_stable) {
             "explicit steps have become unstable: a shorter solver.step, or softer contact, may help");
 }
 
-bool is_told(const Shell& shell, Index vertex) {
-    return shell.fixed[vertex] != 0;
-}
-
 std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
     for (std::size_t i = 0; i < some.size(); ++i) {
         some[i].force = 0.5 * (some[i].force + others[i].force);
@@ -45,12 +41,12 @@ std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction
     return some;
 }
 
-/// Kinetic energy, J, of what is not told where to be.
-double free_kinetic(const Shell& shell, const Positions& velocity) {
-    double sum = 0;
-    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
-        if (!is_told(shell, v)) sum += 0.5 * shell.mass[v] * velocity.col(v).squaredNorm();
-    return sum;
+/// Masses, kg, [V], without those of what is told where to be.
+VectorXd free_mass(const Shell& shell) {
+    VectorXd mass = shell.mass;
+    for (Index v = 0; v < static_cast<Index>(mass.size()); ++v)
+        if (shell.fixed[v]) mass[v] = 0;
+    return mass;
 }
 
 }  // namespace
@@ -59,22 +55,23 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
     : Stepper(shell, options),
       contact(shell, options.contact, options.gravity),
       elastic(forces.elastic()),
+      step{0, options.step, options.step, shell.position, shell.velocity, {}},
+      length(options.step),
       velocity(shell.velocity),
       acceleration(Positions::Zero(3, shell.position.cols())) {}
 
 Positions ExplicitStepper::Forces::sum() const {
-    Positions all = elastic + contact.force + opening;
-    if (damping.cols() > 0) all += damping;
+    Positions all = elastic + contact.force + damping + opening;
     for (const Positions& one : outer) all += one;
     return all;
 }
 
 bool ExplicitStepper::begin(double of_step) {
-    if (made) contact.bodies.restart();
+    if (made) contact.of_bodies().restart();
     step = {time, of_step, of_step, shell.position, shell.velocity, {}};
     position = shell.position;
     velocity = shell.velocity;
-    contact.bodies.begin();
+    contact.of_bodies().begin();
     contact.place(time, time);
     if (first || made) {
         energies_now.reset();
@@ -112,7 +109,7 @@ void ExplicitStepper::choose_substep() {
 
 ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
     Forces all;
-    all.elastic = Positions::Zero(3, position.cols());
+    all.elastic = all.damping = Positions::Zero(3, position.cols());
     {
         const Stopwatch watch(spent, Task::elasticity);
         for (const Energy* energy : elastic) energy->add_gradient(position, all.elastic);
@@ -149,8 +146,9 @@ MinimiserResult ExplicitStepper::solve(int) {
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
     energies_now.reset();
     made = true;
+    const VectorXd mass = free_mass(shell);
     work.balance.lost_to_scheme =
-        inertia_work - free_kinetic(shell, velocity) + free_kinetic(shell, shell.velocity);
+        inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
     substeps_since += substeps;
     require_stable(position.allFinite());
@@ -184,9 +182,9 @@ void ExplicitStepper::make_substep(double from) {
     StepContext substep;
     substep.begin = from;
     substep.length = length;
-    contact.bodies.kick(length);
+    contact.of_bodies().kick(length);
     const Positions moved = move(substep.end());
-    contact.bodies.drift(length);
+    contact.of_bodies().drift(length);
     contact.place(from, substep.end());
     if (forces.mirrors_move())
         for (Energy* energy : elastic) energy->begin(substep);
@@ -198,7 +196,7 @@ void ExplicitStepper::make_substep(double from) {
         forces_now.damping = options.shell.damping.stiffness / length * (forces_now.elastic - before.elastic);
     accelerate();
     velocity += length / 2 * acceleration;
-    contact.bodies.kick(length);
+    contact.of_bodies().kick(length);
     const double of_mirrors = forces.mirror_work(substep, position);
     work.balance.work_of_supports += of_mirrors;
     work.against_stored += of_mirrors;
@@ -212,10 +210,7 @@ void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
         return -0.5 * (one.cwiseProduct(moved).sum() + other.cwiseProduct(moved).sum());
     };
     EnergyBalance& balance = work.balance;
-    if (before.damping.cols() == forces_now.damping.cols() && before.damping.cols() > 0)
-        balance.lost_to_damping += taken(before.damping, forces_now.damping);
-    else if (forces_now.damping.cols() > 0)
-        balance.lost_to_damping += -0.5 * forces_now.damping.cwiseProduct(moved).sum();
+    balance.lost_to_damping += taken(before.damping, forces_now.damping);
     balance.lost_to_cracks += taken(before.opening, forces_now.opening);
     for (std::size_t i = 0; i < before.outer.size(); ++i)
         balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
@@ -263,9 +258,10 @@ Positions ExplicitStepper::kept_forces(const Positions& before) const {
 }
 
 void ExplicitStepper::finish() {
-    work.against_stored -= contact.bodies.contact_work() - contact.bodies.friction_work();
-    work.balance.lost_to_friction -= contact.bodies.friction_work();
-    work.balance.lost_to_scheme += contact.bodies.work_of_all() - contact.bodies.kinetic_change();
+    const ExplicitBodies& bodies = contact.of_bodies();
+    work.against_stored -= bodies.contact_work() - bodies.friction_work();
+    work.balance.lost_to_friction -= bodies.friction_work();
+    work.balance.lost_to_scheme += bodies.work_of_all() - bodies.kinetic_change();
     ledger.finish(work, stored(), moving(velocity, position));
     shell.position = position;
     shell.velocity = velocity;

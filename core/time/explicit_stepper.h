@@ -34,7 +34,7 @@ class ExplicitStepper : public Stepper {
     Touch touch() const override { return contact.touch(position); }
     Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
-    const std::vector<RigidBody>& bodies() const override { return contact.bodies.bodies(); }
+    const std::vector<RigidBody>& bodies() const override { return contact.of_bodies().bodies(); }
 
     double substep() const { return length; }  ///< s, of the open step, or of the last one
 
@@ -66,7 +66,7 @@ class ExplicitStepper : public Stepper {
     ExplicitContact contact;
     OpeningEdges opening;
     std::vector<Energy*> elastic;
-    StepContext step;
+    StepContext step;     ///< the open one, or the last one
     double time = 0;      ///< s, end of the finished steps
     double of_shell = 0;  ///< rad/s, highest frequency without contact
     int substeps = 0;     ///< of the open step, or of the last one

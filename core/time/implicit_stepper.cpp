@@ -132,11 +132,8 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
     if (step.inertia == 0) return;
     const Positions force = step.acceleration(position) * shell.mass.asDiagonal();
     gradient += force - options.gravity * shell.mass.transpose();
-    const auto kinetic = [&](const Positions& velocity) {
-        return 0.5 * velocity.colwise().squaredNorm().dot(shell.mass);
-    };
     balance.lost_to_scheme = force.cwiseProduct(position - shell.position).sum() -
-                             kinetic(step.velocity(position)) + kinetic(shell.velocity);
+                             kinetic_energy(shell.mass, step.velocity(position)) + kinetic_energy(shell);
     if (const BodyContact* bodies = contact.of_bodies())
         balance.lost_to_scheme += bodies->work_of_all() - bodies->kinetic_change();
 }

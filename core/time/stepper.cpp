@@ -70,7 +70,7 @@ double Stepper::weight(const Positions& x) const {
 
 double Stepper::moving(const Positions& velocity, const Positions& x) const {
     if (options.scheme == Scheme::statics) return 0;
-    double kinetic = 0.5 * velocity.colwise().squaredNorm().dot(shell.mass);
+    double kinetic = kinetic_energy(shell.mass, velocity);
     for (const RigidBody& body : bodies()) kinetic += body.kinetic_energy();
     return kinetic + weight(x);
 }

@@ -83,6 +83,19 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["most_stages"], 3);
 }
 
+// Of a recording without a balance, zeros would say that nothing was lost.
+TEST(Info, HasNoBalanceOfARecordingOfBeforeThereWasOne) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "run.h5");
+    forget_balance(folder.path / "run.h5");
+    const RunInfo read = read_run_info(folder.path / "run.h5");
+    EXPECT_TRUE(Json::parse(run_info_json(read))["balance"].is_null());
+    const std::string text = run_info_text(read);
+    EXPECT_EQ(text.find("work "), std::string::npos) << text;
+    EXPECT_EQ(text.find("lost to"), std::string::npos) << text;
+    EXPECT_NE(text.find("energy "), std::string::npos) << text;
+}
+
 // Told of the wrong shape at rest, or of another face, a strain report would send its reader the wrong way.
 TEST(Info, TellsTheLargestMembraneStrainOfTheLastFrame) {
     const TemporaryDirectory folder;

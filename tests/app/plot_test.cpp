@@ -107,6 +107,16 @@ TEST(Plot, DrawsChartsWithUnits) {
     EXPECT_EQ(count(svg, "<circle"), 3) << "a dot for each fragment";
 }
 
+// An empty chart would say that there was a balance and nothing in it.
+TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
+    const TemporaryDirectory folder;
+    record(synthetic_run(), folder.path / "run.h5");
+    forget_balance(folder.path / "run.h5");
+    const std::string svg = plot_svg(Recording(folder.path / "run.h5"));
+    EXPECT_EQ(count(svg, "<g>"), 8);
+    EXPECT_EQ(count(svg, "Work and losses"), 0);
+}
+
 // A run that blew up still has a plot of what came before.
 TEST(Plot, LeavesGapsWhereNumbersAreNotFinite) {
     SyntheticRun run = synthetic_run();

@@ -156,51 +156,55 @@ TEST(EnergyLedger, LoadsWorkAlongTheWay) {
     EXPECT_NEAR(balance.work_of_loads, force * way, 1e-6 * force * way);
 }
 
-// A hinge that fails takes its energy with it, and no other.
-TEST(EnergyLedger, AHingeThatFailsTakesItsEnergy) {
+class HingeThatFails : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        shell.position(2, 3) = 0.4;
+        StepperOptions options = exact_steps(1e-3);
+        options.gravity.setZero();
+        options.shell.bending.model = BendingModel::cubic;
+        stepper.emplace(shell, options);
+    }
+    void solve() {
+        ASSERT_TRUE(stepper->begin());
+        ASSERT_TRUE(stepper->solve(200).converged);
+    }
+    void fail() {
+        shell.hinges.clear();
+        shell.edge_hinge = {-1};
+        shell.hinge_edge.clear();
+        ShellChange change;
+        change.removed_hinges = {0};
+        stepper->topology_changed(change);
+    }
+    void expect_lost(double energy) const {
+        EXPECT_NEAR(stepper->balance().lost_to_cracks, energy, 1e-9 * energy);
+        EXPECT_LT(std::abs(stepper->balance().unexplained), 1e-9 * energy);
+    }
+
     Shell shell = test::two_triangles(test::rubber);
-    shell.position(2, 3) = 0.4;
-    StepperOptions options = exact_steps(1e-3);
-    options.gravity.setZero();
-    options.shell.bending.model = BendingModel::cubic;
-    ImplicitStepper stepper(shell, options);
-    ASSERT_TRUE(stepper.begin());
-    ASSERT_TRUE(stepper.solve(200).converged);
-    const double bent = stepper.energies().bending;
+    std::optional<ImplicitStepper> stepper;
+};
+
+// It takes its energy with it, and no other.
+TEST_F(HingeThatFails, TakesItsEnergy) {
+    solve();
+    const double bent = stepper->energies().bending;
     EXPECT_GT(bent, 1e-6);
-    shell.hinges.clear();
-    shell.edge_hinge = {-1};
-    shell.hinge_edge.clear();
-    ShellChange change;
-    change.removed_hinges = {0};
-    stepper.topology_changed(change);
-    ASSERT_TRUE(stepper.solve(200).converged);
-    stepper.finish();
-    EXPECT_NEAR(stepper.balance().lost_to_cracks, bent, 1e-9 * bent);
-    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * bent);
+    fail();
+    ASSERT_TRUE(stepper->solve(200).converged);
+    stepper->finish();
+    expect_lost(bent);
 }
 
 // A step that is given up leaves nothing but what broke: then the energy of the hinge at the step's
 // beginning.
-TEST(EnergyLedger, AStepThatIsBegunAgainCountsOnce) {
-    Shell shell = test::two_triangles(test::rubber);
-    shell.position(2, 3) = 0.4;
-    StepperOptions options = exact_steps(1e-3);
-    options.gravity.setZero();
-    options.shell.bending.model = BendingModel::cubic;
-    ImplicitStepper stepper(shell, options);
-    const double bent = stepper.energies().bending;
-    ASSERT_TRUE(stepper.begin());
-    ASSERT_TRUE(stepper.solve(200).converged);
-    shell.hinges.clear();
-    shell.edge_hinge = {-1};
-    shell.hinge_edge.clear();
-    ShellChange change;
-    change.removed_hinges = {0};
-    stepper.topology_changed(change);
-    test::advance(stepper);
-    EXPECT_NEAR(stepper.balance().lost_to_cracks, bent, 1e-9 * bent);
-    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * bent);
+TEST_F(HingeThatFails, CountsOnceInAStepThatIsBegunAgain) {
+    const double bent = stepper->energies().bending;
+    solve();
+    fail();
+    test::advance(*stepper);
+    expect_lost(bent);
 }
 
 // A body that spins about no axis of its own and meets a plate: all that both exchange is in the balance.

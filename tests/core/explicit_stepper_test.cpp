@@ -191,6 +191,46 @@ TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * ball.kinetic_energy());
 }
 
+// A plate on a peg between its vertices: what rubs is the peg's surface, and its force is the coefficient
+// times what it presses with. Without it what vertices do not touch would slide for nothing.
+TEST(ExplicitStepper, FrictionOnABodyBetweenVerticesIsTheCoefficientTimesThePressure) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::glass);
+    RigidBody peg = rigid_box(Vector3d(6e-3, 5e-3, 8e-3), 2e6);
+    peg.surface = test::box_surface(Vector3d::Zero(), Vector3d(3e-3, 2.5e-3, 4e-3));
+    peg.centre = Vector3d(0.013, 0.01, -4e-3 - 1.1e-3);
+    peg.friction = 0.3;
+    shell.velocity.row(0).setConstant(2);
+    shell.velocity.row(2).setConstant(-0.2);
+    StepperOptions options = explicit_steps(2e-6);
+    options.contact.bodies = {peg};
+    ExplicitStepper stepper(shell, options);
+    const Vector3d momentum = linear_momentum(shell);
+    const double kinetic = kinetic_energy(shell);
+    advance(stepper, 1000);
+    const Vector3d given = peg.mass * stepper.bodies().front().velocity;
+    EXPECT_LT(given.z(), -0.05 * shell.mass.sum()) << "they have not met";
+    EXPECT_NEAR(given.x(), -0.3 * given.z(), 1e-3 * given.x());
+    EXPECT_LT((linear_momentum(shell) + given - momentum).norm(), 1e-10 * momentum.norm());
+    EXPECT_NEAR(stepper.balance().lost_to_friction, 2 * given.x(), 0.1 * given.x());
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-6 * kinetic);
+    EXPECT_LT(std::abs(stepper.balance().lost_to_scheme), 1e-3 * kinetic);
+}
+
+// Cracks that are there from the start part before the first step: forces are taken before any has begun.
+TEST(ExplicitStepper, AChangeOfTheShellBeforeTheFirstStepLeavesNoTrace) {
+    Shell shell = test::stacked_plates(1, 4, 0, test::rubber);
+    shell.velocity.row(1).setConstant(2);
+    StepperOptions options = explicit_steps(1e-4, true);
+    options.shell.damping = {.stiffness = 1e-5, .mass = 30};
+    Shell other = shell;
+    ExplicitStepper stepper(shell, options), changed(other, options);
+    changed.topology_changed({});
+    advance(stepper, 3);
+    advance(changed, 3);
+    EXPECT_EQ(shell.position, other.position);
+    EXPECT_EQ(stepper.balance().lost_to_damping, changed.balance().lost_to_damping);
+}
+
 // A plate that is thrown at another one stops, and the other one flies on.
 TEST(ExplicitStepper, PlatesDoNotPassButExchangeTheirVelocity) {
     Shell shell = test::stacked_plates(2, 4, 4.2e-3, test::glass);

@@ -21,6 +21,7 @@ Shell marked_sheet() {
     shell.vertex_sheet.assign(vertices, 7);
     shell.edge_hinge = {0, -1, -1, -1, -1};
     shell.edge_strength = {5, 6, 7, 8, 9};
+    shell.edge_toughness = {15, 16, 17, 18, 19};
     shell.hinge_edge = {0};
     shell.face_mass = {1, 2};
     shell.face_sheet = {7, 7};
@@ -42,6 +43,7 @@ TEST(ShellChange, ACopyHasAllThatItsParentHas) {
         }
     });
     EXPECT_EQ(shell.edge_strength, (std::vector<double>{5, 6, 7, 8, 9, 8}));
+    EXPECT_EQ(shell.edge_toughness.back(), 18);
     EXPECT_EQ(shell.edge_hinge.back(), -1);
     EXPECT_EQ(shell.triangles[2].vertices, shell.triangles[1].vertices);
     EXPECT_EQ(shell.face_sheet, (std::vector<Index>{7, 7, 7}));
@@ -71,6 +73,7 @@ TEST(ShellChange, HeirsCanHaveHeirsOfTheSameChange) {
     EXPECT_EQ(shell.position.col(5), shell.position.col(4));
     EXPECT_EQ(shell.edge_strength[5], std::numeric_limits<double>::infinity()) << "it has no parents";
     EXPECT_EQ(shell.edge_strength[6], shell.edge_strength[5]);
+    EXPECT_EQ(shell.edge_toughness[5], 0) << "by its strength, which is infinite";
 }
 
 // What presses on a face, or blows on it, must go on doing so on all of its parts.

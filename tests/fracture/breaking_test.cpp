@@ -96,6 +96,28 @@ TEST_F(Breaking, IsStrongerAlongTheStrongAxis) {
     EXPECT_NEAR(sheet->strength(edge_at(15, 28)), 0.4, 1e-15) << "along y, pulled along the axis";
 }
 
+// Toughness, too, and it has a factor for each edge.
+TEST_F(Breaking, IsTougherAlongTheStrongAxis) {
+    SheetInput flat;
+    flat.mesh = test::grid(12, 4);
+    flat.material = {1000, 0.01, 1e7, 0.3};
+    flat.axes.assign(flat.mesh.number_of_faces(), Vector3d::UnitX());
+    flat.strength = uniform_strength(1e7, Measure::stress);
+    flat.toughness = {.value = 4e6, .speed_limit = 100, .across = 1e6};
+    flat.toughness.factors.assign(flat.mesh.number_of_edges(), 0.5);
+    sheet = std::make_unique<BreakableShell>(std::vector{flat});
+    EXPECT_NEAR(sheet->toughness(edge_at(15, 16)).value, 5e5, 1e-7) << "along x, pulled across the axis";
+    EXPECT_NEAR(sheet->toughness(edge_at(15, 28)).value, 2e6, 1e-7) << "along y, pulled along the axis";
+    EXPECT_EQ(sheet->toughness(edge_at(15, 28)).speed_limit, 100);
+    EXPECT_TRUE(sheet->toughness(edge_at(15, 28)).given());
+    EXPECT_FALSE(sheet->has_directed_strength(edge_at(15, 28)));
+    flat.toughness.factors.pop_back();
+    EXPECT_THROW(BreakableShell({flat}), Error);
+    flat.toughness.factors.clear();
+    flat.axes.clear();
+    EXPECT_THROW(BreakableShell({flat}), Error) << "a direction, and no axes";
+}
+
 TEST_F(Breaking, RefusesStrengthsThatDoNotFitTheMesh) {
     Strength strength = uniform_strength(1);
     strength.factors = {1, 2, 3};

@@ -25,6 +25,17 @@ double variance(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
+TEST(Strength, TellsTheRangeOfItsFactorsAndHowManyNeverFail) {
+    const double never = std::numeric_limits<double>::infinity();
+    const auto range = factor_range(std::vector{never, 0.5, 2.0, never, 1.0});
+    ASSERT_TRUE(range);
+    EXPECT_EQ(range->least, 0.5);
+    EXPECT_EQ(range->most, 2);
+    EXPECT_EQ(range->never, 2u);
+    EXPECT_FALSE(factor_range(std::vector{never}));
+    EXPECT_FALSE(factor_range({}));
+}
+
 // An edge at w to the axis is pulled at 90 degrees to itself. Hankinson's formula between the axes.
 TEST(Strength, DependsOnTheDirectionOfThePull) {
     Strength strength;

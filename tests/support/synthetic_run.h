@@ -232,4 +232,12 @@ inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
     writer.finish(12.5, "complete");
 }
 
+/// Takes the balance of energy out of a recording, as in those of before there was one.
+inline void forget_balance(const std::filesystem::path& file) {
+    const hdf5::Handle opened = hdf5::open_to_write(file);
+    for (const std::string& name : hdf5::member_names(opened, "steps"))
+        if (name == "unexplained" || name.starts_with("work_of_") || name.starts_with("lost_to_"))
+            hdf5::remove(opened, "steps/" + name);
+}
+
 }  // namespace sherd::test

@@ -132,10 +132,10 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
     if (!sheet.fracture) return;
     const auto& [along, across] = std::pair(input.strength.along, input.strength.across);
     double low = std::min(along, across), high = std::max(along, across);
-    if (const auto& factors = input.strength.factors; !factors.empty()) {
+    if (const auto range = factor_range(input.strength.factors)) {
         // As a whole: a map may hold the strengths themselves, and lines may be scored or kept whole.
-        high *= *std::max_element(factors.begin(), factors.end());
-        low *= *std::min_element(factors.begin(), factors.end());
+        high *= range->most;
+        low *= range->least;
     }
     const bool stress = input.strength.measure == Measure::stress;
     if (strain_at(high, input) < weakest)

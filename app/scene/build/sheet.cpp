@@ -26,6 +26,13 @@ void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::ve
         edge * std::sqrt(least_stretch_over_bend / ratio)));
 }
 
+/// Whether it matters where its material's axis points.
+bool has_directions(const SheetSpec& sheet) {
+    if (!is_isotropic(sheet.material)) return true;
+    return sheet.fracture && (sheet.fracture->strength.along != sheet.fracture->strength.across ||
+                              sheet.fracture->toughness_across);
+}
+
 }  // namespace
 
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
@@ -36,17 +43,15 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     input.material = sheet.material;
     std::vector<std::string> axis_warnings;
     std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
-    const bool directed =
-        !is_isotropic(sheet.material) ||
-        (sheet.fracture && sheet.fracture->strength.along != sheet.fracture->strength.across);
-    if (directed) {
+    if (has_directions(sheet)) {
         input.axes = std::move(axes);
         warnings.insert(warnings.end(), axis_warnings.begin(), axis_warnings.end());
     }
     warn_of_stretching(input, sheet, warnings);
     if (sheet.fracture) {
         input.strength = sheet_strength(sheet, scene, input.mesh, warnings);
-        input.toughness = sheet_toughness(*sheet.fracture, sheet.material);
+        input.toughness = sheet_toughness(sheet, input.mesh, warnings);
+        input.art_direction = sheet.fracture->art_direction;
     }
     input.velocity = sheet.velocity;
     input.spin = sheet.spin;

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/build/strength.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "app/scene/build/score.h"
 #include "app/scene/build/strength_map.h"
 
 namespace sherd {
 namespace {
+
+/// Of a toughness: none at all would leave the crack to the strength.
+constexpr double least_factor = 1e-6;
 
 /// Other numbers for each sheet, and others than those that the meshes are generated from.
 std::uint32_t scatter_seed(const SheetSpec& sheet, const Scene& scene) {
@@ -20,6 +27,27 @@ Eigen::Affine3d to_file(const SheetSpec& sheet) {
     return Eigen::Scaling(1 / (file ? file->scale : 1)) * Eigen::Affine3d(sheet.place.inverse());
 }
 
+/// Multiplies the factors of edges [E] by those of the maps and the scores of one law.
+void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::vector<double>& factors,
+              std::vector<std::string>& warnings) {
+    const auto factor_of = [&](Edge edge) -> double& {
+        factors.resize(placed.number_of_edges(), 1);
+        return factors[edge];
+    };
+    for (const StrengthMap& map : sheet.fracture->maps) {
+        if (map.of != law) continue;
+        const std::vector<double> values = map_factors(map, placed, to_file(sheet), warnings);
+        for (const Edge edge : placed.edges()) {
+            double& factor = factor_of(edge);
+            const bool never = std::isinf(factor) || std::isinf(values[edge]);  // also times zero
+            factor = never ? std::numeric_limits<double>::infinity() : factor * values[edge];
+        }
+    }
+    for (const Score& score : sheet.fracture->scores)
+        if (score.of == law)
+            for (const Edge edge : scored_edges(score, placed, sheet.place)) factor_of(edge) *= score.factor;
+}
+
 }  // namespace
 
 Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& placed,
@@ -30,22 +58,21 @@ Strength sheet_strength(const SheetSpec& sheet, const Scene& scene, const Mesh& 
         strength.factors = weibull_factors(placed, {.modulus = fracture.weibull_modulus,
                                                     .area = fracture.weibull_area,
                                                     .seed = scatter_seed(sheet, scene)});
-    if (fracture.map || !fracture.scores.empty()) strength.factors.resize(placed.number_of_edges(), 1);
-    if (fracture.map) {
-        const std::vector<double> map = map_factors(*fracture.map, placed, to_file(sheet), warnings);
-        for (std::size_t e = 0; e < map.size(); ++e) strength.factors[e] *= map[e];
-    }
-    for (const Score& score : fracture.scores)
-        for (const Edge edge : scored_edges(score, placed, sheet.place))
-            strength.factors[edge] *= score.factor;
+    add_maps(sheet, FractureLaw::strength, placed, strength.factors, warnings);
     return strength;
 }
 
-Toughness sheet_toughness(const FractureSpec& fracture, const Material& material) {
+Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vector<std::string>& warnings) {
+    const FractureSpec& fracture = *sheet.fracture;
     Toughness toughness;
-    toughness.value = fracture.fracture_energy > 0 ? toughness_of_energy(fracture.fracture_energy, material)
-                                                   : fracture.toughness;
-    toughness.speed_limit = fracture.speed_limit > 0 ? fracture.speed_limit : usual_speed_limit(material);
+    toughness.value = fracture.fracture_energy > 0
+                          ? toughness_of_energy(fracture.fracture_energy, sheet.material)
+                          : fracture.toughness;
+    toughness.across = fracture.toughness_across;
+    toughness.speed_limit =
+        fracture.speed_limit > 0 ? fracture.speed_limit : usual_speed_limit(sheet.material);
+    add_maps(sheet, FractureLaw::toughness, placed, toughness.factors, warnings);
+    for (double& factor : toughness.factors) factor = std::max(factor, least_factor);
     return toughness;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/scene/build/texture.h"
 #include "meshops/error.h"
@@ -70,9 +71,10 @@ std::vector<double> map_factors(const StrengthMap& map, const Mesh& placed, cons
                           map.kind);
     });
     for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", map.where, warning));
-    if (map.range)
-        for (double& factor : factors)
-            factor = std::lerp((*map.range)[0], (*map.range)[1], std::min(factor, 1.0));
+    for (double& factor : factors) {
+        if (map.never) factor = factor < 0.5 ? 1 : std::numeric_limits<double>::infinity();
+        if (map.range) factor = std::lerp((*map.range)[0], (*map.range)[1], std::min(factor, 1.0));
+    }
     return factors;
 }
 

@@ -6,32 +6,23 @@
 #include <array>
 #include <cmath>
 
-#include "app/scene/read/material_presets.h"
-
 namespace sherd {
 namespace {
 
 constexpr Range poisson_range{[](double x) { return x > -1 && x < 0.5; }, "a number between -1 and 0.5"};
 
-std::optional<Material> read_preset(TomlTable& table) {
-    if (!table.has("preset")) return std::nullopt;
-    std::vector<std::string_view> names;
-    for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
-    const std::string name = table.choice("preset", names);
-    for (const MaterialPreset& known : material_presets())
-        if (known.name == name) return known.material;
-    return Material{};  // a preset that is not known is one mistake, not four
-}
-
 /// Young's moduli, shear modulus and Poisson's ratio.
-void read_constants(TomlTable& table, const std::optional<Material>& preset, Material& material) {
+void read_constants(TomlTable& table, const Material* preset, Material& material) {
     if (table.is_array("young")) {
         const Eigen::Vector2d young = table.pair("young", "Pa", positive);
         material.young = young[0];
         material.young1 = young[1];
+    } else if (preset && !table.has("young")) {
+        material.young = preset->young;
+        material.young1 = preset->young1;
+        material.shear = preset->shear;
     } else {
-        material.young =
-            table.number("young", "Pa", positive, preset ? std::optional(preset->young) : std::nullopt);
+        material.young = table.number("young", "Pa", positive);
     }
     if (table.has("shear")) material.shear = table.number("shear", "Pa", positive);
     const bool has_poisson = table.has("poisson");
@@ -100,10 +91,22 @@ MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directo
     return axis;
 }
 
-Material read_material(TomlTable& table) {
-    const std::optional<Material> preset = read_preset(table);
+const MaterialPreset* read_preset(TomlTable& material) {
+    if (!material.has("preset")) return nullptr;
+    std::vector<std::string_view> names;
+    for (const MaterialPreset& known : material_presets()) names.push_back(known.name);
+    const std::string name = material.choice("preset", names);
+    for (const MaterialPreset& known : material_presets())
+        if (known.name == name) return &known;
+    // A preset that is not known is one mistake, not four.
+    static constexpr MaterialPreset unknown{"", {}, FracturePreset{}};
+    return &unknown;
+}
+
+Material read_material(TomlTable& table, const MaterialPreset* chosen) {
+    const Material* preset = chosen ? &chosen->material : nullptr;
     const auto from_preset = [&](double Material::*member) {
-        return preset ? std::optional<double>((*preset).*member) : std::nullopt;
+        return preset ? std::optional<double>(preset->*member) : std::nullopt;
     };
     Material material;
     material.density = table.number("density", "kg/m^3", positive, from_preset(&Material::density));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/scene/material_axis.h"
+#include "app/scene/read/material_presets.h"
 #include "app/scene/toml/toml_table.h"
 #include "core/material/material.h"
 
@@ -11,8 +12,11 @@ namespace sherd {
 /// names of textures are understood from.
 MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directory);
 
-/// Reads the rest of a [material] table and ends it. What a preset does not give is needed, save Poisson's
-/// ratio (0.3). Inadmissible constants are a problem at the key that makes them so.
-Material read_material(TomlTable& table);
+/// Reads the name of a preset; null if there is none.
+const MaterialPreset* read_preset(TomlTable& material);
+
+/// Reads the rest of a [material] table and ends it. What a preset (or null) does not give is needed, save
+/// Poisson's ratio (0.3). Inadmissible constants are a problem at the key that makes them so.
+Material read_material(TomlTable& table, const MaterialPreset* preset);
 
 }  // namespace sherd

@@ -121,6 +121,14 @@ void read_times(TomlTable& root, Scene& scene) {
     }
 }
 
+/// The paper's rule breaks what is over its strength, and nothing else counts.
+void require_paper(TomlTable& root, const FractureSpec& fracture) {
+    if (fracture.has_toughness())
+        root.report("solver", "rule = \"paper\" knows no toughness: leave one of them out");
+    if (fracture.art_direction.smallest > 0)
+        root.report("solver", "rule = \"paper\" knows no fracture.smallest: leave one of them out");
+}
+
 void read_sheets(TomlTable& root, Scene& scene) {
     if (auto sheets = root.table("sheet")) {
         for (auto& [name, table] : sheets->entries())
@@ -128,11 +136,8 @@ void read_sheets(TomlTable& root, Scene& scene) {
     } else if (root.has("sheet")) {
         return;  // reported as no table
     }
-    const bool tough = std::ranges::any_of(scene.sheets, [](const SheetSpec& sheet) {
-        return sheet.fracture && (sheet.fracture->toughness > 0 || sheet.fracture->fracture_energy > 0);
-    });
-    if (tough && scene.solver.rule == BreakingRule::paper)
-        root.report("solver", "rule = \"paper\" knows no toughness: leave one of them out");
+    for (const SheetSpec& sheet : scene.sheets)
+        if (sheet.fracture && scene.solver.rule == BreakingRule::paper) require_paper(root, *sheet.fracture);
     // Plates have one rigidity; only how hinges stand for it is a choice.
     for (const SheetSpec& sheet : scene.sheets)
         if (is_coupled(scene.solver.bending.model) && sheet.material.calibration == Calibration::paper)

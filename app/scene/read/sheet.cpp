@@ -44,14 +44,16 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     if (auto place = table.table("place")) sheet.place = read_place(*place);
     sheet.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
     sheet.spin = table.vector("spin", "rad/s", Vector3d::Zero());
+    const MaterialPreset* preset = nullptr;
     if (auto material = table.table("material")) {
         sheet.axis = read_axis(*material, directory);
-        sheet.material = read_material(*material);
+        preset = read_preset(*material);
+        sheet.material = read_material(*material, preset);
     } else if (!table.has("material")) {
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");
     }
-    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory);
+    if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory, preset);
     read_supports(table, sheet);
     table.finish();
     return sheet;

@@ -25,6 +25,11 @@ struct Touch {
         obstacles.insert(other.obstacles.begin(), other.obstacles.end());
         bodies.insert(other.bodies.begin(), other.bodies.end());
     }
+    /// Includes what touches an obstacle: `own`, by its shape; by_surface: whether elements meet its surface.
+    void include_obstacle(std::size_t number, const Touch& own, bool by_surface) {
+        if (!own.vertices.empty() || by_surface) obstacles.insert(number);
+        include(own);
+    }
 };
 
 }  // namespace sherd

@@ -9,6 +9,7 @@
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
 #include "core/contact/explicit/moving_collider.h"
+#include "core/contact/explicit/pair_friction.h"
 
 namespace sherd {
 
@@ -24,11 +25,18 @@ ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies
     forces.resize(all.size());
     friction.resize(all.size());
     moved.resize(all.size());
+    measure_triangles();
+}
+
+void ExplicitBodies::measure_triangles() {
+    for (const TriangleStencil& triangle : shell.triangles)
+        longest = std::max(longest, std::sqrt(2 * triangle.membrane.area));
 }
 
 void ExplicitBodies::shell_changed() {
     for (std::size_t b = 0; b < all.size(); ++b)
         if (pairs[b]) pairs[b]->surface_changed(surface_with(shell, all[b], true));
+    measure_triangles();
 }
 
 void ExplicitBodies::begin() {
@@ -58,14 +66,12 @@ void ExplicitBodies::drift(double length) {
 }
 
 void ExplicitBodies::push(std::size_t body, const Vector3d& at, const Vector3d& force) {
-    forces[body].force += force;
-    forces[body].torque += (at - all[body].centre).cross(force);
+    forces[body].add(at - all[body].centre, force);
 }
 
 void ExplicitBodies::rub(std::size_t body, const Vector3d& at, const Vector3d& force) {
     push(body, at, force);
-    friction[body].force += force;
-    friction[body].torque += (at - all[body].centre).cross(force);
+    friction[body].add(at - all[body].centre, force);
 }
 
 double ExplicitBodies::work(const Force& start, const Force& end, std::size_t body) const {
@@ -102,18 +108,46 @@ void ExplicitBodies::add_vertices(std::size_t body, const Substep& substep, Cont
         });
 }
 
+double ExplicitBodies::mobility(std::size_t body, const Force& force) const {
+    const Vector3d spun = all[body].rotation.transpose() * force.torque;
+    return force.force.squaredNorm() / all[body].mass +
+           spun.cwiseAbs2().cwiseQuotient(all[body].inertia).sum();
+}
+
+PairPositions ExplicitBodies::friction_of(std::size_t body, const ContactPair& pair, const PairPositions& at,
+                                          const Substep& substep) const {
+    const Index first = all[body].surface->size();
+    PairPositions velocity;
+    for (int i = 0; i < 4; ++i)
+        velocity.col(i) = pair.vertices[i] < first ? velocity_at(body, at.col(i))
+                                                   : Vector3d(substep.velocity.col(pair.vertices[i] - first));
+    return pair_friction(
+        pair, at, velocity, all[body].friction, substep.length, [&](const PairPositions& along) {
+            double of_slip = 0;
+            Force on_body;
+            for (int i = 0; i < 4; ++i)
+                if (pair.vertices[i] < first)
+                    on_body.add(at.col(i) - all[body].centre, along.col(i));
+                else
+                    of_slip += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
+            return of_slip + mobility(body, on_body);
+        });
+}
+
 void ExplicitBodies::add_pairs(std::size_t body, const Substep& substep, ContactForces& sum) {
     const Positions local = seen_from(body, substep.position);
-    const Eigen::Isometry3d pose = all[body].pose();
     const Index first = all[body].surface->size();
     for (const ContactPair& pair : pairs[body]->active_pairs(local)) {
-        const PairPositions at = columns(local, pair.vertices);
-        const PairPositions by_x = pose.linear() * gradient(pair, at);
+        const PairPositions at = all[body].pose() * columns(local, pair.vertices);
+        const PairPositions pressed = -gradient(pair, at), rubbed = friction_of(body, pair, at, substep);
         for (int i = 0; i < 4; ++i) {
-            if (pair.vertices[i] < first)
-                push(body, pose * Vector3d(at.col(i)), -by_x.col(i));
-            else
-                sum.force.col(pair.vertices[i] - first) -= by_x.col(i);
+            if (pair.vertices[i] < first) {
+                push(body, at.col(i), pressed.col(i));
+                rub(body, at.col(i), rubbed.col(i));
+            } else {
+                sum.force.col(pair.vertices[i] - first) += pressed.col(i);
+                sum.rub(pair.vertices[i] - first, rubbed.col(i));
+            }
         }
     }
 }
@@ -188,24 +222,18 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
 
 double ExplicitBodies::largest_rate(const Positions& x, double margin) const {
     double largest = 0;
-    // A vertex feels the body's shape and, between vertices, its surface by half a column each.
-    for (std::size_t b = 0; b < all.size(); ++b)
-        largest = std::max(largest, 2 * at_vertices[b].largest_rate(x, all[b].pose(), reach(b, margin)));
+    // A vertex feels the body's shape and, between vertices, its surface by half a column each; it may be as
+    // far from a body that touches an edge or a face as these are long.
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        const double reach = margin + (pairs[b] ? longest : 0);
+        largest = std::max(largest, 2 * at_vertices[b].largest_rate(x, all[b].pose(), reach));
+    }
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
         const double stiffness = all[body].point_stiffness(collider(other));
         largest = std::max(largest, 2 * stiffness / all[body].mass * (1 + turning));
     }
     return largest;
-}
-
-/// Vertices may be as far from a body that touches an edge or a face between them as these are long.
-double ExplicitBodies::reach(std::size_t body, double margin) const {
-    if (!pairs[body]) return margin;
-    double longest = 0;
-    for (const TriangleStencil& triangle : shell.triangles)
-        longest = std::max(longest, std::sqrt(2 * triangle.membrane.area));
-    return margin + longest;
 }
 
 void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places,

@@ -52,6 +52,11 @@ class ExplicitBodies {
   private:
     struct Force {
         Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();  ///< about the centre of mass
+
+        void add(const Vector3d& arm, const Vector3d& one) {
+            force += one;
+            torque += arm.cross(one);
+        }
     };
     /// Adds a force (N) at a point to a body; rub(): one of friction.
     void push(std::size_t body, const Vector3d& at, const Vector3d& force);
@@ -61,17 +66,23 @@ class ExplicitBodies {
     Vector3d velocity_at(std::size_t body, const Vector3d& at) const;
     void add_vertices(std::size_t body, const Substep& substep, ContactForces& sum);
     void add_pairs(std::size_t body, const Substep& substep, ContactForces& sum);
+    /// On the vertices of a pair, which are `at` these places, N.
+    PairPositions friction_of(std::size_t body, const ContactPair& pair, const PairPositions& at,
+                              const Substep& substep) const;
     /// Calls add(body, other, overlap, point in space) for each contact point in another collider: a body, or
     /// an obstacle, numbered after the bodies.
     template <class Add>
     void each_point(std::span<const Eigen::Isometry3d> places, Add add) const;
-    double reach(std::size_t body, double margin) const;  ///< m
+    void measure_triangles();
+    /// The share of a body in the mobility of pair_friction(), 1/kg; force: those along the slip, on it.
+    double mobility(std::size_t body, const Force& force) const;
     Positions seen_from(std::size_t body, const Positions& x) const;
     const Collider& collider(std::size_t number) const;
 
     const Shell& shell;
     const std::vector<Obstacle>& obstacles;
     Vector3d gravity;
+    double longest = 0;  ///< m, of the shell's triangles
     std::vector<RigidBody> all, started;
     std::vector<VertexContact> at_vertices;         ///< of each body
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none

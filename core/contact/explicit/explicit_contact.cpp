@@ -6,15 +6,15 @@
 #include <stdexcept>
 
 #include "core/contact/explicit/moving_collider.h"
-#include "core/contact/sheets/sheet_friction.h"
+#include "core/contact/explicit/pair_friction.h"
 #include "core/energy_balance.h"
 
 namespace sherd {
 
 ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
     : options(std::move(given)),
-      bodies(shell, options.bodies, options.obstacles, gravity),
       shell(shell),
+      bodies(shell, options.bodies, options.obstacles, gravity),
       lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle);
@@ -84,24 +84,21 @@ void ExplicitContact::add_sheet_friction(const Substep& at_end, ContactForces& s
     velocity << (all - sheets->at_start(at_end.position)).leftCols(first) / at_end.length, at_end.velocity;
     for (const ContactPair& pair : sheets->active_pairs(at_end.position)) {
         const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
-        const double coefficient = collider ? collider->friction : options.friction;
-        if (coefficient == 0) continue;
-        const SlidingPair sliding =
-            sliding_pair(pair, columns(all, pair.vertices), coefficient, at_end.length);
-        const Vector3d slip = sliding.slip * columns(velocity, pair.vertices).reshaped();
-        if (slip.isZero(0)) continue;
-        const PairPositions along = (sliding.slip.transpose() * slip.normalized()).reshaped(3, 4);
-        double mobility = 0;  // of the slip, 1/kg
-        for (int i = 0; i < 4; ++i)
-            if (pair.vertices[i] >= first)
-                mobility += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
-        const Vector3d rubbed = explicit_friction(sliding.friction.limit, slip, 1 / mobility, at_end.length);
+        const auto mobility = [&](const PairPositions& along) {
+            double of_slip = 0;
+            for (int i = 0; i < 4; ++i)
+                if (pair.vertices[i] >= first)
+                    of_slip += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
+            return of_slip;
+        };
+        const PairPositions rubbed =
+            pair_friction(pair, columns(all, pair.vertices), columns(velocity, pair.vertices),
+                          collider ? collider->friction : options.friction, at_end.length, mobility);
         const Index least = *std::ranges::min_element(pair.vertices);
         for (int i = 0; i < 4; ++i) {
             if (pair.vertices[i] < first) continue;
-            const Vector3d force = -rubbed.norm() * along.col(i);
-            sum.rub(pair.vertices[i] - first, force);
-            if (collider) sum.rub(sheets->obstacle_number(least), all.col(pair.vertices[i]), force);
+            sum.rub(pair.vertices[i] - first, rubbed.col(i));
+            if (collider) sum.rub(sheets->obstacle_number(least), all.col(pair.vertices[i]), rubbed.col(i));
         }
     }
 }
@@ -169,9 +166,7 @@ Touch ExplicitContact::touch(const Positions& x) const {
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         Touch own;
         at_vertices[o].add_touch(x, now[o], own);
-        if (!own.vertices.empty() || surfaces.contains(options.obstacles[o].surface.get()))
-            touch.obstacles.insert(o);
-        touch.include(own);
+        touch.include_obstacle(o, own, surfaces.contains(options.obstacles[o].surface.get()));
     }
     bodies.add_touch(x, now, touch);
     return touch;

@@ -38,22 +38,20 @@ class ExplicitContact {
     /// the mean over the substep.
     double obstacle_work(std::span<const Reaction> forces) const;
 
+    ExplicitBodies& of_bodies() { return bodies; }
+    const ExplicitBodies& of_bodies() const { return bodies; }
     Touch touch(const Positions& x) const;
     Positions lip_forces(const Positions& x) const;  ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
-
-  private:
-    ContactOptions options;
-
-  public:
-    ExplicitBodies bodies;
 
   private:
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
     void add_sheet_friction(const Substep& substep, ContactForces& sum) const;
 
+    ContactOptions options;
     const Shell& shell;
+    ExplicitBodies bodies;
     std::vector<VertexContact> at_vertices;      ///< of each obstacle
     StepContext substep;                         ///< in which the obstacles were placed last
     std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle, at its beginning and at its end

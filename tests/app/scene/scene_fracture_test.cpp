@@ -8,8 +8,10 @@
 
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/sheet.h"
+#include "app/scene/read/material_presets.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/program.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
 
@@ -104,7 +106,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadFracture{"strength = 1e7\ntoughness = 1e6\nfracture_energy = 8",
                     "fracture.fracture_energy: conflicts with toughness"},
         BadFracture{"strength = 1e7\ntoughness = 1e6\ncrack_tip = 1", "fracture.crack_tip: conflicts"},
-        BadFracture{"strength = [1e7, 2e7]\ntoughness = 1e6", "fracture.toughness: is for one strength"},
+        BadFracture{"strain = 1\nmeasure = \"bending\"\ntoughness = 1e6",
+                    "fracture.toughness: needs strength"},
+        BadFracture{"strength = 1e7\nmeasure = \"bending\"\ntoughness = 1e6", "\"bending\" is a strain"},
+        BadFracture{"strength = 1e7\ntoughness = [1e6]", "fracture.toughness: must be"},
+        BadFracture{"preset = true\nstrain = 1", "fracture.preset: conflicts with strain"},
+        BadFracture{"preset = true\ncrack_tip = 1", "fracture.crack_tip: conflicts"},
+        BadFracture{"preset = true\nmeasure = \"bending\"", "\"bending\" is a strain"},
+        BadFracture{
+            "strength = 1e7\nscore = { line = [[0, 0, 0], [1, 0, 0]], factor = 2, of = \"toughness\" }",
+            "fracture.score.of: \"toughness\" needs fracture.toughness"},
+        BadFracture{"strength = 1e7\nmap = { texture = \"a.png\", of = \"toughness\" }",
+                    "fracture.map.of: \"toughness\" needs fracture.toughness"},
+        BadFracture{"strength = 1e7\nmap = { texture = \"a.png\", of = \"age\" }",
+                    "fracture.map.of: must be one of"},
+        BadFracture{"strength = 1e7\nmap = { texture = \"a.png\", value = \"nver\" }",
+                    "did you mean \"never\"?"},
+        BadFracture{"strength = 1e7\nmap = { texture = \"a.png\", value = \"never\", range = [0, 1] }",
+                    "fracture.map.range: conflicts with value"},
+        BadFracture{"strength = 1e7\nafter = -1", "fracture.after: must be a number of 0 or more"},
+        BadFracture{"strength = 1e7\nsmallest = 0", "fracture.smallest: must be a positive number"},
         BadFracture{"strength = 1e7\nspeed_limit = 400", "fracture.speed_limit: needs toughness"}));
 
 // A toughness that did not arrive would leave the cracks to the mesh.
@@ -118,6 +139,102 @@ TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
     EXPECT_EQ(by_energy.toughness.speed_limit, 900);
     EXPECT_FALSE(input_of(breaking_plate("strength = 4e7")).toughness.given());
     EXPECT_THROW(breaking_plate("strength = 4e7\ntoughness = 8e5", "rule = \"paper\""), Error);
+    EXPECT_THROW(breaking_plate("strength = 4e7\nsmallest = 0.1", "rule = \"paper\""), Error);
+}
+
+// A toughness along and across an axis has the sheet's axes.
+TEST(SceneFracture, ADirectedToughnessGetsItsAxes) {
+    const SheetInput input = input_of(breaking_plate("strength = [4e7, 2e7]\ntoughness = [3e6, 1e6]"));
+    EXPECT_EQ(input.toughness.value, 3e6);
+    EXPECT_EQ(input.toughness.across, 1e6);
+    EXPECT_EQ(input.axes.size(), input.mesh.number_of_faces());
+    EXPECT_NO_THROW(BreakableShell({input}));
+    EXPECT_FALSE(input_of(breaking_plate("strength = 4e7\ntoughness = 1e6")).toughness.has_directions());
+}
+
+TEST(SceneFracture, WhatIsKeptWholeForThePictureArrives) {
+    const SheetInput input = input_of(breaking_plate("strength = 4e7\nafter = 0.01\nsmallest = 0.02"));
+    EXPECT_EQ(input.art_direction.after, 0.01);
+    EXPECT_EQ(input.art_direction.smallest, 0.02);
+}
+
+// A preset breaks like its material, but for the keys that are given.
+TEST(SceneFracture, APresetBreaksLikeItsMaterialAndKeysWin) {
+    const FractureSpec plain = fracture_of(breaking_plate("preset = true"));
+    EXPECT_EQ(plain.strength.measure, Measure::stress);
+    EXPECT_EQ(plain.strength.along, 6.5e7);
+    EXPECT_EQ(plain.toughness, 7.5e5);
+    EXPECT_EQ(plain.weibull_modulus, 7);
+    EXPECT_EQ(plain.weibull_area, 0.07);
+    EXPECT_EQ(plain.speed_limit, 1500);
+    const FractureSpec given = fracture_of(breaking_plate(
+        "preset = true\nstrength = 3e7\nfracture_energy = 8\nweibull = 20\nspeed_limit = 900"));
+    EXPECT_EQ(given.strength.along, 3e7);
+    EXPECT_EQ(given.toughness, 0);
+    EXPECT_EQ(given.fracture_energy, 8);
+    EXPECT_EQ(given.weibull_modulus, 20);
+    EXPECT_EQ(given.weibull_area, 0.07);
+    EXPECT_EQ(given.speed_limit, 900);
+    EXPECT_EQ(fracture_of(breaking_plate("preset = false\nstrain = 1")).strength.along, 1);
+}
+
+// A score from rim to rim breaks a disc in two, but for the edge that the pieces, which are too small, hang
+// by: were it not told, a picture would be taken for physics.
+TEST(SceneFracture, ARunTellsHowManyFailuresItForbade) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", R"(duration = 0.004
+[sheet.disc]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
+material = { preset = "glass" }
+[[sheet.disc.pin]]
+box = [[-0.2, -0.2, -0.1], [-0.06, 0.2, 0.1]]
+[[sheet.disc.pin]]
+box = [[0.06, -0.2, -0.1], [0.2, 0.2, 0.1]]
+[sheet.disc.fracture]
+strength = 2e7
+score = { line = [[0, -0.1, 0], [0, 0.1, 0]], factor = 0.05 }
+[[force.load]]
+area = [0, 0, -1e4]
+ramp = 0.002
+)");
+    const auto run = [&](const std::string& smallest) {
+        const auto done = run_sherd({"run", "scene.toml", "-o", "run.h5", "--force", "--set",
+                                     "sheet.disc.fracture.smallest=" + smallest},
+                                    directory.path);
+        EXPECT_EQ(done.exit_code, 0) << done.err;
+        return done.out;
+    };
+    const std::string halves = run("0.05"), whole = run("0.2");
+    EXPECT_NE(halves.find("fragments             2\n"), std::string::npos) << halves;
+    EXPECT_EQ(halves.find("failures forbidden"), std::string::npos) << halves;
+    EXPECT_NE(whole.find("fragments             1\n"), std::string::npos) << whole;
+    EXPECT_NE(whole.find("failures forbidden"), std::string::npos) << whole;
+}
+
+// Every material that breaks makes a sheet that holds together.
+TEST(SceneFracture, EveryPresetMakesASheet) {
+    for (const MaterialPreset& preset : material_presets()) {
+        const std::string text =
+            "duration = 1\n[sheet.a]\nmesh = { generate = \"disc\", radius = 0.2, "
+            "edge_length = 0.05 }\nmaterial = { preset = \"" +
+            std::string(preset.name) + "\" }\nfracture.preset = true\n";
+        if (!preset.fracture) {
+            EXPECT_THROW(scene_of(text), Error) << preset.name;
+            continue;
+        }
+        const SheetInput input = input_of(scene_of(text));
+        EXPECT_TRUE(input.toughness.given());
+        EXPECT_GT(input.toughness.speed_limit, 100);
+        EXPECT_LT(input.toughness.speed_limit, 2000) << preset.name;
+        const BreakableShell sheet({input});
+        for (const Edge edge : input.mesh.edges())
+            EXPECT_EQ(sheet.toughness(edge).value > 0, sheet.hinge_of_edge(edge) >= 0);
+    }
+    EXPECT_THROW(
+        scene_of("duration = 1\n[sheet.a]\nmesh = { generate = \"disc\", radius = 0.2, edge_length = "
+                 "0.05 }\nmaterial = { density = 1, thickness = 1e-3, young = 1e9 }\n"
+                 "fracture.preset = true\n"),
+        Error);
 }
 
 // A sheet with a crack of 60 mm that is pulled: it grows from both tips, straight on, once stress times the

@@ -8,6 +8,7 @@
 #include "tests/support/ply_square.h"
 #include "tests/support/png_file.h"
 #include "tests/support/program.h"
+#include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
@@ -42,6 +43,23 @@ TEST(SceneMaterial, OrthotropicConstantsArrive) {
     const Material plain = scene_made_of("").sheets[0].material;
     EXPECT_TRUE(is_isotropic(plain));
     EXPECT_EQ(plain.calibration, Calibration::third);
+}
+
+// Birch is stiffer along its outer plies; a modulus of one's own makes another material of it.
+TEST(SceneMaterial, APresetMayHaveDirections) {
+    const auto made_of = [](const std::string& more) {
+        return scene_of(
+                   "duration = 1\n[sheet.a]\nmesh = { generate = \"disc\", radius = 1, edge_length = 0.5 }\n"
+                   "material = { preset = \"plywood\"" +
+                   more + " }\n")
+            .sheets[0]
+            .material;
+    };
+    const Material plywood = made_of("");
+    EXPECT_EQ(plywood.young, 1.27e10);
+    EXPECT_EQ(plywood.young1, 4.8e9);
+    EXPECT_EQ(plywood.shear, 6.2e8);
+    EXPECT_TRUE(is_isotropic(made_of(", young = 9e9")));
 }
 
 TEST(SceneMaterial, AxisArrivesAndTurnsWithTheSheet) {

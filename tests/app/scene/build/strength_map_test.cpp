@@ -135,6 +135,52 @@ TEST_F(StrengthMaps, MultipliesTheScatter) {
     for (std::size_t e = 0; e < found.size(); ++e) EXPECT_NEAR(found[e], 0.5 * scatter[e], 1e-12);
 }
 
+// What never breaks does not do so where another map or the scatter says that it breaks at once.
+TEST_F(StrengthMaps, NeverKeepsWhatIsWhiteWhole) {
+    write_png(directory.path / "a.png", 2, 1, {black, white});
+    write_png(directory.path / "b.png", 1, 1, black);
+    const auto is_whole = [](double u) { return u > 0.51 && u < 0.99; };  // beyond, the image repeats
+    const auto found = factors(
+        "weibull = 8\nmap = [{ texture = \"b.png\", range = [0, 1] }, "
+        "{ texture = \"a.png\", value = \"never\" }]");
+    const auto other = factors("map = [{ texture = \"a.png\", value = \"never\" }, { texture = \"b.png\" }]");
+    int whole = 0;
+    for (const Edge e : mesh.edges()) {
+        if (const double u = middle(mesh, e).x(); is_whole(u)) {
+            EXPECT_TRUE(std::isinf(found[e]) && std::isinf(other[e]));
+            ++whole;
+        } else if (u > 0.01 && u < 0.49) {
+            EXPECT_EQ(found[e], 0);
+            EXPECT_EQ(other[e], 0);
+        }
+    }
+    EXPECT_GT(whole, 10);
+}
+
+// A map or a score of the toughness leaves the strength alone, and the other way round.
+TEST_F(StrengthMaps, ChangeTheLawThatTheySay) {
+    write_png(directory.path / "a.png", 1, 1, white);
+    const std::string text =
+        "duration = 1\n[sheet.square]\nmesh = \"square.obj\"\nmaterial = { preset = \"glass\" }\n"
+        "[sheet.square.fracture]\nstrength = 1e7\ntoughness = 1e6\n"
+        "map = [{ texture = \"a.png\", range = [1, 0.5], of = \"toughness\" }, { texture = \"a.png\", range "
+        "= "
+        "[1, 0.2] }]\nscore = { line = [[0, 0.5, 0], [1, 0.5, 0]], factor = 0.1, of = \"toughness\" }\n";
+    const Scene scene = read_scene(directory.write("scene.toml", text));
+    const SheetInput input = make_sheet(scene.sheets[0], scene, warnings);
+    ASSERT_EQ(input.toughness.factors.size(), input.mesh.number_of_edges());
+    for (const Edge e : input.mesh.edges()) {
+        const bool scored = position(input.mesh, input.mesh.vertex(e, 0)).y() == 0.5 &&
+                            position(input.mesh, input.mesh.vertex(e, 1)).y() == 0.5;
+        EXPECT_NEAR(input.strength.factors[e], 0.2, 1e-6);
+        EXPECT_NEAR(input.toughness.factors[e], scored ? 0.05 : 0.5, 1e-6);
+    }
+    const auto told = run_sherd({"check", "scene.toml"}, directory.path);
+    EXPECT_NE(told.out.find("cracks go on above 1e+06 Pa m^0.5, at"), std::string::npos)
+        << told.out << told.err;
+    EXPECT_NE(told.out.find("times 0.05 to 0.5, edge by edge"), std::string::npos) << told.out;
+}
+
 // A grid that was exported beside the mesh stays with it when the scene scales and places it.
 TEST_F(StrengthMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double z) { return 1 + x - 0.5 * y + z; };
