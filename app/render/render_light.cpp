@@ -62,7 +62,7 @@ float weighted(const RenderHit& hit, float RenderVertex::*member) {
 }
 
 /// The rough, unglazed inside that a crack shows: grains that stay with the matter.
-void roughen(SurfacePoint& point, const RenderHit& hit) {
+void roughen(LitPoint& point, const RenderHit& hit) {
     constexpr float grain = 6e-4f;  // m
     const Vector3f place = weighted(hit, &RenderVertex::material) / grain;
     const Vector3f coarse = noise(place), fine = noise(2.3f * place);
@@ -85,8 +85,8 @@ Studio make_studio(const RenderScene& scene, const Camera& camera) {
     return studio;
 }
 
-SurfacePoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
-    SurfacePoint point;
+LitPoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
+    LitPoint point;
     point.position = ray.origin + hit.distance * ray.direction;
     point.normal = weighted(hit, &RenderVertex::normal).normalized();
     point.colour = weighted(hit, &RenderVertex::colour);
@@ -100,9 +100,9 @@ SurfacePoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
     return point;
 }
 
-SurfacePoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
+LitPoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
                             float distance) {
-    SurfacePoint point;
+    LitPoint point;
     point.position = ray.origin + distance * ray.direction;
     point.normal = plane.normal;
     point.colour = ground_colour;
@@ -120,7 +120,7 @@ Vector3f ambient_light(const Studio& studio, const Vector3f& direction, bool hid
     return hidden ? Vector3f(0.12f * light) : light;
 }
 
-Vector3f lit(const SurfacePoint& point, const Studio& studio, const Vector3f& seen_from,
+Vector3f lit(const LitPoint& point, const Studio& studio, const Vector3f& seen_from,
              const Vector3f& lamp_direction, bool lamp_hidden, const Vector3f& ambient) {
     const float facing = std::max(0.0f, point.normal.dot(lamp_direction));
     const Vector3f lamp = lamp_hidden ? Vector3f::Zero() : Vector3f(facing * lamp_light);

@@ -8,7 +8,7 @@
 namespace sherd {
 
 /// A point that is to be lit.
-struct SurfacePoint {
+struct LitPoint {
     Eigen::Vector3f position;
     Eigen::Vector3f normal;  ///< unit, to the side that is seen
     Eigen::Vector3f colour;  ///< albedo
@@ -28,9 +28,9 @@ struct Studio {
 Studio make_studio(const RenderScene& scene, const Camera& camera);
 
 /// What a ray sees of a mesh.
-SurfacePoint point_on_mesh(const RenderHit& hit, const RenderRay& ray);
+LitPoint point_on_mesh(const RenderHit& hit, const RenderRay& ray);
 /// What a ray sees of a plane, `distance` away.
-SurfacePoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
+LitPoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
                             float distance);
 
 /// Light that comes from a direction in which there is no mesh.
@@ -41,7 +41,7 @@ Eigen::Vector3f ambient_light(const Studio& studio, const Eigen::Vector3f& direc
 
 /// Light from a point to the camera. seen_from: unit, the direction of the ray that found it; ambient: light
 /// from one direction of the hemisphere, drawn by cosine.
-Eigen::Vector3f lit(const SurfacePoint& point, const Studio& studio, const Eigen::Vector3f& seen_from,
+Eigen::Vector3f lit(const LitPoint& point, const Studio& studio, const Eigen::Vector3f& seen_from,
                     const Eigen::Vector3f& lamp_direction, bool lamp_hidden, const Eigen::Vector3f& ambient);
 
 /// Linear light to what a screen shows, 0 to 1: soft at the bright end, coded as sRGB.

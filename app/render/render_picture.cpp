@@ -35,8 +35,8 @@ class Painter {
 
   private:
     RenderRay camera_ray(int column, int row, const Vector2f& within) const;
-    SurfacePoint seen(const RenderRay& ray, const RenderHit& hit) const;
-    RenderRay secondary(const SurfacePoint& point, const Vector3f& direction, float reach) const;
+    LitPoint seen(const RenderRay& ray, const RenderHit& hit) const;
+    RenderRay secondary(const LitPoint& point, const Vector3f& direction, float reach) const;
     Vector3f packet(int column, int row, int first) const;
 
     const RenderScene& scene;
@@ -63,7 +63,7 @@ RenderRay Painter::camera_ray(int column, int row, const Vector2f& within) const
 }
 
 /// A point of a mesh, of the nearest plane in front of it, or none: all backdrop.
-SurfacePoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
+LitPoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
     float nearest = hit.distance;
     const RenderPlane* front = nullptr;
     for (const RenderPlane& plane : scene.planes) {
@@ -78,7 +78,7 @@ SurfacePoint Painter::seen(const RenderRay& ray, const RenderHit& hit) const {
     return {.position = Vector3f::Zero(), .normal = studio.up, .colour = Vector3f::Zero(), .backdrop = 1};
 }
 
-RenderRay Painter::secondary(const SurfacePoint& point, const Vector3f& direction, float reach) const {
+RenderRay Painter::secondary(const LitPoint& point, const Vector3f& direction, float reach) const {
     // Far enough from the surface for round-off, nearer than any sheet's other side.
     const float offset = 2e-5f * scene.radius;
     RenderRay ray;
@@ -103,7 +103,7 @@ Vector3f Painter::packet(int column, int row, int first) const {
         rays[i].active = i < count;
     }
     const HitPacket hits = tracer.nearest_hits(rays);
-    std::array<SurfacePoint, ray_packet> points;
+    std::array<LitPoint, ray_packet> points;
     for (int i = 0; i < ray_packet; ++i) {
         points[i] = seen(rays[i], hits[i]);
         to_lamp[i] =
