@@ -51,7 +51,8 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 
 }  // namespace
 
-BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs) : crack_mesh(joined(inputs)) {
+BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs)
+    : crack_mesh(joined(inputs)), rest_ancestry(mesh()) {
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
         add_vertices(input, number(&input - inputs.data()), first_vertex);
@@ -241,6 +242,7 @@ BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     change.shell = shell_change(topology, shell);
     for (const Edge edge : edges) change.shell.removed_hinges.push_back(remove_hinge_of(shell, number(edge)));
     follow(shell, change.shell);
+    rest_ancestry.follow(mesh(), topology);
     inherit_kept(topology);
     for (const Born<Edge>& edge : topology.edges)
         for (std::vector<double>* factors : {&strength_factors, &toughness_factors})

@@ -10,6 +10,7 @@
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
+#include "fracture/rest_ancestry.h"
 #include "fracture/strength.h"
 #include "fracture/toughness.h"
 
@@ -116,6 +117,8 @@ class BreakableShell {
     /// From now on the edges between these faces and others stay as lines.
     void keep_border(std::span<const Index> faces);
 
+    /// How the mesh lies in the one of the start.
+    const RestAncestry& ancestry() const { return rest_ancestry; }
     std::span<const Vector3d> axes() const {
         return face_axes;
     }  ///< [F] as in SheetInput; zero: of no matter
@@ -156,6 +159,7 @@ class BreakableShell {
 
     CrackMesh crack_mesh;
     Shell shell;
+    RestAncestry rest_ancestry;
     Lips lips;
     std::vector<Material> materials;      ///< of each input
     std::vector<Strength> strengths;      ///< of each input, without factors

@@ -83,6 +83,7 @@ ShellChange BreakableShell::reshape(const TopologyChange& topology) {
     ShellChange change = shell_change(topology, shell);
     const OldSides old(mesh(), topology, shell);
     add_footprints(faces_of(change.changed), &old, -1);
+    rest_ancestry.follow(mesh(), topology);
     inherit_kept(topology);
     inherit_factors(topology);
     Positions position = shell.position, velocity = shell.velocity;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "meshops/topology_change.h"
 
 namespace sherd {
 
@@ -54,7 +55,7 @@ struct VertexBirth {
     std::array<double, 3> weights{};  ///< their shares at rest, which sum to 1; inside an edge the last is 0
 };
 
-/// A face that was born when another one was split: both are parts of what `parent` was before.
+/// A face that was born when others were cut: `parent` is the one that it has most of.
 struct FaceBirth {
     double time = 0;
     std::int64_t step = 0;
@@ -103,6 +104,9 @@ void visit_kinds(Visit visit) {
 
 /// Sets the time (s) of the events of step `step`, which are the last ones.
 void set_time(CrackEvents& events, std::int64_t step, double time);
+
+/// Appends what was born in a change of the mesh in step `step`: copies of vertices, vertices and faces.
+void append_births(const TopologyChange& change, std::int64_t step, CrackEvents& events);
 
 /// Appends later events.
 void append(CrackEvents& events, const CrackEvents& later);

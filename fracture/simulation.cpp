@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fracture/hinge_measures.h"
+#include "fracture/kept_loads.h"
 #include "fracture/small_pieces.h"
 #include "meshops/error.h"
 
@@ -77,6 +78,7 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       step_size(options.stepper.step) {}
 
 BreakableShell Simulation::with_cracks(BreakableShell sheets) {
+    keep_loads(sheets, options.stepper.shell);
     if (options.cracks.empty()) return sheets;
     for (const Edge edge : options.cracks) {
         EdgeFailure failure;
@@ -285,9 +287,7 @@ void Simulation::record_change(const CrackMesh::Change& change) {
         events.failures[first + i].boundary_vertices = change.boundary_vertices[i];
     for (const auto& [edge, created] : change.topology.opened)
         events.openings.push_back({0, steps, static_cast<Index>(edge), static_cast<Index>(created)});
-    for (const Born<Vertex>& vertex : change.topology.vertices)
-        events.splits.push_back(
-            {0, steps, static_cast<Index>(vertex.parent()), static_cast<Index>(vertex.element)});
+    append_births(change.topology, steps, events);
 }
 
 void Simulation::update_fragments() {

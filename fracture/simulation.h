@@ -106,7 +106,8 @@ class Simulation {
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
-    /// Opens what has failed before the run, and begins the list of events with it.
+    /// Keeps what loads refer to, opens what has failed before the run, and begins the list of events with
+    /// it.
     BreakableShell with_cracks(BreakableShell sheets);
     void update_fragments();
     /// Leaves the lips of cracks that have parted since to the contact of sheets.

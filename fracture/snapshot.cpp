@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/snapshot.h"
 
+#include <Eigen/Geometry>
 #include <numeric>
 #include <utility>
 
@@ -10,20 +11,13 @@
 namespace sherd {
 namespace {
 
-/// Cracks of today copy vertices and split no face: the vertices that the sheet began with come first.
-RestMesh rest_of(const Shell& mechanics, std::span<const Index> original) {
-    Eigen::Index unbroken = 0;
-    while (unbroken < mechanics.rest.cols() && original[unbroken] == unbroken) ++unbroken;
-    std::vector<std::array<Index, 3>> faces;
-    std::vector<double> area, thickness;
-    for (const TriangleStencil& triangle : mechanics.triangles) {
-        const auto& [a, b, c] = triangle.vertices;
-        faces.push_back({original[a], original[b], original[c]});
-        area.push_back(triangle.membrane.area);
-        thickness.push_back(mechanics.thickness[a]);
-    }
-    return unbroken_mesh(mechanics.rest.leftCols(unbroken), std::move(faces), std::move(area),
-                         std::move(thickness));
+/// Barycentric coordinates of a point in the plane of a triangle.
+Vector3d in_plane_of(const Matrix3d& corners, const Vector3d& point) {
+    const Vector3d a = corners.col(1) - corners.col(0), b = corners.col(2) - corners.col(0);
+    const Vector3d normal = a.cross(b), way = point - corners.col(0);
+    const double size = normal.squaredNorm();
+    const double second = way.cross(b).dot(normal) / size, third = a.cross(way).dot(normal) / size;
+    return {1 - second - third, second, third};
 }
 
 }  // namespace
@@ -38,6 +32,7 @@ RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> fac
                   .vertex_weights = {},
                   .face_parent = {},
                   .unbroken_faces = {}};
+    rest.unbroken_position = rest.position;
     for (Index v = 0; v < static_cast<Index>(rest.position.cols()); ++v)
         rest.vertex_parents.push_back({v, v, v});
     rest.vertex_weights.assign(rest.vertex_parents.size(), {1, 0, 0});
@@ -50,6 +45,8 @@ RestMesh unbroken_mesh(Positions position, std::vector<std::array<Index, 3>> fac
 Vector3d place_in_parent(const RestMesh& rest, std::size_t face, int corner) {
     const Index vertex = rest.faces[face][corner];
     const std::array<Index, 3>& parent = rest.unbroken_faces[rest.face_parent[face]];
+    if (!rest.face_mixed.empty() && rest.face_mixed[face] != 0)
+        return in_plane_of(columns(rest.unbroken_position, parent), rest.position.col(vertex));
     Vector3d place = Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i)
@@ -69,9 +66,8 @@ Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_
 
     const VectorXd strains = hinge_strains(shell, mechanics.position);
     const Mesh& mesh = shell.mesh();
-    for (const Vertex vertex : mesh.vertices())
-        snapshot.original.push_back(static_cast<Index>(shell.cracks().original(vertex)));
-    snapshot.rest = rest_of(mechanics, snapshot.original);
+    snapshot.original = shell.ancestry().columns();
+    snapshot.rest = shell.ancestry().rest(mechanics);
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});

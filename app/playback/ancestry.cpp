@@ -3,65 +3,97 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "core/elements/membrane.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
-/// Finds the faces of the earlier frame that those of the later one are parts of.
+/// Finds where the mesh of the later frame was in the earlier one, by places at rest.
 class Parts {
   public:
-    Parts(const Snapshot& earlier, const Snapshot& later) : earlier(earlier), later(later) {}
+    Parts(const Snapshot& earlier, const Snapshot& later);
 
     bool is_unchanged(std::size_t face) const {
-        return face < earlier.faces.size() && earlier.rest.faces[face] == later.rest.faces[face];
+        return face < earlier.faces.size() && earlier.rest.faces[face] == later.rest.faces[face] &&
+               std::ranges::all_of(later.rest.faces[face], [this](Index v) { return stays(v); });
     }
-    /// Throws Error when there is none.
+    /// The earlier face that a later one is a part of, or has most of. Throws Error when there is none.
     Index whole_of(std::size_t face);
-    /// Barycentric coordinates in an earlier face of a corner of a later one.
-    Vector3d place(std::size_t face, int corner, Index whole) const {
-        return places(whole).inverse() * place_in_parent(later.rest, face, corner);
-    }
+    /// The earlier vertex that a corner of a later face was, which is a part of `whole`; -1: it is not the
+    /// same one, or not known which side of a crack it was on.
+    Index same_vertex(std::size_t face, int corner, Index whole) const;
+    /// The earlier face around `whole` in which a corner of a later one lies, and its barycentric
+    /// coordinates.
+    std::pair<Index, Vector3d> place(std::size_t face, int corner, Index whole) const;
 
   private:
     using Part =
         std::pair<Index, Index>;  ///< a face of the unbroken mesh, and one of the earlier frame in it
 
-    /// Of the three corners of an earlier face, in the face of the unbroken mesh.
-    Matrix3d places(Index face) const {
-        Matrix3d columns;
-        for (int k = 0; k < 3; ++k) columns.col(k) = place_in_parent(earlier.rest, face, k);
-        return columns;
+    /// Whether a vertex at rest is one of the earlier frame, too, at the same place.
+    bool stays(Index vertex) const {
+        return vertex < earlier.rest.position.cols() &&
+               earlier.rest.position.col(vertex) == later.rest.position.col(vertex);
+    }
+    Vector3d coordinates(Index face, const Vector3d& point) const;
+    Vector3d corner_place(std::size_t face, int corner) const {
+        return later.rest.position.col(later.rest.faces[face][corner]);
     }
 
     const Snapshot &earlier, &later;
-    std::vector<Part> parts;  ///< ascending; made when it is needed, as most runs split no face
+    std::vector<Part> parts;                       ///< ascending
+    std::vector<std::vector<Index>> of_vertex;     ///< [R] vertices of the earlier frame
+    std::vector<std::vector<Index>> faces_around;  ///< [R] of the earlier frame
 };
 
-Index Parts::whole_of(std::size_t face) {
-    if (parts.empty()) {
-        for (std::size_t f = 0; f < earlier.faces.size(); ++f)
-            parts.emplace_back(earlier.rest.face_parent[f], static_cast<Index>(f));
-        std::ranges::sort(parts);
+Parts::Parts(const Snapshot& earlier, const Snapshot& later)
+    : earlier(earlier),
+      later(later),
+      of_vertex(earlier.rest.position.cols()),
+      faces_around(earlier.rest.position.cols()) {
+    for (std::size_t v = 0; v < earlier.original.size(); ++v)
+        of_vertex[earlier.original[v]].push_back(static_cast<Index>(v));
+    for (std::size_t f = 0; f < earlier.faces.size(); ++f) {
+        parts.emplace_back(earlier.rest.face_parent[f], static_cast<Index>(f));
+        for (const Index v : earlier.rest.faces[f]) faces_around[v].push_back(static_cast<Index>(f));
     }
+    std::ranges::sort(parts);
+}
+
+/// Barycentric, in the plane of an earlier face at rest, m.
+Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
+    const TrianglePositions x = columns(earlier.rest.position, earlier.rest.faces[face]);
+    const Vector3d a = x.col(1) - x.col(0), b = x.col(2) - x.col(0), way = point - x.col(0),
+                   normal = a.cross(b);
+    const double second = way.cross(b).dot(normal) / normal.squaredNorm(),
+                 third = a.cross(way).dot(normal) / normal.squaredNorm();
+    return {1 - second - third, second, third};
+}
+
+Index Parts::whole_of(std::size_t face) {
     const Index parent = later.rest.face_parent[face];
     Vector3d centre = Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) centre += place_in_parent(later.rest, face, k) / 3;
+    for (int k = 0; k < 3; ++k) centre += corner_place(face, k) / 3;
     Index whole = -1;
     double depth = -std::numeric_limits<double>::infinity();
+    const auto look_at = [&](Index candidate) {
+        const double inside = coordinates(candidate, centre).minCoeff();
+        if (inside > depth) std::tie(whole, depth) = std::pair(candidate, inside);
+    };
     for (auto part = std::ranges::lower_bound(parts, Part(parent, 0));
-         part != parts.end() && part->first == parent; ++part) {
-        const Matrix3d corners = places(part->second);
-        if (corners.determinant() == 0) continue;
-        const double inside = (corners.inverse() * centre).minCoeff();
-        if (inside > depth) std::tie(whole, depth) = std::pair(part->second, inside);
-    }
+         part != parts.end() && part->first == parent; ++part)
+        look_at(part->second);
+    if (!later.rest.face_mixed.empty() || !earlier.rest.face_mixed.empty())
+        for (const Index v : later.rest.faces[face])
+            if (v < static_cast<Index>(faces_around.size()))
+                for (const Index around : faces_around[v]) look_at(around);
     if (whole < 0)
         throw Error(fmt::format(
             "face {} at {:g} s is a part of face {} of the unbroken mesh, which has none at {:g} s", face,
@@ -69,11 +101,31 @@ Index Parts::whole_of(std::size_t face) {
     return whole;
 }
 
-/// The corner of a face with a given vertex at rest, -1: none.
-int corner_with(const RestMesh& rest, Index face, Index vertex) {
-    const auto& corners = rest.faces[face];
+Index Parts::same_vertex(std::size_t face, int corner, Index whole) const {
+    const Index vertex = later.rest.faces[face][corner];
+    if (!stays(vertex)) return -1;
+    const auto& corners = earlier.rest.faces[whole];
     const auto found = std::ranges::find(corners, vertex);
-    return found == corners.end() ? -1 : static_cast<int>(found - corners.begin());
+    if (found != corners.end()) return earlier.faces[whole][found - corners.begin()];
+    return of_vertex[vertex].size() == 1 ? of_vertex[vertex].front() : -1;
+}
+
+std::pair<Index, Vector3d> Parts::place(std::size_t face, int corner, Index whole) const {
+    const Vector3d point = corner_place(face, corner);
+    Index nearest = whole;
+    Vector3d best = coordinates(whole, point);
+    constexpr double inside = -1e-9;
+    if (best.minCoeff() >= inside || (earlier.rest.face_mixed.empty() && later.rest.face_mixed.empty()))
+        return {nearest, best};
+    for (const Index vertex : earlier.rest.faces[whole])
+        for (const Index around : faces_around[vertex]) {
+            const Vector3d place = coordinates(around, point);
+            if (earlier.face_fragment[around] != earlier.face_fragment[whole] ||
+                place.minCoeff() <= best.minCoeff())
+                continue;
+            std::tie(nearest, best) = std::pair(around, place);
+        }
+    return {nearest, best};
 }
 
 }  // namespace
@@ -112,14 +164,13 @@ Ancestry ancestry(const Snapshot& earlier, const Snapshot& later) {
         ancestry.faces.push_back(whole);
         for (int k = 0; k < 3; ++k) {
             const Index vertex = later.faces[f][k];
-            const int same =
-                parts.is_unchanged(f) ? k : corner_with(earlier.rest, whole, later.rest.faces[f][k]);
+            const Index same = parts.is_unchanged(f) ? earlier.faces[f][k] : parts.same_vertex(f, k, whole);
             if (same >= 0) {
-                set(vertex, earlier.faces[whole][same]);
+                set(vertex, same);
                 continue;
             }
-            const Vector3d place = parts.place(f, k, whole);
-            ancestry.vertices[vertex] = earlier.faces[whole];
+            const auto [face, place] = parts.place(f, k, whole);
+            ancestry.vertices[vertex] = earlier.faces[face];
             ancestry.weights[vertex] = {place.x(), place.y(), place.z()};
         }
     }

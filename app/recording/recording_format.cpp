@@ -61,7 +61,8 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/faces", rest.faces.size()},
                      {"rest/area", rest.area.size()},
                      {"rest/thickness", rest.thickness.empty() ? s.faces.size() : rest.thickness.size()},
-                     {"rest/face_parent", rest.face_parent.size()}}),
+                     {"rest/face_parent", rest.face_parent.size()},
+                     {"rest/face_mixed", rest.face_mixed.empty() ? s.faces.size() : rest.face_mixed.size()}}),
          difference({{"edge/vertices", s.edges.size()},
                      {"edge/state", s.edge_state.size()},
                      {"edge/strain", s.edge_strain.size()}}),
@@ -113,7 +114,8 @@ std::string ancestry_fault(const Snapshot& s) {
         for (int k = 0; k < 3; ++k) {
             if (s.original[s.faces[f][k]] != rest.faces[f][k])
                 return fmt::format("face {} has other corners in rest/faces than in face/vertices", f);
-            if (!are_shares(place_in_parent(rest, f, k)))
+            const bool is_mixed = !rest.face_mixed.empty() && rest.face_mixed[f] != 0;
+            if (!is_mixed && !are_shares(place_in_parent(rest, f, k)))
                 return fmt::format(
                     "rest/vertex_parents: vertex {}, a corner of face {}, is not in its rest/face_parent",
                     rest.faces[f][k], f);

@@ -62,6 +62,9 @@ void visit_rest_arrays(R& rest, Visit visit) {
     visit("face_parent", {"1", "face of the unbroken mesh (/rest) that it is a part of"}, rest.face_parent);
 }
 
+/// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
+inline constexpr const char* mixed_faces = "face_mixed";
+
 /// A table with a row for each `Row`: its group, the version of the format since which there is one, and
 /// visit(column name, meaning, member) for every column.
 template <class Row>

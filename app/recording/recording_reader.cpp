@@ -46,7 +46,10 @@ RestMesh read_rest(hid_t file, hid_t frame) {
     visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning, auto& values) {
         read_array(frame, std::string("rest/") + name, values);
     });
+    const std::string mixed = std::string("rest/") + mixed_faces;
+    if (hdf5::contains(frame, mixed)) read_array(frame, mixed, rest.face_mixed);
     read_array(file, "rest/faces", rest.unbroken_faces);
+    read_array(file, "rest/position", rest.unbroken_position);
     if (rest.thickness.empty() && hdf5::row_count(file, "rest/thickness", 1) > 0)
         throw Error("rest/thickness is empty");
     return rest;

@@ -46,6 +46,9 @@ void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
     visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
         write_array(where, group + "/" + name, meaning, values);
     });
+    if (!rest.face_mixed.empty())
+        write_array(where, group + "/" + mixed_faces, {"1", "1: has parts of other faces of /rest, too"},
+                    rest.face_mixed);
 }
 
 /// Creates the group `path` of a table beside the steps, with the next number in `group`.
@@ -224,7 +227,8 @@ bool same_bits(const Positions& a, const Positions& b) {
 bool same_bits(const RestMesh& a, const RestMesh& b) {
     return same_bits(a.position, b.position) && same_bits(a.faces, b.faces) && same_bits(a.area, b.area) &&
            same_bits(a.thickness, b.thickness) && same_bits(a.vertex_parents, b.vertex_parents) &&
-           same_bits(a.vertex_weights, b.vertex_weights) && same_bits(a.face_parent, b.face_parent);
+           same_bits(a.vertex_weights, b.vertex_weights) && same_bits(a.face_parent, b.face_parent) &&
+           same_bits(a.face_mixed, b.face_mixed);
 }
 
 void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::string& times) {

@@ -10,6 +10,7 @@
 #include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/time/stepper.h"
+#include "fracture/kept_loads.h"
 #include "tests/support/advanced_sheet.h"
 #include "tests/support/steps.h"
 
@@ -123,7 +124,7 @@ RC_GTEST_PROP(AdvanceEnergies, LoadsGoOn, ()) {
     loads[0].moments = edge_moments(shell, boundary_triangle_edges(shell, rim), 0.7);
     loads[1].pressed = faces;
     loads[1].pressure = 5;
-    sheet.keep_place(std::array<Index, 2>{3, 9});
+    keep_loads(sheet, {.loads = loads});
     LoadEnergy energy(shell, loads);
     energy.begin(test::step_of(shell, 0, 1e-3));
     const auto total = [&] {

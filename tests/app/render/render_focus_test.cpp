@@ -81,7 +81,7 @@ TEST(Focus, HasEveryThingElse) {
 
 // However they are spread, and in whatever order.
 TEST(Focus, HasNineteenTwentiethsOfASheet) {
-    Random random(5);
+    sherd::Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
         Pieces pieces;
         const int count = 1 + static_cast<int>(random.uniform() * 40);
