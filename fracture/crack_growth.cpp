@@ -103,7 +103,7 @@ std::optional<CrackStep> CrackGrowth::along_edges(const Overloaded& one, double 
     const Mesh& mesh = shell.mesh();
     const Positions& rest = shell.mechanics().rest;
     const Vector3d left = rest_normal_at(shell, Vertex(tip.vertex)).cross(one.direction);
-    Edge best = Mesh::null_edge();
+    Edge best = Edge();
     Index end = 0;
     double least = std::numeric_limits<double>::infinity();
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(Vertex(tip.vertex)))) {
@@ -127,7 +127,7 @@ CrackStep CrackGrowth::along_ray(const Overloaded& one) const {
     const Vector3d aim = tip.on_path + edge_length_ahead(shell, tip) * one.direction -
                          shell.mechanics().rest.col(tip.vertex);
     const Vector3d ray = (aim - normal * normal.dot(aim)).normalized();
-    CrackStep step{one.tip, Mesh::null_edge(), ray, tip};
+    CrackStep step{one.tip, Edge(), ray, tip};
     step.next.direction = one.direction;
     return step;
 }

@@ -24,7 +24,7 @@ struct Judged {
 /// One edge by which a crack is born, or goes on.
 struct CrackStep {
     std::optional<std::size_t> tip;   ///< number of the tip that goes on; none: a birth
-    Edge edge = Mesh::null_edge();    ///< none yet: it is to be made, along the ray
+    Edge edge = {};                   ///< none yet: it is to be made, along the ray
     Vector3d ray = Vector3d::Zero();  ///< unit vector from the tip's vertex
     GrowingTip next = {};             ///< what becomes of the tip
 };
