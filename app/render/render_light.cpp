@@ -101,7 +101,7 @@ LitPoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
 }
 
 LitPoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
-                            float distance) {
+                        float distance) {
     LitPoint point;
     point.position = ray.origin + distance * ray.direction;
     point.normal = plane.normal;

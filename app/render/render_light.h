@@ -30,8 +30,7 @@ Studio make_studio(const RenderScene& scene, const Camera& camera);
 /// What a ray sees of a mesh.
 LitPoint point_on_mesh(const RenderHit& hit, const RenderRay& ray);
 /// What a ray sees of a plane, `distance` away.
-LitPoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray,
-                            float distance);
+LitPoint point_on_plane(const RenderPlane& plane, const Studio& studio, const RenderRay& ray, float distance);
 
 /// Light that comes from a direction in which there is no mesh.
 Eigen::Vector3f backdrop_light(const Studio& studio, const Eigen::Vector3f& direction);
