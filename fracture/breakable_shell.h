@@ -73,7 +73,8 @@ class BreakableShell {
     Toughness toughness(Edge edge) const {
         return {.value = shell.edge_toughness[edge], .speed_limit = toughnesses[sheet_of(edge)].speed_limit};
     }
-    /// K_Ic, Pa m^0.5, of a crack that goes on from a vertex in a direction at rest; infinite where it cannot.
+    /// K_Ic, Pa m^0.5, of a crack that goes on from a vertex in a direction at rest; infinite where it
+    /// cannot.
     double toughness_towards(Vertex from, const Vector3d& direction) const;
     const ArtDirection& art_direction(Index sheet) const { return art_directions[sheet]; }
     /// Tells what time (s) it is: see ArtDirection::after.
@@ -161,14 +162,14 @@ class BreakableShell {
     Shell shell;
     RestAncestry rest_ancestry;
     Lips lips;
-    std::vector<Material> materials;      ///< of each input
-    std::vector<Strength> strengths;      ///< of each input, without factors
+    std::vector<Material> materials;     ///< of each input
+    std::vector<Strength> strengths;     ///< of each input, without factors
     std::vector<Toughness> toughnesses;  ///< of each input, without factors
     std::vector<ArtDirection> art_directions;
-    std::vector<Vector3d> face_axes;                           ///< [F]
+    std::vector<Vector3d> face_axes;                          ///< [F]
     std::vector<double> strength_factors, toughness_factors;  ///< [E]
-    std::vector<char> kept_vertices, kept_edges;               ///< [V] and [E]
-    double time = 0;                                           ///< s
+    std::vector<char> kept_vertices, kept_edges;              ///< [V] and [E]
+    double time = 0;                                          ///< s
     bool some_wait = false;  ///< whether there is a sheet that nothing of may fail yet
 };
 

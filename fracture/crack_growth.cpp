@@ -88,8 +88,8 @@ GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, 
     next.on_path += away.dot(direction) * direction;
     const Vector3d gap = next.on_path - rest.col(to);
     if (gap.norm() > way.norm()) next.on_path = rest.col(to) + way.norm() * gap.normalized();
-    const Matrix3d turn = smallest_turn(rest_normal_at(shell, Vertex(tip.vertex)),
-                                        rest_normal_at(shell, Vertex(to)));
+    const Matrix3d turn =
+        smallest_turn(rest_normal_at(shell, Vertex(tip.vertex)), rest_normal_at(shell, Vertex(to)));
     next.direction = (turn * direction).normalized();
     next.behind = static_cast<Index>(edge);
     next.stride = way.dot(direction);
@@ -124,8 +124,8 @@ CrackStep CrackGrowth::along_ray(const Overloaded& one) const {
     const GrowingTip& tip = all[one.tip];
     const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
     // Where the last edge missed the path, this one leads back to it.
-    const Vector3d aim = tip.on_path + edge_length_ahead(shell, tip) * one.direction -
-                         shell.mechanics().rest.col(tip.vertex);
+    const Vector3d aim =
+        tip.on_path + edge_length_ahead(shell, tip) * one.direction - shell.mechanics().rest.col(tip.vertex);
     const Vector3d ray = (aim - normal * normal.dot(aim)).normalized();
     CrackStep step{one.tip, Edge(), ray, tip};
     step.next.direction = one.direction;
@@ -150,8 +150,8 @@ std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
     if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
         steps.push_back({{}, *born});
     for (const Overloaded& one : overloaded(now)) {
-        const auto step = toughness(all[one.tip]).path == CrackPath::edges ? along_edges(one, now.begin)
-                                                                           : along_ray(one);
+        const auto step =
+            toughness(all[one.tip]).path == CrackPath::edges ? along_edges(one, now.begin) : along_ray(one);
         // Two tips that meet take the same edge.
         const bool is_taken = step && step->edge.is_valid() &&
                               std::ranges::find(steps, step->edge, &CrackStep::edge) != steps.end();

@@ -18,7 +18,7 @@ struct Toughness {
     /// K_Ic, Pa m^0.5, of a crack that is pulled along the first material axis; 0: none, hinges go by their
     /// strength alone.
     double value = 0;
-    double speed_limit = 0;             ///< m/s, that no tip exceeds
+    double speed_limit = 0;  ///< m/s, that no tip exceeds
     CrackPath path = CrackPath::cut;
     std::optional<double> across = {};  ///< the same for a pull across it; none: as along it
     std::vector<double> factors = {};   ///< [E] factor on the toughness of each edge; empty: 1

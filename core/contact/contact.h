@@ -51,7 +51,7 @@ class Contact {
     Touch touch(const Positions& x) const;  ///< with obstacles and bodies
     /// The reactions of the obstacles: their forces on sheets and bodies.
     std::vector<Reaction> reactions(const Positions& x) const;
-    Positions lip_forces(const Positions& x) const;  ///< N, [3, V]
+    Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:

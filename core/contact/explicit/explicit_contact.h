@@ -41,7 +41,7 @@ class ExplicitContact {
     ExplicitBodies& of_bodies() { return bodies; }
     const ExplicitBodies& of_bodies() const { return bodies; }
     Touch touch(const Positions& x) const;
-    Positions lip_forces(const Positions& x) const;  ///< N, [3, V]
+    Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
 
   private:
