@@ -69,6 +69,7 @@ Toughness sheet_toughness(const SheetSpec& sheet, const Mesh& placed, std::vecto
                           ? toughness_of_energy(fracture.fracture_energy, sheet.material)
                           : fracture.toughness;
     toughness.across = fracture.toughness_across;
+    toughness.path = fracture.path;
     toughness.speed_limit =
         fracture.speed_limit > 0 ? fracture.speed_limit : usual_speed_limit(sheet.material);
     add_maps(sheet, FractureLaw::toughness, placed, toughness.factors, warnings);

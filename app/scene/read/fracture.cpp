@@ -84,6 +84,11 @@ void read_toughness(TomlTable& table, const FracturePreset* preset, FractureSpec
         fracture.speed_limit = table.number("speed_limit", "m/s", positive);
         if (key.empty()) table.report("speed_limit", "needs toughness, or fracture_energy");
     }
+    if (table.has("path")) {
+        constexpr std::array<std::string_view, 2> paths{"cut", "edges"};
+        fracture.path = table.choice("path", paths) == "edges" ? CrackPath::edges : CrackPath::cut;
+        if (key.empty()) table.report("path", "needs toughness, or fracture_energy");
+    }
     if (key.empty()) return;
     if (!table.has("strength") && !preset)
         table.report(key, "needs strength (Pa), over which cracks are born, instead of strain");

@@ -126,7 +126,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "fracture.map.range: conflicts with value"},
         BadFracture{"strength = 1e7\nafter = -1", "fracture.after: must be a number of 0 or more"},
         BadFracture{"strength = 1e7\nsmallest = 0", "fracture.smallest: must be a positive number"},
-        BadFracture{"strength = 1e7\nspeed_limit = 400", "fracture.speed_limit: needs toughness"}));
+        BadFracture{"strength = 1e7\nspeed_limit = 400", "fracture.speed_limit: needs toughness"},
+        BadFracture{"strength = 1e7\npath = \"edges\"", "fracture.path: needs toughness"},
+        BadFracture{"strength = 1e7\ntoughness = 1e6\npath = \"x\"", "fracture.path"}));
 
 // A toughness that did not arrive would leave the cracks to the mesh.
 TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
@@ -137,6 +139,9 @@ TEST(SceneFracture, ToughnessArrivesWithItsSpeedLimit) {
         input_of(breaking_plate("strength = 4e7\nfracture_energy = 8\nspeed_limit = 900"));
     EXPECT_NEAR(by_energy.toughness.value, std::sqrt(8 * by_energy.material.young), 1e-6);
     EXPECT_EQ(by_energy.toughness.speed_limit, 900);
+    EXPECT_EQ(by_energy.toughness.path, CrackPath::cut);
+    EXPECT_EQ(input_of(breaking_plate("strength = 4e7\ntoughness = 1e6\npath = \"edges\"")).toughness.path,
+              CrackPath::edges);
     EXPECT_FALSE(input_of(breaking_plate("strength = 4e7")).toughness.given());
     EXPECT_THROW(breaking_plate("strength = 4e7\ntoughness = 8e5", "rule = \"paper\""), Error);
     EXPECT_THROW(breaking_plate("strength = 4e7\nsmallest = 0.1", "rule = \"paper\""), Error);
