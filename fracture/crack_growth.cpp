@@ -175,9 +175,8 @@ void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind,
 void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
     for (const auto& [number, edge, ray, next] : steps) {
         if (number) {
-            const double before = all[*number].since;
             all[*number] = next;
-            all[*number].took = timeless ? 0 : end - before;
+            all[*number].took = timeless ? 0 : end - next.since;
             all[*number].since = timeless ? 0 : end;
             continue;
         }

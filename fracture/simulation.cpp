@@ -234,17 +234,29 @@ std::vector<Edge> Simulation::allowed(std::vector<Edge> edges) {
     return edges;
 }
 
-bool Simulation::make_edge(CrackStep& crack_step) {
+bool Simulation::make_edge(CrackStep& crack_step, std::span<const CrackStep> made_before) {
+    const Mesh& mesh = breakable.mesh();
+    AdvanceOptions options;
+    options.kept.is_line = [&](Edge edge) {
+        return std::ranges::find(made_before, edge, &CrackStep::edge) != made_before.end();
+    };
+    options.kept.keeps_place = [&](Vertex vertex) {
+        return std::ranges::any_of(made_before, [&](const CrackStep& one) {
+            return mesh.vertex(one.edge, 0) == vertex || mesh.vertex(one.edge, 1) == vertex;
+        });
+    };
     const Vertex tip(static_cast<unsigned>(crack_step.next.vertex));
-    const auto made = breakable.advance(tip, crack_step.ray, {});
+    const auto made = breakable.advance(tip, crack_step.ray, options);
     if (made && made->way != AdvancedEdge::Way::existing) follow_change(made->change);
-    return made && growth.take(*made, time(), crack_step);
+    return made && growth.take(*made, time(), crack_step) && !options.kept.is_line(crack_step.edge);
 }
 
-bool Simulation::grow(std::vector<CrackStep> crack_steps, Index stage) {
+bool Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
+    std::vector<CrackStep> made;
+    for (CrackStep one : crack_steps)
+        if (one.edge.is_valid() || make_edge(one, made)) made.push_back(one);
     std::vector<CrackStep> grown;
-    for (CrackStep& one : crack_steps) {
-        if (!one.edge.is_valid() && !make_edge(one)) continue;
+    for (const CrackStep& one : made) {
         if (allowed({one.edge}).empty()) continue;
         break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
         grown.push_back(one);

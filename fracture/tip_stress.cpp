@@ -15,8 +15,8 @@ namespace {
 constexpr double alpha = 0.49;
 /// A face is ahead whose centre is less than 72 degrees off the direction.
 constexpr double ahead = 0.3;
-/// Tips in bending turn no faster than on this radius, in thicknesses: the petals that rise behind them would
-/// lead them round.
+/// Tips that run, and those in bending, turn no faster than on this radius, in thicknesses: waves would make
+/// their paths snake, and the petals that rise behind them would lead them round.
 constexpr double radius_of_turns = 20;
 
 double poisson(const Shell& shell, Index face) {
@@ -75,7 +75,7 @@ TipLoad load_by_stress(const BreakableShell& shell, const GrowingTip& tip, const
     const ModePair& pulled = top.first > bottom.first ? top : bottom;
     if (!(pulled.first > 0)) return load;
     double turn = hoop_angle(pulled);
-    if (std::abs(bend) > std::max(mean, 0.0)) {
+    if (tip.stride > 0 || std::abs(bend) > std::max(mean, 0.0)) {
         const double most = length / (radius_of_turns * mechanics.thickness[tip.vertex]);
         turn = std::clamp(turn, -most, most);
     }

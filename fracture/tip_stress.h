@@ -13,8 +13,8 @@ double edge_length_ahead(const BreakableShell& shell, const GrowingTip& tip);
 /// its difference s_b across the crack, K = sqrt(max(s_m, 0)^2 + c s_b^2) sqrt(2 pi alpha h), with c = (1 +
 /// nu) / (3 (3 + nu)) (energy release in bending, Hui and Zehnder 1993), h the length of the edges ahead and
 /// alpha from measured tips. It turns to the largest hoop stress (Erdogan and Sih 1963) of the surface that
-/// is pulled more; in bending not faster than on a radius of 20 thicknesses. Where the energy is not known:
-/// in fast plates, where that swings, and with hinges that are not coupled.
+/// is pulled more; if it runs, and in bending, not faster than on a radius of 20 thicknesses. Where the
+/// energy is not known: in fast plates, where that swings, and with hinges that are not coupled.
 TipLoad load_by_stress(const BreakableShell& shell, const GrowingTip& tip, const FaceStrains& strains);
 
 }  // namespace sherd

@@ -23,13 +23,11 @@ SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016), (0.005, 0.01, 0.015)
 def cracks(recording):
     """Ends at rest of the edges that have failed: [N, 2, 2] m; each crack once, and no rim."""
     with h5py.File(recording) as file:
-        rest, faces = file["rest/position"][:, :2], file["rest/faces"][:]
         frame = file["frames"][sorted(file["frames"])[-1]]
-        edges, states = frame["vertex/original"][:][frame["edge/vertices"][:]], frame["edge/state"][:]
-        area = 0.5 * numpy.linalg.norm(numpy.cross(*(file["rest/position"][:][faces[:, k]]
-                                                     - file["rest/position"][:][faces[:, 0]] for k in (1, 2))), axis=1)
-        pieces = frame["face/fragment"][:]
-        shares = numpy.bincount(pieces, weights=area[:len(pieces)]) / area.sum()
+        original, faces = frame["vertex/original"][:], frame["rest/faces"][:]
+        rest, area = frame["rest/position"][:, :2], frame["rest/area"][:]
+        edges, states = original[frame["edge/vertices"][:]], frame["edge/state"][:]
+        shares = numpy.bincount(frame["face/fragment"][:], weights=area) / area.sum()
     sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
     failed = {tuple(sorted(edge)) for edge, state in zip(edges, states) if state}
     return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares
