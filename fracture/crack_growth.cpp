@@ -94,7 +94,11 @@ GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, 
     next.behind = static_cast<Index>(edge);
     next.stride = way.dot(direction);
     const double limit = toughness(tip).speed_limit;
-    next.ready = timeless ? begin : std::max(tip.ready, begin) + next.stride / limit;
+    if (timeless) return next;
+    // When in the step it goes on: steps would make its speed jump.
+    next.since = std::max(tip.ready, begin);
+    next.before = tip.stride > 0 ? tip.stride / (next.since - tip.since) : limit;
+    next.ready = next.since + next.stride / limit;
     return next;
 }
 
@@ -176,8 +180,6 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
     for (const auto& [number, edge, ray, next] : steps) {
         if (number) {
             all[*number] = next;
-            all[*number].took = timeless ? 0 : end - next.since;
-            all[*number].since = timeless ? 0 : end;
             continue;
         }
         const Vertex a = shell.mesh().vertex(edge, 0), b = shell.mesh().vertex(edge, 1);

@@ -16,13 +16,12 @@ struct GrowingTip {
     Index behind = -1;                       ///< the edge that failed last, which must have opened before
     Index number = 0;                        ///< of all tips that there have been
     double stride = 0;                       ///< m, of its last edge along the path
-    double took = 0;                         ///< s, from the edge before to the last one
-    double since = 0;                        ///< s, when the last edge failed
+    double since = 0;                        ///< s, from which on the last edge went
+    double before = 0;                       ///< m/s, its speed along the edge before
 
-    /// m/s, at a time (s): that of the last edge, as long as the next one is not late.
+    /// m/s, at a time (s): as along the edge before, until the next one is late.
     double speed(double time) const {
-        const double longest = std::max(took, time - since);
-        return stride > 0 && longest > 0 ? stride / longest : 0;
+        return stride > 0 ? std::min(before, stride / std::max(time - since, stride / before)) : 0;
     }
 };
 

@@ -278,7 +278,7 @@ struct Table<TipRecord> {
         visit("vertex", {"1", "row of vertex/* of the frames"}, &R::vertex);
         visit("position", {"m"}, &R::position);
         visit("direction", {"1", "in which it came, as the sheet lies now, a unit vector"}, &R::direction);
-        visit("speed", {"m/s", "of the last edge; 0 in statics"}, &R::speed);
+        visit("speed", {"m/s", "along the edge before, until the next one is late; 0 in statics"}, &R::speed);
         visit("G", {"J/m^2", "energy released, as it was judged last in the step"}, &R::released);
         visit("G_c", {"J/m^2", "fracture energy, over which it goes on"}, &R::toughness);
         visit("by_energy", {"1", "1: G is a configurational force; 0: it is by the stress ahead"},

@@ -243,7 +243,7 @@ TEST(SceneFracture, EveryPresetMakesASheet) {
 }
 
 // A sheet with a crack of 60 mm that is pulled: it grows from both tips, straight on, once stress times the
-// root of pi times half its length is the toughness, to what a look at the stress ahead of a tip is worth.
+// root of pi times half its length is the toughness, to what energy is worth on so coarse a mesh.
 TEST(SceneFracture, ACrackThatIsThereGrowsAtItsToughness) {
     const Scene scene = scene_of(R"(
 [sheet.plate]
@@ -272,7 +272,7 @@ sheets = false
                    simulation.shell().mechanics().rest.col(failure.vertices[1]))
                       .norm();
     }
-    EXPECT_NEAR(length, 0.06, 0.012);
+    EXPECT_NEAR(length, 0.06, 1e-6) << "it is cut into the mesh";
     double load = 0;
     std::vector<EdgeFailure> grown;
     while (grown.empty() && load < 1) {
@@ -280,7 +280,7 @@ sheets = false
         grown = simulation.take_events().failures;
     }
     const double stress = 26000 / scene.sheets[0].material.thickness, half = 0.5 * length;
-    EXPECT_NEAR(load * stress * std::sqrt(std::numbers::pi * half), 1e6, 0.2e6);
+    EXPECT_NEAR(load * stress * std::sqrt(std::numbers::pi * half), 1e6, 0.1e6);
     EXPECT_GE(grown.size(), 2u) << "from both tips";
 }
 

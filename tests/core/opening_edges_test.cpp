@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds an edge that opens. Did it take another energy than that of the crack, cracks would run at
+// another toughness than was given; and did it push, they would make energy.
+#include "core/time/opening_edges.h"
+
+#include <gtest/gtest.h>
+
+namespace sherd {
+namespace {
+
+constexpr double force = 4, longest = 1;  // N, s
+
+/// Two vertices that are held together along x.
+Positions held_together() {
+    Positions kept = Positions::Zero(3, 4);
+    kept(0, 1) = force;
+    kept(0, 2) = -force;
+    return kept;
+}
+
+Positions parted_by(double way) {
+    Positions moved = Positions::Zero(3, 4);
+    moved(0, 1) = -0.5 * way;
+    moved(0, 2) = 0.5 * way;
+    return moved;
+}
+
+/// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work that it takes.
+double pull(OpeningEdges& edges, double way, int steps) {
+    double work = 0;
+    for (int i = 0; i < steps && !edges.empty(); ++i) {
+        Positions before = Positions::Zero(3, 4), after = before;
+        edges.add_forces(before);
+        edges.fade(parted_by(way), 1e-6);
+        edges.add_forces(after);
+        work -= 0.5 * (before + after).cwiseProduct(parted_by(way)).sum();
+    }
+    return work;
+}
+
+TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
+    OpeningEdges edges;
+    edges.open({7, 0.3, longest}, held_together(), 0.1);
+    EXPECT_EQ(edges.held(7), 1);
+    EXPECT_EQ(edges.held(8), 0);
+    EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.2, 1e-4);
+    EXPECT_TRUE(edges.empty());
+    EXPECT_EQ(edges.held(7), 0);
+}
+
+// The share that is left falls with the root of what is left to take, so that the force ends at a width.
+TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
+    OpeningEdges edges;
+    edges.open({7, 0.2, longest}, held_together(), 0);
+    const double taken = pull(edges, 1e-5, 3000);
+    EXPECT_GT(taken, 0.05);
+    EXPECT_NEAR(edges.held(7), std::sqrt(1 - taken / 0.2), 1e-9);
+    Positions now = Positions::Zero(3, 4);
+    edges.add_forces(now);
+    EXPECT_NEAR(now(0, 1), force * edges.held(7), 1e-3 * force);
+    EXPECT_EQ(now(0, 0), 0);
+}
+
+TEST(OpeningEdges, NeverPush) {
+    OpeningEdges edges;
+    edges.open({7, 0.2, longest}, held_together(), 0);
+    edges.fade(parted_by(-1e-3), 1e-6);
+    Positions now = Positions::Zero(3, 4);
+    edges.add_forces(now);
+    EXPECT_TRUE(now.isZero(0)) << "what held the edge together would drive it where it closes";
+    edges.fade(parted_by(1e-3), 1e-6);
+    edges.add_forces(now);
+    EXPECT_GT(now(0, 1), 0) << "and holds it again when it opens";
+}
+
+TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
+    OpeningEdges edges;
+    edges.open({7, 0.2, longest}, held_together(), 0.3);
+    EXPECT_TRUE(edges.empty());
+    edges.open({7, 0.2, longest}, held_together(), 0);
+    edges.fade(parted_by(0), longest / 2);
+    EXPECT_FALSE(edges.empty());
+    Positions now = Positions::Zero(3, 4);
+    edges.add_forces(now);
+    EXPECT_NEAR(now(0, 1), force / 2, 1e-12);
+    edges.fade(parted_by(0), longest);
+    EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
+}
+
+}  // namespace
+}  // namespace sherd
