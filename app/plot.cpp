@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -88,10 +89,10 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
 }
 
 /// A line for each of the first names, as many as can be told apart and have room above the chart:
-/// value(step, number) of each step.
+/// value(step, number) of each step. which: what the first ones are, in words.
 template <class ValueOf>
 Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const std::vector<std::string>& names,
-                     ValueOf value) {
+                     ValueOf value, const char* which = "first") {
     constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
     double room = 430;
     for (std::size_t i = 0; i < std::min(names.size(), std::size(colours)); ++i) {
@@ -102,7 +103,7 @@ Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const st
     }
     if (chart.series.size() == 1) chart.title += ": " + names.front();
     if (names.size() > chart.series.size())
-        chart.title += fmt::format(" (the first {} of {})", chart.series.size(), names.size());
+        chart.title += fmt::format(" (the {} {} of {})", which, chart.series.size(), names.size());
     return chart;
 }
 
@@ -151,6 +152,31 @@ void add_gauge_charts(std::vector<Chart>& charts, const RecordingHeader& header,
     add_gauge_chart(charts, header, steps, "membrane_strain",
                     {"Gauges", time_axis, {.name = "principal membrane strain"}, {}},
                     [](const Reading& reading) { return principal_strain(reading.membrane_strain); });
+}
+
+/// Adds charts of the tips of cracks that were recorded in most steps: what they bear, and how fast they are.
+void add_tip_charts(std::vector<Chart>& charts, const std::vector<StepReport>& steps,
+                    std::span<const TipRecord> records) {
+    constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+    if (records.empty()) return;
+    std::map<Index, std::map<std::int64_t, const TipRecord*>> by_number;
+    for (const TipRecord& record : records) by_number[record.tip][record.step] = &record;
+    std::vector<std::pair<Index, const std::map<std::int64_t, const TipRecord*>*>> tips;
+    for (const auto& [number, of_step] : by_number) tips.emplace_back(number, &of_step);
+    std::ranges::stable_sort(tips, std::greater(), [](const auto& tip) { return tip.second->size(); });
+    std::vector<std::string> names;
+    for (const auto& [number, of_step] : tips) names.push_back(fmt::format("tip {}", number));
+    const auto add = [&](Chart chart, auto value) {
+        const auto of_step = [&](const StepReport& step, std::size_t i) {
+            const auto found = tips[i].second->find(step.step);
+            return found == tips[i].second->end() ? no_value : value(*found->second);
+        };
+        charts.push_back(chart_of_names(std::move(chart), steps, names, of_step, "longest"));
+    };
+    add({"Energy released at tips", time_axis, {.name = "G / G_c", .logarithmic = true}, {}},
+        [](const TipRecord& tip) { return tip.released > 0 ? tip.released / tip.toughness : no_value; });
+    add({"Speed of tips", time_axis, {.name = "speed", .unit = "m/s", .from_zero = true}, {}},
+        [](const TipRecord& tip) { return tip.speed; });
 }
 
 /// Of statics: the load over the displacement of each gauge.
@@ -237,12 +263,13 @@ std::string plot_svg(const Recording& recording) {
     if (steps.empty() || frames == 0)
         throw Error("nothing has been recorded yet, so there is nothing to plot");
     const Snapshot last = recording.frame(frames - 1);
+    const CrackEvents events = recording.events();
     const Chart cracks{"Length of all cracks",
                        time_axis,
                        {.name = "length at rest", .unit = "m", .from_zero = true},
                        {{.name = "cracks",
                          .colour = vermillion,
-                         .points = crack_length(last, recording.events(), steps.back().time),
+                         .points = crack_length(last, events, steps.back().time),
                          .stepped = true}}};
     std::vector<Chart> charts{motion_chart(steps),   elastic_chart(steps),
                               fragment_chart(steps), cracks,
@@ -250,6 +277,7 @@ std::string plot_svg(const Recording& recording) {
     if (Chart balance = balance_chart(steps); !balance.series.empty()) charts.push_back(std::move(balance));
     if (!header.supports.empty()) charts.push_back(reaction_chart(header, steps));
     add_gauge_charts(charts, header, steps);
+    add_tip_charts(charts, steps, events.tips);
     if (header.time_unit != "s") {
         for (Chart& chart : charts)
             if (chart.x.name == time_axis.name) chart.x = {.name = header.time_unit, .from_zero = true};

@@ -231,9 +231,9 @@ void add_render(CLI::App& program, Command& chosen) {
     option("--frames", options->frames,
            "last (default), all (default of a film), numbers and START:STOP:STEP as in Python", "WHICH");
     option("--color", options->colour, "What the colours show (default: fragment)",
-           "fragment|strain|speed|stress|curvature|axis|none");
+           "fragment|strain|speed|stress|curvature|axis|tips|none");
     option("--range", options->range,
-           "Of strain, curvature (1/m), speed (m/s) or stress (Pa); default: all of the recording",
+           "Of strain, curvature (1/m), speed (m/s), stress (Pa) or tips (1); default: all of the recording",
            "LOW:HIGH");
     option("--size", options->size, "Pixels (default 960x540)", "WxH");
     option("--samples", options->samples, "Of each pixel: more have less grain (default 32)", "N");

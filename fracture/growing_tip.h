@@ -21,7 +21,7 @@ struct GrowingTip {
 
     /// m/s, at a time (s): as along the edge before, until the next one is late.
     double speed(double time) const {
-        return stride > 0 ? std::min(before, stride / std::max(time - since, stride / before)) : 0;
+        return stride > 0 ? stride / std::max(time - since, stride / before) : 0;
     }
 };
 

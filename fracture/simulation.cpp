@@ -20,6 +20,18 @@ constexpr int iterations_between_stages = 3;
 constexpr double longest_opening = 12;
 constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
+/// Snapshot::edge_held, [E].
+std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {
+    std::vector<double> shares(states.size(), 0);
+    bool any = false;
+    for (std::size_t e = 0; e < states.size(); ++e) {
+        if (states[e] == EdgeState::interior) continue;
+        shares[e] = stepper.held(static_cast<Index>(e));
+        any |= shares[e] > 0;
+    }
+    return any ? shares : std::vector<double>();
+}
+
 double mean_edge_length(const Shell& shell) {
     double sum = 0;
     for (const TriangleStencil& triangle : shell.triangles)
@@ -382,6 +394,7 @@ Snapshot Simulation::snapshot() const {
     Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;
     snapshot.time = time();
+    snapshot.edge_held = held_shares(snapshot.edge_state, *stepper);
     if (options.fields.any())
         snapshot.fields = face_fields(breakable.mechanics(), stepper->face_strains(),
                                       stepper->face_curvatures(), options.fields);

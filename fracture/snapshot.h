@@ -51,6 +51,8 @@ struct Snapshot {
     std::vector<std::array<Index, 2>> edges;  ///< [E] end points
     std::vector<EdgeState> edge_state;        ///< [E]
     std::vector<double> edge_strain;          ///< [E] 1/m, signed bending strain; zero without a hinge
+    /// [E] share of what held each edge together that still does while it opens; empty: none opens gradually.
+    std::vector<double> edge_held = {};
 
     RestMesh rest;      ///< of the same faces
     FaceFields fields;  ///< of faces, as far as they were wanted

@@ -24,7 +24,7 @@ from bpy_extras.io_utils import ImportHelper
 bl_info = {
     "name": "Sherd recording",
     "author": "The Sherd authors",
-    "version": (1, 2, 0),
+    "version": (1, 3, 0),
     "blender": (3, 4, 0),
     "location": "File > Import > Sherd recording (.h5)",
     "description": "Plays recordings of breaking plates and shells",
@@ -102,9 +102,9 @@ def set_attribute(mesh, name, kind, domain, values):
 
 
 def recorded(frame):
-    """What is shown of a frame, and its group."""
+    """What is shown of a frame, and its mesh at rest."""
     return {
-        "group": frame,
+        "rest": rest_of(frame),
         "faces": frame["face/vertices"][:],
         "fragment": frame["face/fragment"][:],
         "strain": face_strain(frame),
@@ -114,47 +114,106 @@ def recorded(frame):
     }
 
 
-def places_in_parents(state):
-    """Of each face the one of the unbroken mesh that it is a part of, and its corners' barycentric coordinates there."""
-    rest = state["group"]["rest"]
-    parent, faces = rest["face_parent"][:], rest["faces"][:]
-    corners = state["group"].file["rest/faces"][:][parent]
-    same = rest["vertex_parents"][:][faces][:, :, None, :] == corners[:, None, :, None]
-    return parent, (same * rest["vertex_weights"][:][faces][:, :, None, :]).sum(axis=3)
+def rest_of(frame):
+    """The mesh of a frame at rest: places (m), the corners of faces, what each is a part of, whether any is mixed."""
+    rest = frame["rest"] if "rest" in frame else frame.file["rest"]  # of a run of before faces could change
+    faces = rest["faces"][:]
+    return {
+        "position": rest["position"][:],
+        "faces": faces,
+        "parent": rest["face_parent"][:] if "face_parent" in rest else np.arange(len(faces)),
+        "mixed": "face_mixed" in rest,
+    }
 
 
-def find_births(earlier, later, changed, vertices, shares, wholes):
-    """Corrects what ancestry() says of the later frame's `changed` faces, which have been split or were born: each lies
-    flat in the earlier face in which its middle is."""
-    (parent, places), (old_parent, old_places) = places_in_parents(later), places_in_parents(earlier)
-    old_corners = earlier["original"][earlier["faces"]]
-    for face in changed:
-        parts = np.flatnonzero(old_parent == parent[face])
-        parts = parts[np.linalg.det(old_places[parts]) != 0]
-        middle = places[face].mean(axis=0) @ np.linalg.inv(old_places[parts])
-        whole = wholes[face] = parts[middle.min(axis=1).argmax()]
-        for corner, vertex in enumerate(later["faces"][face]):
-            same = np.flatnonzero(old_corners[whole] == later["original"][vertex])
-            if len(same):
-                vertices[vertex], shares[vertex] = earlier["faces"][whole][same[0]], (1, 0, 0)
-            else:
-                vertices[vertex] = earlier["faces"][whole]
-                shares[vertex] = np.linalg.solve(old_places[whole].T, places[face, corner])
+def coordinates(rest, faces, point):
+    """Barycentric coordinates of a point in the planes of faces at rest, [N, 3]."""
+    corners = rest["position"][rest["faces"][faces]]
+    first, second, way = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], point - corners[:, 0]
+    normal = np.cross(first, second)
+    size = (normal * normal).sum(axis=1)
+    size[size == 0] = np.nan  # no face to lie in
+    to_second = (np.cross(way, second) * normal).sum(axis=1) / size
+    to_third = (np.cross(first, way) * normal).sum(axis=1) / size
+    return np.column_stack([1 - to_second - to_third, to_second, to_third])
+
+
+def deepest(rest, faces, point):
+    """Of some faces the one in which a point lies, or beside which it is nearest; and its coordinates there."""
+    places = coordinates(rest, faces, point)
+    best = np.nan_to_num(places.min(axis=1), nan=-np.inf).argmax()
+    return faces[best], places[best]
+
+
+class Births:
+    """Where parts of the later frame's mesh were in the earlier one that are not what they were: what was split, born,
+    moved or flipped lies flat in the earlier face in which its middle is, or around it."""
+
+    def __init__(self, earlier, later):
+        self.earlier, self.later = earlier, later
+        self.old, self.new = earlier["rest"], later["rest"]
+        self.any_mixed = self.old["mixed"] or self.new["mixed"]
+        count = min(len(self.old["position"]), len(self.new["position"]))
+        self.stays = np.zeros(len(self.new["position"]), bool)  # at the same place of the sheet
+        self.stays[:count] = (self.old["position"][:count] == self.new["position"][:count]).all(axis=1)
+
+    def unchanged(self):
+        """Of the faces that the earlier frame has, too."""
+        old, new = self.old["faces"], self.new["faces"][: len(self.old["faces"])]
+        return (old == new).all(axis=1) & self.stays[new].all(axis=1)
+
+    def around(self, vertices):
+        """The earlier faces at vertices at rest."""
+        return np.flatnonzero(np.isin(self.old["faces"], vertices).any(axis=1))
+
+    def whole_of(self, face):
+        parts = np.flatnonzero(self.old["parent"] == self.new["parent"][face])
+        corners = self.new["faces"][face]
+        if self.any_mixed:
+            parts = np.union1d(parts, self.around(corners))
+        return deepest(self.old, parts, self.new["position"][corners].mean(axis=0))[0]
+
+    def same_vertex(self, vertex, whole):
+        """The earlier vertex that one at rest was at the face `whole`; none: it is not known which."""
+        if not self.stays[vertex]:
+            return None
+        at = np.flatnonzero(self.old["faces"][whole] == vertex)
+        if len(at):
+            return self.earlier["faces"][whole][at[0]]
+        copies = np.flatnonzero(self.earlier["original"] == vertex)
+        return copies[0] if len(copies) == 1 else None
+
+    def place(self, vertex, whole):
+        point = self.new["position"][vertex]
+        candidates = np.array([whole])
+        if self.any_mixed and coordinates(self.old, candidates, point).min() < -1e-9:
+            near = self.around(self.old["faces"][whole])
+            fragment = self.earlier["fragment"]
+            candidates = np.append(candidates, near[fragment[near] == fragment[whole]])
+        return deepest(self.old, candidates, point)
 
 
 def ancestry(earlier, later):
     """Where the later frame's mesh was in the earlier one: of each vertex three vertices between which it was and their
     shares, of each face the one that it was or was a part of. Faces keep their corners, so they know which vertices
     cracks have split."""
+    births = Births(earlier, later)
     count, faces = len(earlier["faces"]), later["faces"]
     before = np.minimum(np.arange(len(later["position"])), len(earlier["position"]) - 1)
     vertices, shares = np.repeat(before[:, None], 3, axis=1), np.tile((1.0, 0.0, 0.0), (len(before), 1))
     wholes = np.arange(len(faces))
-    same = (earlier["original"][earlier["faces"]] == later["original"][faces[:count]]).all(axis=1)
+    same = births.unchanged()
     vertices[faces[:count][same].ravel()] = earlier["faces"][same].ravel()[:, None]
-    changed = np.append(np.flatnonzero(~same), np.arange(count, len(faces)))
-    if len(changed):
-        find_births(earlier, later, changed, vertices, shares, wholes)
+    for face in np.append(np.flatnonzero(~same), np.arange(count, len(faces))):
+        whole = wholes[face] = births.whole_of(face)
+        for corner, vertex in enumerate(faces[face]):
+            at_rest = births.new["faces"][face, corner]
+            known = births.same_vertex(at_rest, whole)
+            if known is not None:
+                vertices[vertex], shares[vertex] = known, (1, 0, 0)
+            else:
+                of, shares[vertex] = births.place(at_rest, whole)
+                vertices[vertex] = earlier["faces"][of]
     return vertices, shares, wholes
 
 

@@ -49,6 +49,8 @@ void say_of_edges(const Snapshot& earlier, double share, Snapshot& between) {
                      : earlier.edge_strain[e];
         between.edge_state[e] = earlier.edge_state[e];
     }
+    between.edge_held = earlier.edge_held;
+    if (!between.edge_held.empty()) between.edge_held.resize(between.edges.size());
 }
 
 /// Those with a hinge are parts of an edge that was split, or lie where a face was, which does not bend.

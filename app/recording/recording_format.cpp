@@ -65,7 +65,8 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/face_mixed", rest.face_mixed.empty() ? s.faces.size() : rest.face_mixed.size()}}),
          difference({{"edge/vertices", s.edges.size()},
                      {"edge/state", s.edge_state.size()},
-                     {"edge/strain", s.edge_strain.size()}}),
+                     {"edge/strain", s.edge_strain.size()},
+                     {held_edges, s.edge_held.empty() ? s.edges.size() : s.edge_held.size()}}),
          difference({{"rest/position", static_cast<std::size_t>(rest.position.cols())},
                      {"rest/vertex_parents", rest.vertex_parents.size()},
                      {"rest/vertex_weights", rest.vertex_weights.size()}})});
@@ -169,6 +170,8 @@ std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
         return "edge/state has an unknown state";
+    if (std::ranges::any_of(s.edge_held, [](double share) { return !(share >= 0 && share <= 1); }))
+        return fmt::format("{} has what is no share", held_edges);
     return ancestry_fault(s);
 }
 

@@ -65,6 +65,9 @@ void visit_rest_arrays(R& rest, Visit visit) {
 /// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
 inline constexpr const char* mixed_faces = "face_mixed";
 
+/// What has Snapshot::edge_held, in frames in which an edge opens gradually.
+inline constexpr const char* held_edges = "edge/held";
+
 /// A table with a row for each `Row`: its group, the version of the format since which there is one, and
 /// visit(column name, meaning, member) for every column.
 template <class Row>

@@ -165,6 +165,7 @@ Snapshot Recording::frame(std::size_t number) const {
         snapshot.step = hdf5::read_integer_attribute(group, "step");
         visit_arrays(snapshot,
                      [&](const char* name, hdf5::Meaning, auto& values) { read_array(group, name, values); });
+        if (hdf5::contains(group, held_edges)) read_array(group, held_edges, snapshot.edge_held);
         snapshot.fields = read_fields(group);
         snapshot.rest = version < 3 ? read_unbroken_mesh(opened) : read_rest(opened, group);
         const std::size_t unbroken_vertices = hdf5::row_count(opened, "rest/position", 3);

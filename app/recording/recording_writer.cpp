@@ -158,6 +158,10 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
     visit_arrays(snapshot, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
         write_array(group, name, meaning, values);
     });
+    if (!snapshot.edge_held.empty())
+        write_array(group, held_edges,
+                    {"1", "share of what held the edge together that still does; 0: nothing, or unbroken"},
+                    snapshot.edge_held);
     const VectorXd speed = snapshot.velocity.colwise().norm();
     write_array(group, "vertex/speed", {"m/s"}, speed);
     write_fields(group, snapshot);
@@ -270,7 +274,7 @@ std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<con
         of_fields += (3 + 2 + 6) * sizeof(double) * static_cast<std::size_t>(values.cols());
     });
     return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
-           24 * snapshot.faces.size() + 24 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
+           24 * snapshot.faces.size() + 32 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
            of_events + of_lists + of_fields +
            (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
            append_overhead;

@@ -111,7 +111,7 @@ ColourBar make_colour_bar(const std::string& name, const std::string& unit,
                           const std::pair<double, double>& range, const std::pair<double, double>& extent) {
     const auto [low, high] = range;
     const UnitPrefix prefix = prefixed(unit, std::max(std::abs(low), std::abs(high)));
-    ColourBar bar{.title = fmt::format("{} ({})", name, prefix.unit),
+    ColourBar bar{.title = prefix.unit.empty() ? name : fmt::format("{} ({})", name, prefix.unit),
                   .ticks = {},
                   .below = extent.first<low, .above = extent.second> high};
     const auto end_words = [&](double value, const char* beyond) {

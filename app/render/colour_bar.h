@@ -24,7 +24,7 @@ struct ColourBar {
 };
 
 /// range: what the darkest and the brightest colour mean, extent: the smallest and the largest value there
-/// is, both in the SI unit.
+/// is, both in the SI unit, which is empty of plain numbers.
 ColourBar make_colour_bar(const std::string& name, const std::string& unit,
                           const std::pair<double, double>& range, const std::pair<double, double>& extent);
 

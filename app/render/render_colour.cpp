@@ -47,8 +47,8 @@ std::vector<double> mean_of_faces(const Snapshot& frame, const VectorXd& values)
 }
 
 std::string name_of(RenderColour colour) {
-    constexpr std::array<const char*, 7> names{"fragment",  "strain", "speed", "stress",
-                                               "curvature", "axis",   "none"};
+    constexpr std::array<const char*, 8> names{"fragment",  "strain", "speed", "stress",
+                                               "curvature", "axis",   "tips",  "none"};
     return names.at(static_cast<std::size_t>(colour));
 }
 

@@ -11,6 +11,7 @@
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
 #include "app/render/render_stripes.h"
+#include "app/render/render_tip.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
 
@@ -22,6 +23,16 @@ constexpr double largest_share =
     0.99;  // what lies above is drawn like this: one splinter must not darken the rest
 
 constexpr double largest_widening = 2;  // of the picture for an obstacle's sake
+
+// Radius of a tip's ball: of the action's, and of the thickness of the sheet, which it has to stand out of.
+constexpr double tip_size = 0.022, tip_thickness = 1.1;
+// How far it points, at rest and at most, in its ball's radius.
+constexpr double tip_reach = 2, fastest_reach = 5;
+constexpr double brightest_tip = 2;  // G / G_c: a tip goes on above 1, in the middle of the map
+
+double released_over_toughness(const TipRecord& tip) {
+    return tip.released / tip.toughness;
+}
 
 }  // namespace
 
@@ -37,6 +48,7 @@ RenderStage::RenderStage(const Recording& recording, const StageOptions& options
     read_scene(warnings);
     find_thickness(warnings);
     measure(recording);
+    if (options.colour == RenderColour::tips) measure_tips(recording);
     measure_obstacles(recording);
     if (options.colour == RenderColour::axis) {
         double area = 0;
@@ -111,6 +123,20 @@ void RenderStage::measure_scalar(RenderScalar scalar) {
     scalar_unit = scalar.unit;
 }
 
+void RenderStage::measure_tips(const Recording& recording) {
+    tips.emplace(recording);
+    if (tips->empty())
+        throw Error(
+            "--color tips: the recording has no tips of cracks; they are recorded of sheets with "
+            "fracture.toughness in which a crack was born, by this version or a later one");
+    scalar_name = "G / G_c of tips";
+    for (const TipRecord& tip : recording.events().tips) {
+        extent.first = std::min(extent.first, released_over_toughness(tip));
+        extent.second = std::max(extent.second, released_over_toughness(tip));
+    }
+    if (!options.range) range = {0, brightest_tip};
+}
+
 void RenderStage::measure_obstacles(const Recording& recording) {
     if (obstacles.empty()) return;
     std::vector<Eigen::AlignedBox3d> around(obstacles.size());
@@ -149,11 +175,27 @@ SheetPaint RenderStage::paint(const Snapshot& frame) const {
             for (const Index v : frame.faces[f])
                 paint.colour[v] = linear_colour(fragment_colour(frame.face_fragment[f]));
     const std::vector<double> values = render_scalar(frame, options.colour).values;
-    for (std::size_t v = 0; v < values.size(); ++v)
-        paint.colour[v] = linear_colour(map_colour((values[v] - range.first) / (range.second - range.first)));
+    for (std::size_t v = 0; v < values.size(); ++v) paint.colour[v] = linear_colour(scalar_colour(values[v]));
     if (options.colour == RenderColour::axis)
         paint.stripe = stripes_of_parts(frame.rest, stripes).cast<float>();
     return paint;
+}
+
+std::uint32_t RenderStage::scalar_colour(double value) const {
+    return map_colour((value - range.first) / (range.second - range.first));
+}
+
+RenderMesh RenderStage::tips_of(const Snapshot& frame) const {
+    const std::vector<double> thickness = thickness_of(frame);
+    const double size = std::max(tip_size * radius(), tip_thickness * *std::ranges::max_element(thickness));
+    const double fastest = std::max(tips->fastest(), std::numeric_limits<double>::min());
+    std::vector<TipMark> marks;
+    for (const TipRecord& tip : tips->at(frame.step, frame.time)) {
+        const double reach = tip_reach + (fastest_reach - tip_reach) * tip.speed / fastest;
+        marks.push_back({tip.position, tip.direction.stableNormalized(), size, reach * size,
+                         linear_colour(scalar_colour(released_over_toughness(tip)))});
+    }
+    return tip_marks(marks, centre());
 }
 
 std::vector<double> RenderStage::thickness_of(const Snapshot& frame) const {
@@ -167,6 +209,7 @@ RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Iso
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (poses[i].matrix().allFinite())
             scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], centre()));
+    if (tips) scene.meshes.push_back(tips_of(frame));
     scene.planes = planes;
     scene.centre = Eigen::Vector3f::Zero();
     scene.up = up.cast<float>();
@@ -181,8 +224,9 @@ double RenderStage::radius() const {
 std::string RenderStage::legend() const {
     if (options.colour == RenderColour::axis) return "stripes: along the first axis of the material";
     if (scalar_name.empty()) return "";
-    return fmt::format("{}: {:.4g} {} (dark violet) to {:.4g} {} (yellow)", scalar_name, range.first,
-                       scalar_unit, range.second, scalar_unit);
+    const std::string unit = scalar_unit.empty() ? "" : " " + scalar_unit;
+    return fmt::format("{}: {:.4g}{} (dark violet) to {:.4g}{} (yellow)", scalar_name, range.first, unit,
+                       range.second, unit);
 }
 
 std::optional<ColourBar> RenderStage::colour_bar() const {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/playback/tip_history.h"
 #include "app/recording/recording.h"
 #include "app/render/camera.h"
 #include "app/render/colour_bar.h"
@@ -29,7 +30,7 @@ struct StageOptions {
 class RenderStage {
   public:
     /// Looks at every frame. Throws Error (input) on a recording without frames or finite positions, and when
-    /// axes are wanted that the scene has not.
+    /// axes are wanted that the scene has not, or tips of cracks that the recording has not.
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
     /// poses: of the recording's obstacles in that frame.
@@ -54,9 +55,12 @@ class RenderStage {
     void find_thickness(std::vector<std::string>& warnings);
     void measure(const Recording& recording);
     void measure_scalar(RenderScalar scalar);
+    void measure_tips(const Recording& recording);
     void measure_obstacles(const Recording& recording);
     void add_ground();
     SheetPaint paint(const Snapshot& frame) const;
+    std::uint32_t scalar_colour(double value) const;  ///< 0xRRGGBB
+    RenderMesh tips_of(const Snapshot& frame) const;
     std::vector<double> thickness_of(const Snapshot& frame) const;  ///< [F] m
 
     StageOptions options;
@@ -73,7 +77,8 @@ class RenderStage {
     double end = 0;                                       ///< s, time of the last frame
     std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
     std::string scalar_name, scalar_unit;
-    Eigen::Matrix3Xd stripes;  ///< [3, F0] of the material's axes, at corners of the unbroken mesh
+    std::optional<TipHistory> tips;  ///< that are drawn
+    Eigen::Matrix3Xd stripes;        ///< [3, F0] of the material's axes, at corners of the unbroken mesh
     std::vector<RenderPlane> planes;
     Camera placed;
 };

@@ -8,6 +8,7 @@
 
 #include "app/files/base64.h"
 #include "app/playback/ancestry.h"
+#include "app/playback/tip_history.h"
 #include "app/render/render_colour.h"
 #include "app/render/render_solid.h"
 
@@ -189,6 +190,18 @@ std::string packed_poses(std::vector<Eigen::Isometry3d> poses, const Vector3d& o
     return base64_of(matrices);
 }
 
+/// Of each tip: its number, place (m) seen from `origin`, direction, speed, G / G_c, K_I, K_II, k_1 and k_2.
+std::string packed_tips(std::span<const TipRecord> tips, const Vector3d& origin) {
+    std::vector<float> numbers;
+    const auto add = [&](auto... values) { (numbers.push_back(static_cast<float>(values)), ...); };
+    for (const TipRecord& tip : tips) {
+        const Vector3d place = tip.position - origin;
+        add(tip.tip, place.x(), place.y(), place.z(), tip.direction.x(), tip.direction.y(), tip.direction.z(),
+            tip.speed, tip.released / tip.toughness, tip.opening, tip.shear, tip.bending, tip.twist);
+    }
+    return base64_of(numbers);
+}
+
 PageJson bar_json(const ColourBar& bar) {
     PageJson ticks = PageJson::array();
     for (const BarTick& tick : bar.ticks) ticks.push_back({tick.share, tick.words});
@@ -228,6 +241,7 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
 PageJson view_data(const Recording& recording, const RenderStage& stage,
                    const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning) {
     Packer packer(stage);
+    const TipHistory tips(recording);
     PageJson data = stage_json(stage), packed = PageJson::array(), times = PageJson::array(),
              captions = PageJson::array();
     for (const std::size_t number : frames) {
@@ -235,6 +249,8 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
             thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
         packed.back()["poses"] = packed_poses(recording.poses(number), stage.centre());
+        if (!tips.empty())
+            packed.back()["tips"] = packed_tips(tips.at(snapshot.step, snapshot.time), stage.centre());
         times.push_back(snapshot.time);
         captions.push_back(stage.caption(snapshot));
         if (number != frames.front()) continue;
@@ -251,6 +267,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
     data["captions"] = captions;
     data["time"] = times;
     data["time_unit"] = stage.time_unit();
+    data["tips"] = !tips.empty();
     data["number"] = frames;
     data["frames"] = packed;
     return data;

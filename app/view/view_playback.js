@@ -79,12 +79,14 @@ class Playback {
             this.unpacked.set(number, { place, lines: decoded(packed.lines, Uint32Array), poses: decoded(packed.poses, Float32Array),
                                         scalar: decoded(packed.scalar, Uint8Array), state: decoded(packed.state, Uint8Array),
                                         born: decoded(packed.born, Uint32Array), shares: decoded(packed.shares, Float32Array),
-                                        parts: decoded(packed.parts, Uint32Array) });
+                                        parts: decoded(packed.parts, Uint32Array),
+                                        tips: Playback.tipsOf(decoded(packed.tips || "", Float32Array)) });
         }
         return this.unpacked.get(number);
     }
 
-    // frame: the one before; faces, fragments, and of vertices place (m), scalar and state; lines; poses of obstacles.
+    // frame: the one before; faces, fragments, and of vertices place (m), scalar and state; lines; poses of obstacles;
+    // tips of cracks.
     at(position) {
         const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
         for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
@@ -100,7 +102,25 @@ class Playback {
         const owners = Uint32Array.from({ length: later.length / 3 }, (_, f) => fragments[f]);
         for (let i = 0; i < to.parts.length; i += 2) owners[to.parts[i]] = fragments[to.parts[i + 1]];
         const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
-        return { frame: number, share, faces: later, fragments: owners, place, scalar, state, lines: to.lines, poses };
+        const tips = Playback.tipsBetween(from.tips, to.tips, share);
+        return { frame: number, share, faces: later, fragments: owners, place, scalar, state, lines: to.lines, poses, tips };
+    }
+
+    // SI units; share: G / G_c.
+    static tipsOf(packed) {
+        const names = ["number", "x", "y", "z", "dx", "dy", "dz", "speed", "share", "K_I", "K_II", "k_1", "k_2"], tips = [];
+        for (let i = 0; i < packed.length; i += names.length)
+            tips.push(Object.fromEntries(names.map((name, k) => [name, packed[i + k]])));
+        return tips;
+    }
+
+    // Those of the earlier frame, which move to where they are in the later one, if they are still there.
+    static tipsBetween(from, to, share) {
+        return from.map(tip => {
+            const end = to.find(other => other.number == tip.number) || tip, place = {};
+            for (const x of ["x", "y", "z"]) place[x] = tip[x] + share * (end[x] - tip[x]);
+            return { ...tip, ...place };
+        });
     }
 
     // The earlier frame's vertex that each of the later one was: faces keep their corners. One that was born since

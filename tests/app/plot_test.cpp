@@ -117,6 +117,22 @@ TEST(Plot, HasNoChartOfABalanceThatWasNotRecorded) {
     EXPECT_EQ(count(svg, "Work and losses"), 0);
 }
 
+// What tips bear and how fast they are, with gaps where a tip is not there; no empty charts without any.
+TEST(Plot, ShowsTipsOfCracksOverTime) {
+    SyntheticRun run = synthetic_run();
+    add_tips(run);
+    run.events[1].tips[0].released = 0;  // has no place on a logarithmic axis
+    const TemporaryDirectory folder;
+    record(run, folder.path / "run.h5");
+    const std::string svg = plot_svg(Recording(folder.path / "run.h5"));
+    EXPECT_EQ(count(svg, "<g>"), 11);
+    for (const char* word : {"Energy released at tips", "Speed of tips", ">G / G_c<", "speed (km/s)"})
+        EXPECT_EQ(count(svg, word), 1) << word;
+    EXPECT_EQ(count(svg, ">tip 0<"), 2);
+    EXPECT_LT(svg.find(">tip 1<"), svg.find(">tip 0<")) << "the one that was there longer is first";
+    EXPECT_EQ(count(svg, "nan") + count(svg, "inf"), 0);
+}
+
 // A run that blew up still has a plot of what came before.
 TEST(Plot, LeavesGapsWhereNumbersAreNotFinite) {
     SyntheticRun run = synthetic_run();

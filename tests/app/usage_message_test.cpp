@@ -38,8 +38,8 @@ TEST(UsageMessage, TheNearestOptionIsSuggested) {
 // Both are told: that one is missing is what CLI11 sees, that it was misspelt is why.
 TEST(UsageMessage, AMisspeltOptionThatIsMissingIsToldWithIt) {
     expect_usage_error(
-        {"cut", "a.obj", "--edge", "cracks.txt", "-o", "b.obj"},
-        {"--edges is required", "'--edge' is no option of 'sherd cut'; did you mean '--edges'?"});
+        {"cut", "a.obj", "--edges", "cracks.txt", "--ouput", "b.obj"},
+        {"--output is required", "'--ouput' is no option of 'sherd cut'; did you mean '--output'?"});
 }
 
 TEST(UsageMessage, AnArgumentTooManyIsNamed) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "core/contact/colliders/rigid_body.h"
@@ -144,6 +145,31 @@ TEST(CrackGrowth, RecordsItsTips) {
     }
     EXPECT_GT(pulled, 3 * tips.size() / 4) << "it is pulled open";
     EXPECT_GT((tips.back().position - tips.front().position).norm(), 2 * strip_edge);
+// What says how far an edge has opened must fade, on edges that have failed and no others, to nothing.
+TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
+    Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
+    std::map<std::size_t, double> before;
+    std::size_t seen = 0;
+    int faded = 0;
+    for (int i = 0; i < 400; ++i) {
+        simulation.step();
+        const Snapshot frame = simulation.snapshot();
+        ASSERT_TRUE(frame.edge_held.empty() || frame.edge_held.size() == frame.edges.size());
+        std::map<std::size_t, double> now;
+        for (std::size_t e = 0; e < frame.edge_held.size(); ++e) {
+            if (frame.edge_held[e] == 0) continue;
+            EXPECT_NE(frame.edge_state[e], EdgeState::interior) << "edge " << e;
+            now[e] = frame.edge_held[e];
+            EXPECT_LE(now[e], before.contains(e) ? before[e] : 1) << "edge " << e;
+            faded += before.contains(e) && now[e] < before[e];
+        }
+        EXPECT_EQ(now.empty(), frame.edge_held.empty()) << "written only where an edge opens";
+        seen = std::max(seen, now.size());
+        before = now;
+    }
+    EXPECT_GE(seen, 1u);
+    EXPECT_GE(faded, 1);
+    EXPECT_TRUE(before.empty()) << "in the end nothing holds the strip together";
 }
 
 // No tip is faster than its limit, however it is loaded.

@@ -122,4 +122,5 @@ def main(path, recording):
     print(f"the player shows {len(frames)} frames and what is between, with {born} faces born")
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

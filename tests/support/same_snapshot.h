@@ -19,6 +19,7 @@ void visit_arrays_of(const Snapshot& frame, Visit visit) {
     recording_format::visit_arrays(frame, pass_on);
     recording_format::visit_rest_arrays(frame.rest, pass_on);
     pass_on("unbroken faces", {}, frame.rest.unbroken_faces);
+    pass_on(recording_format::held_edges, {}, frame.edge_held);
     visit_fields(frame.fields, [&](const char* name, const auto& values, const FieldMeaning&) {
         pass_on(name, {}, values);
     });

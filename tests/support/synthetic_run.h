@@ -182,6 +182,22 @@ inline void add_fields(SyntheticRun& run) {
         }
 }
 
+/// Adds two tips of cracks, of steps 1 to 12 and 5 to 20, that go along x; frames are at the steps 0, 10, 20.
+inline void add_tips(SyntheticRun& run) {
+    for (Index i = 1; i <= 20; ++i)
+        for (const Index tip : {0, 1}) {
+            if (tip == 0 ? i > 12 : i < 5) continue;
+            TipRecord record{.time = 0.01 * i, .step = i, .tip = tip, .vertex = tip};
+            record.position = Vector3d(0.005 * i, 0.01 + 0.02 * tip, -0.002 * i);
+            record.direction = Vector3d::UnitX();
+            record.speed = 100.0 * i;
+            record.released = (1 + tip) * 50.0;
+            record.toughness = 100;
+            record.opening = 1e6 * i;
+            run.events[i <= 10 ? 1 : 2].tips.push_back(record);
+        }
+}
+
 /// Gives all frames the unbroken mesh of the header, of which nothing has been split.
 inline void set_rest(SyntheticRun& run) {
     for (Snapshot& frame : run.frames) frame.rest = recording_format::unbroken_mesh(run.header);

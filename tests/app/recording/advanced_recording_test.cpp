@@ -5,56 +5,22 @@
 #include <rapidcheck/gtest.h>
 
 #include "app/playback/ancestry.h"
-#include "app/recording/recording.h"
-#include "fracture/fragments.h"
-#include "tests/support/advanced_sheet.h"
+#include "tests/support/advanced_run.h"
 #include "tests/support/same_snapshot.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
 namespace {
 
-RecordingHeader header_of(const Snapshot& first) {
-    RecordingHeader header;
-    header.scene_file = "advanced.toml";
-    header.sheet_names = {"sheet"};
-    header.rest_position = first.rest.position;
-    header.rest_faces = first.rest.faces;
-    header.rest_area = first.rest.area;
-    header.rest_thickness = first.rest.thickness;
-    return header;
-}
-
-/// Frames of a sheet that changes and breaks; linear: where the sheet is, a linear map of where it lies at
-/// rest.
-std::vector<Snapshot> frames_of(unsigned shape, unsigned seed, const Matrix3d& linear) {
-    BreakableShell sheet({directed_input(shape, seed)});
-    Fragments fragments(sheet.mesh(), sheet.face_areas());
-    Advances advances(sheet, seed + 1);
-    std::vector<Snapshot> frames;
-    for (int k = 0; k < 6; ++k) {
-        sheet.mechanics().position = linear * sheet.mechanics().rest;
-        frames.push_back(take_snapshot(sheet, fragments.of_face()));
-        frames.back().step = k;
-        frames.back().time = 0.1 * k;
-        for (int i = 0; i < 4; ++i) {
-            const auto advanced = advances.next();
-            if (!advanced) continue;
-            fragments.follow(advanced->change.cracks.topology);
-            if (advances.flips_a_coin()) advances.fail(advanced->halfedge);
-        }
-        fragments.update(sheet.mesh(), sheet.face_areas());
-    }
-    return frames;
-}
-
 RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
     Matrix3d linear;
     linear << 1.1, 0.2, 0, -0.1, 0.9, 0.3, 0.4, 0, 1;
-    const std::vector<Snapshot> frames = frames_of(shape, seed, linear);
+    std::vector<Snapshot> frames = advanced_frames(shape, seed, linear);
+    for (std::size_t k = 1; k < frames.size(); k += 2)
+        frames[k].edge_held.assign(frames[k].edges.size(), 0.3);
     const TemporaryDirectory folder;
-    RecordingWriter writer(folder.path / "advanced.h5", header_of(frames[0]), false);
+    RecordingWriter writer(folder.path / "advanced.h5", advanced_header(frames[0]), false);
     for (const Snapshot& frame : frames) writer.append(frame, {}, {});
     const Recording recording(folder.path / "advanced.h5");
     for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -74,7 +40,7 @@ RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()
 // Whatever is known of the unbroken mesh is carried over to a later one by parents and weights.
 RC_GTEST_PROP(AdvancedRecording, VerticesLieInTheUnbrokenMesh, ()) {
     const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
-    const RestMesh rest = frames_of(shape, seed, Matrix3d::Identity()).back().rest;
+    const RestMesh rest = advanced_frames(shape, seed, Matrix3d::Identity()).back().rest;
     for (std::size_t v = 0; v < rest.vertex_parents.size(); ++v) {
         Vector3d place = Vector3d::Zero();
         for (int k = 0; k < 3; ++k)

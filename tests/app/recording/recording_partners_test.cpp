@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "tests/support/advanced_run.h"
 #include "tests/support/program.h"
 #include "tests/support/split_run.h"
 #include "tests/support/temporary_directory.h"
@@ -36,6 +37,12 @@ void record_copies(const fs::path& file) {
 
 void record_births(const fs::path& file) {
     record(split_run(), file);
+}
+
+void record_moves(const fs::path& file) {
+    const std::vector<Snapshot> frames = advanced_frames(0, 3, Matrix3d::Identity());
+    RecordingWriter writer(file, advanced_header(frames[0]), false);
+    for (const Snapshot& frame : frames) writer.append(frame, {}, {});
 }
 
 void record_modes(const fs::path& file) {
@@ -88,6 +95,7 @@ TEST_P(RecordingPartners, ParaViewStepsThroughAllFrames) {
 
 INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(record_copies));
 INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(record_births));
+INSTANTIATE_TEST_SUITE_P(Moves, RecordingPartners, ::testing::Values(record_moves));
 INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
 
 // The player needs Blender only to show what it reads.
@@ -104,6 +112,16 @@ TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(passes("check_view_births.py", quoted(page) + " " + quoted(recording)));
 }
+
+// Vertices that cracks move over the sheet do not move it.
+class MovingPartners : public RecordingPartners {};
+
+TEST_P(MovingPartners, TheBlenderPlayerKeepsTheSheetWhereItIs) {
+    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
+    EXPECT_TRUE(passes("check_player_moves.py", quoted(player) + " " + quoted(recording)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Moves, MovingPartners, ::testing::Values(record_moves));
 
 INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(record_births));
 

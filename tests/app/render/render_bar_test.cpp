@@ -35,6 +35,7 @@ std::vector<std::string> words_of(const ColourBar& bar) {
 TEST(ColourBar, HasRoundTicksAndTheRangeOfItsColours) {
     const ColourBar speed = make_colour_bar("speed", "m/s", {0, 0.0374}, {0, 0.112});
     EXPECT_EQ(speed.title, "speed (mm/s)");
+    EXPECT_EQ(make_colour_bar("G / G_c", "", {0, 2}, {0, 1}).title, "G / G_c");
     EXPECT_EQ(words_of(speed), (std::vector<std::string>{"0", "10", "20", "30", "\xe2\x89\xa5 37.4"}));
     EXPECT_NEAR(speed.ticks[2].share, 20 / 37.4, 1e-12);
     EXPECT_TRUE(speed.above);

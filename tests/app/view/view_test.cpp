@@ -112,6 +112,30 @@ TEST_F(View, ShowsStressInsteadOfStrain) {
     EXPECT_THROW(view_page(options, warnings), Error) << "a thinned mesh has none";
 }
 
+// Tips that stand beside their cracks, or are missing, would tell a wrong story of how they ran.
+TEST_F(View, HasTheTipsOfEachFrame) {
+    EXPECT_EQ(data({0, 1})["tips"], false);
+    add_tips(run);
+    std::filesystem::remove(folder.path / "run.h5");
+    std::filesystem::remove(folder.path / "run.xdmf");
+    record(run, folder.path / "run.h5");
+    const Json page = data({0, 1, 2});
+    EXPECT_EQ(page["tips"], true);
+    std::vector<std::vector<float>> tips;
+    for (const Json& frame : page["frames"]) tips.push_back(decoded<float>(frame["tips"]));
+    EXPECT_TRUE(tips[0].empty());
+    ASSERT_EQ(tips[1].size(), 2 * 13u);
+    ASSERT_EQ(tips[2].size(), 13u);
+    EXPECT_EQ(tips[2][0], 1) << "its number";
+    EXPECT_EQ(tips[2][4], 1) << "along x";
+    EXPECT_EQ(tips[2][7], 2000) << "m/s";
+    EXPECT_EQ(tips[2][8], 1) << "G / G_c";
+    EXPECT_EQ(tips[2][9], 2e7f) << "K_I";
+    const Vector3d way =
+        Vector3d(tips[2][1], tips[2][2], tips[2][3]) - Vector3d(tips[1][14], tips[1][15], tips[1][16]);
+    EXPECT_LT((way - Vector3d(0.05, 0, -0.02)).norm(), 1e-7);
+}
+
 // Thickness and obstacles that do not fit the frames would be drawn wrong, or not at all.
 TEST_F(View, HasTheThicknessAndWhereObstaclesAre) {
     run.header.rest_thickness.assign(run.header.rest_faces.size(), 0.004);
