@@ -145,6 +145,8 @@ TEST(CrackGrowth, RecordsItsTips) {
     }
     EXPECT_GT(pulled, 3 * tips.size() / 4) << "it is pulled open";
     EXPECT_GT((tips.back().position - tips.front().position).norm(), 2 * strip_edge);
+}
+
 // What says how far an edge has opened must fade, on edges that have failed and no others, to nothing.
 TEST(CrackGrowth, SnapshotsTellHowFarEdgesHaveFaded) {
     Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
