@@ -4,7 +4,8 @@
 
     tests/benchmarks/star_table.py build/release/app/sherd [SEEDS]
 
-Arms are counted where cracks cross circles around the blow, at rest. Takes minutes. Needs h5py and numpy.
+Arms are counted where cracks cross circles around the blow, at rest; energy is what went to cracks over the fracture
+energy times their area. Takes minutes. Needs h5py and numpy.
 """
 import collections
 import pathlib
@@ -17,41 +18,46 @@ import numpy
 
 SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
+THICKNESS, FRACTURE_ENERGY = 1e-3, 1.1e6 ** 2 / 3.2e9  # m, J/m^2: K_Ic^2 / Y
 SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016), (0.005, 0.01, 0.015)
 
 
 def cracks(recording):
-    """Ends at rest of the edges that have failed: [N, 2, 2] m; each crack once, and no rim."""
+    """Ends at rest of the edges that have failed: [N, 2, 2] m, each crack once, and no rim; shares of the area of all
+    pieces; energy that went to cracks (J)."""
     with h5py.File(recording) as file:
         frame = file["frames"][sorted(file["frames"])[-1]]
         original, faces = frame["vertex/original"][:], frame["rest/faces"][:]
         rest, area = frame["rest/position"][:, :2], frame["rest/area"][:]
         edges, states = original[frame["edge/vertices"][:]], frame["edge/state"][:]
         shares = numpy.bincount(frame["face/fragment"][:], weights=area) / area.sum()
+        lost = file["steps/lost_to_cracks"][-1]
     sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
     failed = {tuple(sorted(edge)) for edge, state in zip(edges, states) if state}
-    return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares
+    return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares, lost
 
 
 def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
-    print("| speed (m/s) | edges (mm) | arms at 5 / 10 / 15 mm, a mesh each | length of cracks (mm) | pieces |")
-    print("| --- | --- | --- | --- | --- |")
+    print("| speed (m/s) | edges (mm) | arms at 5 / 10 / 15 mm, a mesh each | length of cracks (mm) | energy | pieces |")
+    print("| --- | --- | --- | --- | --- | --- |")
     for speed in SPEEDS:
         for edge in EDGES:
-            arms, lengths, pieces = [], [], []
+            arms, lengths, energies, pieces = [], [], [], []
             for seed in range(1, seeds + 1):
                 with tempfile.TemporaryDirectory() as folder:
                     recording = pathlib.Path(folder) / "star.h5"
                     subprocess.run([program, "run", SCENE, "--variant", speed, "-o", recording, "--set", f"seed={seed}",
                                     "--set", f"sheet.plate.mesh.edge_length={edge}"], check=True,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-                    found, shares = cracks(recording)
+                    found, shares, lost = cracks(recording)
                 away = numpy.linalg.norm(found - BLOW, axis=2)
                 arms.append("/".join(str(int(((away < r).sum(axis=1) == 1).sum())) for r in RADII))
-                lengths.append(f"{1000 * numpy.linalg.norm(found[:, 0] - found[:, 1], axis=1).sum():.0f}")
+                length = numpy.linalg.norm(found[:, 0] - found[:, 1], axis=1).sum()
+                lengths.append(f"{1000 * length:.0f}")
+                energies.append(f"{lost / (FRACTURE_ENERGY * THICKNESS * length):.2f}")
                 pieces.append(str(int((shares > 0).sum())))
-            print(f"| {speed} | {1000 * edge:g} | {', '.join(arms)} | {', '.join(lengths)} | {', '.join(pieces)} |", flush=True)
+            print(f"| {speed} | {1000 * edge:g} | {', '.join(arms)} | {', '.join(lengths)} | {', '.join(energies)} | {', '.join(pieces)} |", flush=True)
 
 
 if __name__ == "__main__":
