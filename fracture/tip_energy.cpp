@@ -103,9 +103,9 @@ std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium&
     load.by_energy = true;
     add_modes(*known, state, load);
     const bool is_straight = known->tip.direction.dot(tip.direction) > straight;
-    const double released = is_straight
-                                ? force.sum()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
-                                : force.released();
+    const double released =
+        is_straight ? force.corrected()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
+                    : force.released();
     load.intensity = std::sqrt(std::max(0.0, released) * shell.mechanics().young[tip.vertex] /
                                shell.mechanics().thickness[tip.vertex]);
     return load;

@@ -95,8 +95,8 @@ struct FractureSpec {
     Strength strength;  ///< without factors
     /// Pa m^0.5 and J/m^2, of which one may be given; 0: none
     double toughness = 0, fracture_energy = 0;
-    std::optional<double> toughness_across = {};   ///< for a pull across the axis; none: as along it
-    double speed_limit = 0;                        ///< m/s; 0: by the material
+    std::optional<double> toughness_across = {};  ///< for a pull across the axis; none: as along it
+    double speed_limit = 0;                       ///< m/s; 0: by the material
     CrackPath path = CrackPath::cut;
     double weibull_modulus = 0, weibull_area = 0;  ///< 0: no scatter; m^2, 0: that of each hinge
     std::vector<StrengthMap> maps;                 ///< none: the same strength everywhere

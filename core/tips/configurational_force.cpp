@@ -12,8 +12,8 @@ constexpr double membrane_of_tip = 0.91, bending_of_tip = 0.96;
 
 }  // namespace
 
-Vector2d ConfigurationalForce::sum() const {
-    if (rings > 0) return membrane + bending + loads;
+Vector2d ConfigurationalForce::corrected() const {
+    if (rings > 0) return sum();
     return membrane / membrane_of_tip + bending / bending_of_tip + loads;
 }
 

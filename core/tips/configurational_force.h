@@ -19,12 +19,13 @@ struct ConfigurationalForce {
     Vector2d loads = Vector2d::Zero();
     int rings = 0;  ///< that moved with the tip
 
-    /// Without rings the membrane's part is divided by 0.91 and the bending's by 0.96, which is what the tip
-    /// alone shows of them.
-    Vector2d sum() const;
+    Vector2d sum() const { return membrane + bending + loads; }
+    /// The sum; without rings the membrane's part is divided by 0.91 and the bending's by 0.96, which is what
+    /// the tip alone shows of them.
+    Vector2d corrected() const;
     /// J/m, to be compared with toughness G_c times thickness: the length of the sum, which is right on paths
     /// that zigzag, too. Along a straight one the first component is what going straight on releases.
-    double released() const { return sum().norm(); }
+    double released() const { return corrected().norm(); }
 };
 
 /// The elastic energies of the sheet.
