@@ -148,7 +148,7 @@ class BreakableShell {
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
 
-    /// Whether a vertex is held or guided otherwise than one of its neighbours.
+    /// Whether a vertex is held or guided, and otherwise than one of its neighbours.
     bool is_held_alone(Vertex vertex) const;
     AdvanceOptions with_kept(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);

@@ -58,6 +58,7 @@ void BreakableShell::keep_border(std::span<const Index> faces) {
 }
 
 bool BreakableShell::is_held_alone(Vertex vertex) const {
+    if (shell.guide[vertex] == 0 && shell.held[vertex] == 0) return false;
     return std::ranges::any_of(mesh().halfedges_around_target(mesh().halfedge(vertex)), [&](Halfedge h) {
         const Vertex other = mesh().source(h);
         return shell.guide[vertex] != shell.guide[other] || shell.held[vertex] != shell.held[other];
