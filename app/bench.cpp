@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/bench/cost_tables.h"
+#include "app/bench/fracture_tables.h"
 #include "app/bench/shell_run.h"
 #include "app/commands.h"
 #include "app/json/json.h"
@@ -123,6 +124,12 @@ int bench_cost(const BenchOptions& options) {
     return 0;
 }
 
+int bench_fracture(const BenchOptions& options) {
+    const Json runs = fracture_experiments(options.only, options.quick, !options.json);
+    if (options.json) fmt::print("{}\n", runs.dump(2));
+    return 0;
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Command& chosen) {
@@ -130,15 +137,17 @@ void add_bench(CLI::App& program, Command& chosen) {
         "bench", "Compare with theory and published numbers, in tables that anyone can make");
     auto options = std::make_shared<BenchOptions>();
     command
-        ->add_option("name", options->name,
-                     "shells: errors of plates and shells beside theory and published numbers; cost: what an "
-                     "iteration, an explicit step and a given error cost with each model")
+        ->add_option(
+            "name", options->name,
+            "shells: errors of plates and shells beside theory and published numbers; cost: what an "
+            "iteration, an explicit step and a given error cost with each model; fracture: cracks that "
+            "grow, beside theory")
         ->required()
-        ->check(CLI::IsMember({"shells", "cost"}));
+        ->check(CLI::IsMember({"shells", "cost", "fracture"}));
     command->add_flag(
         "--quick", options->quick,
         "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges; of "
-        "cost the coarsest mesh and plates only");
+        "cost the coarsest mesh and plates only; of fracture one mesh of the two coarser ones");
     command->add_option("--only", options->only, "Take the cases with this in their names")
         ->option_text("TEXT");
     command
@@ -150,6 +159,7 @@ void add_bench(CLI::App& program, Command& chosen) {
     command->footer("Example:\n  sherd bench shells --quick --only hemisphere");
     command->callback([&chosen, options] {
         chosen = [options] {
+            if (options->name == "fracture") return bench_fracture(*options);
             return options->name == "cost" ? bench_cost(*options) : bench_shells(*options);
         };
     });

@@ -103,8 +103,9 @@ class BreakableShell {
         Change change;      ///< whose shell is empty where the edge was there
     };
     /// Makes an edge from `tip` along a ray of the rest shape, which does not fail by it, and gives the sheet
-    /// around it other triangles (advance_edge(), CrackMesh::advance()). Lips, what is pinned, held, scripted
-    /// or guided and what keep_place() and keep_border() say stay, besides options.kept.
+    /// around it other triangles (advance_edge(), CrackMesh::advance()). Lips, what is pinned or scripted,
+    /// what is held or guided otherwise than a neighbour, and what keep_place() and keep_border() say stay,
+    /// besides options.kept.
     ///
     /// Each old face passes its mass on by area, so that it goes on for as much; a vertex has a third of its
     /// faces'. Positions and velocities are interpolated, then the patch gets the rigid motion that keeps its
@@ -147,6 +148,8 @@ class BreakableShell {
     void renumber(std::span<const Face> faces);
     void share_masses(const TopologyChange& change);
 
+    /// Whether a vertex is held or guided, and otherwise than one of its neighbours.
+    bool is_held_alone(Vertex vertex) const;
     AdvanceOptions with_kept(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
     void inherit_kept(const TopologyChange& topology);

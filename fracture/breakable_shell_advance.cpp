@@ -57,11 +57,19 @@ void BreakableShell::keep_border(std::span<const Index> faces) {
             kept_edges[edge] = 1;
 }
 
+bool BreakableShell::is_held_alone(Vertex vertex) const {
+    if (shell.guide[vertex] == 0 && shell.held[vertex] == 0) return false;
+    return std::ranges::any_of(mesh().halfedges_around_target(mesh().halfedge(vertex)), [&](Halfedge h) {
+        const Vertex other = mesh().source(h);
+        return shell.guide[vertex] != shell.guide[other] || shell.held[vertex] != shell.held[other];
+    });
+}
+
 AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
     AdvanceOptions all = options;
     all.kept.keeps_place = [this, given = options.kept.keeps_place](Vertex v) {
-        return shell.fixed[v] != 0 || shell.script[v] != 0 || shell.guide[v] != 0 || shell.held[v] != 0 ||
-               kept_vertices[v] != 0 || lips.has_twin(v) || given(v);
+        return shell.fixed[v] != 0 || shell.script[v] != 0 || kept_vertices[v] != 0 || lips.has_twin(v) ||
+               is_held_alone(v) || given(v);
     };
     all.kept.is_line = [this, given = options.kept.is_line](Edge edge) {
         return kept_edges[edge] != 0 || given(edge);

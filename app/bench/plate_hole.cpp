@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/bench/face_moments.h"
+#include "app/bench/rim_load.h"
 #include "app/bench/scene_words.h"
 #include "app/bench/shell_case.h"
 
@@ -55,23 +56,6 @@ double PlateHole::rim_moment() const {
 
 namespace {
 
-/// The exact field's moment, twist and shear on a side: its twist is a couple of forces at the ends.
-void add_rim_load(const Shell& shell, const PlateHole& hole, const TriangleEdge& side, Load& load) {
-    const auto [from, to, apex] = edge_and_apex(shell, side);
-    const Vector2d a = shell.rest.col(from).head<2>(), b = shell.rest.col(to).head<2>();
-    const Vector2d along = (b - a).normalized(), middle = (a + b) / 2;
-    Vector2d outward(along.y(), -along.x());
-    if (outward.dot(middle) < 0) outward = -outward;
-    const Eigen::Matrix2d m = hole_moment * hole.moments(middle);
-    const double length = (b - a).norm(), twist = outward.dot(m * along);
-    const double half = hole_moment * hole.shear(middle).dot(outward) * length / 2;
-    for (const EdgeMoment& one :
-         edge_moments(shell, std::array{side}, side_of(shell, side.triangle) * outward.dot(m * outward)))
-        load.moments.push_back(one);
-    load.dead.push_back({side.triangle, (side.corner + 1) % 3, {0, 0, half + twist}});
-    load.dead.push_back({side.triangle, (side.corner + 2) % 3, {0, 0, half - twist}});
-}
-
 void add_hole_loads(const Shell& shell, SimulationOptions& options) {
     const PlateHole hole(plate_poisson);
     std::vector<char> at_rim(shell.mass.size());
@@ -79,7 +63,8 @@ void add_hole_loads(const Shell& shell, SimulationOptions& options) {
         at_rim[v] = shell.rest.col(static_cast<Eigen::Index>(v)).norm() > hole_outer - 1e-9;
     Load load;
     for (const TriangleEdge& side : boundary_triangle_edges(shell, at_rim))
-        add_rim_load(shell, hole, side, load);
+        add_rim_moments(shell, side, hole_moment * hole.moments(middle_of(shell, side)),
+                        hole_moment * hole.shear(middle_of(shell, side)), load);
     options.stepper.shell.loads.push_back(load);
     options.fields.stress = true;
 }

@@ -9,6 +9,7 @@
 
 #include "core/bending/coupled_bending.h"
 #include "core/membrane/membrane_energy.h"
+#include "meshops/generate.h"
 #include "tests/support/advanced_sheet.h"
 
 namespace sherd {
@@ -289,6 +290,49 @@ RC_GTEST_PROP(BreakableShellAdvance, WhatIsKeptStays, ()) {
     }
     for (const Index v : {0, 7, 3, 11}) RC_ASSERT(shell.rest.col(v) == before.rest.col(v));
     for (const Index v : {0, 7}) RC_ASSERT(shell.velocity.col(v).isZero(0));
+}
+
+/// A flat sheet that is held in its plane, and the middle of it in one direction more.
+BreakableShell held_sheet(unsigned seed) {
+    SheetInput input;
+    input.mesh = generate_rectangle(1, 1, {0.08, Layout::delaunay, seed});
+    input.material = {.density = 1000, .thickness = 0.01, .young = 1e9, .poisson = 0.3};
+    BreakableShell sheet({input});
+    Shell& shell = sheet.mechanics();
+    shell.guides = {Vector3d(1, 1, 0).asDiagonal(), Vector3d(1, 0, 0).asDiagonal()};
+    shell.holds = {{{0, Vector3d(0, 0, 1).asDiagonal()}}, {{0, Vector3d(0, 1, 1).asDiagonal()}}};
+    for (std::size_t v = 0; v < shell.guide.size(); ++v) {
+        const bool middle = (shell.rest.col(static_cast<Index>(v)) - Vector3d(0.5, 0.5, 0)).norm() < 0.15;
+        shell.guide[v] = middle ? 2 : 1;
+        shell.held[v] = middle ? 2 : 1;
+    }
+    return sheet;
+}
+
+// A sheet that is held in its plane everywhere, as one that may not buckle is, gives way to a crack's path as
+// a free one does; where it is held otherwise it stays, and what is born is held as what is around it.
+TEST(BreakableShellAdvance, WhatIsHeldAllAlikeMovesAlong) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        BreakableShell sheet = held_sheet(seed);
+        const Shell before = sheet.mechanics();
+        Vertex tip = sheet.mesh().target(sheet.mesh().halfedge(Face(7u)));
+        int moved = 0;
+        for (int i = 0; i < 12; ++i) {
+            const auto made = sheet.advance(tip, {std::cos(0.5 * i), std::sin(0.5 * i), 0}, {});
+            if (!made) break;
+            moved += made->way != AdvancedEdge::Way::existing;
+            tip = sheet.mesh().target(made->halfedge);
+        }
+        EXPECT_GT(moved, 3);
+        const Shell& now = sheet.mechanics();
+        for (Index v = 0; v < now.rest.cols(); ++v) {
+            EXPECT_NE(now.guide[v], 0);
+            EXPECT_EQ(now.held[v], now.guide[v]);
+            const bool at_border = v < before.rest.cols() && before.guide[v] == 2 &&
+                                   (before.rest.col(v) - Vector3d(0.5, 0.5, 0)).norm() > 0.15 - 0.04;
+            EXPECT_TRUE(!at_border || now.rest.col(v) == before.rest.col(v));
+        }
+    }
 }
 
 // A crack that runs into the lip of another one, which is still closed, must not leave its end to contact.
