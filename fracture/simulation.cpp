@@ -8,7 +8,6 @@
 
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
-#include "fracture/small_pieces.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -16,8 +15,6 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 3;
-/// An edge opens in at most so many times the time that its tip needs at the speed limit.
-constexpr double longest_opening = 12;
 constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 /// Snapshot::edge_held, [E].
@@ -223,95 +220,6 @@ MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) 
     const MinimiserResult result = stepper->solve(max_iterations);
     report.newton_iterations += result.iterations;
     return result;
-}
-
-void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
-                             const std::optional<Opening>& opening) {
-    record_failures(edges, measures, stage);
-    BreakableShell::Change change = breakable.fail(edges);
-    change.shell.opening = opening;
-    follow_change(change);
-}
-
-void Simulation::follow_change(const BreakableShell::Change& change) {
-    record_change(change.cracks);
-    follow(breakable.mechanics(), change.shell, options.gauges);
-    fragments.follow(change.cracks.topology);
-    stepper->topology_changed(change.shell);
-}
-
-std::vector<Edge> Simulation::allowed(std::vector<Edge> edges) {
-    forbidden += keep_small_pieces_on(breakable, edges);
-    std::erase_if(edges, [this](Edge edge) { return !breakable.can_fail(edge); });
-    return edges;
-}
-
-bool Simulation::make_edge(CrackStep& crack_step, std::span<const CrackStep> made_before) {
-    const Mesh& mesh = breakable.mesh();
-    AdvanceOptions options;
-    options.kept.is_line = [&](Edge edge) {
-        return std::ranges::find(made_before, edge, &CrackStep::edge) != made_before.end();
-    };
-    options.kept.keeps_place = [&](Vertex vertex) {
-        return std::ranges::any_of(made_before, [&](const CrackStep& one) {
-            return mesh.vertex(one.edge, 0) == vertex || mesh.vertex(one.edge, 1) == vertex;
-        });
-    };
-    const Vertex tip(static_cast<unsigned>(crack_step.next.vertex));
-    const auto made = breakable.advance(tip, crack_step.ray, options);
-    if (made && made->way != AdvancedEdge::Way::existing) follow_change(made->change);
-    return made && growth.take(*made, time(), crack_step) && !options.kept.is_line(crack_step.edge);
-}
-
-bool Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
-    std::vector<CrackStep> made;
-    for (CrackStep one : crack_steps)
-        if (one.edge.is_valid() || make_edge(one, made)) made.push_back(one);
-    std::vector<CrackStep> grown;
-    for (const CrackStep& one : made) {
-        if (allowed({one.edge}).empty()) continue;
-        break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
-        grown.push_back(one);
-    }
-    growth.done(grown, time() + step_size.size());
-    return !grown.empty();
-}
-
-std::optional<Opening> Simulation::opening_of(Edge edge) const {
-    if (!stepper->opens_gradually()) return std::nullopt;
-    const Shell& shell = breakable.mechanics();
-    const auto a = static_cast<Index>(breakable.mesh().vertex(edge, 0)),
-               b = static_cast<Index>(breakable.mesh().vertex(edge, 1));
-    const double length = (shell.rest.col(a) - shell.rest.col(b)).norm();
-    const Toughness& toughness = breakable.toughness(edge);
-    const double needed = toughness.value * toughness.value / shell.young[a] * length * shell.thickness[a];
-    return Opening{static_cast<Index>(edge), needed, longest_opening * length / toughness.speed_limit};
-}
-
-void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {
-    const Mesh& mesh = breakable.mesh();
-    for (const Edge edge : edges) {
-        EdgeFailure failure;
-        failure.step = steps;
-        failure.stage = stage;
-        failure.edge = static_cast<Index>(edge);
-        failure.vertices = {static_cast<Index>(mesh.vertex(edge, 0)),
-                            static_cast<Index>(mesh.vertex(edge, 1))};
-        const Index hinge = breakable.hinge_of_edge(edge);
-        failure.strain = measures.strain[hinge];
-        failure.stress = measures.stress[hinge];
-        failure.overload = overload(breakable, measures, edge, options.rule == BreakingRule::staged);
-        events.failures.push_back(failure);
-    }
-}
-
-void Simulation::record_change(const CrackMesh::Change& change) {
-    const std::size_t first = events.failures.size() - change.boundary_vertices.size();
-    for (std::size_t i = 0; i < change.boundary_vertices.size(); ++i)
-        events.failures[first + i].boundary_vertices = change.boundary_vertices[i];
-    for (const auto& [edge, created] : change.topology.opened)
-        events.openings.push_back({0, steps, static_cast<Index>(edge), static_cast<Index>(created)});
-    append_births(change.topology, steps, events);
 }
 
 void Simulation::update_fragments() {

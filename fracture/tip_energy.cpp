@@ -76,7 +76,7 @@ TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& 
     if (sides != 2) return nullptr;
     const CrackTip found = crack_tip(shell.mechanics(), *around, tip.vertex, foreign_to(tip.vertex));
     place->second = std::make_unique<Known>(
-        found, TipForce(shell.mechanics(), *around, {.bending = state.bending}, found));
+        Known{found, TipForce(shell.mechanics(), *around, {.bending = state.bending}, found)});
     return place->second.get();
 }
 

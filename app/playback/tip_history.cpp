@@ -14,8 +14,8 @@ std::span<const TipRecord> TipHistory::at(std::int64_t step, double time) const 
     const auto later =
         std::ranges::find_if(ends, [&](const auto& end) { return end.first > step && end.second > time; });
     const std::int64_t last = later == ends.begin() ? step : std::prev(later)->first;
-    const auto found = std::ranges::equal_range(records, last, {}, &TipRecord::step);
-    return {found.begin(), found.end()};
+    return {std::ranges::lower_bound(records, last, {}, &TipRecord::step),
+            std::ranges::upper_bound(records, last, {}, &TipRecord::step)};
 }
 
 double TipHistory::fastest() const {
