@@ -57,7 +57,8 @@ def main():
                 lengths.append(f"{1000 * length:.0f}")
                 energies.append(f"{lost / (FRACTURE_ENERGY * THICKNESS * length):.2f}")
                 pieces.append(str(int((shares > 0).sum())))
-            print(f"| {speed} | {1000 * edge:g} | {', '.join(arms)} | {', '.join(lengths)} | {', '.join(energies)} | {', '.join(pieces)} |", flush=True)
+            columns = [", ".join(column) for column in (arms, lengths, energies, pieces)]
+            print(f"| {speed} | {1000 * edge:g} | {' | '.join(columns)} |", flush=True)
 
 
 if __name__ == "__main__":
