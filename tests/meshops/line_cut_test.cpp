@@ -52,7 +52,10 @@ RC_GTEST_PROP(LineCut, RandomLinesLeaveTheSheetAMesh, ()) {
         try {
             cut.cut(line);
         } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find("point: the line"), std::string::npos) << error.what();
+            const std::string what = error.what();
+            EXPECT_TRUE(what.starts_with("point: the line") ||
+                        what == "point: a line needs two different points")
+                << what;
         }
     }
     const TriangleSheet now = arrays_of(mesh);

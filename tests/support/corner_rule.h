@@ -27,10 +27,13 @@ class CornerRule {
             sides.push_back({ordered(faces[c / 3][c % 3], faces[c / 3][(c + 1) % 3]), c / 3});
         std::sort(sides.begin(), sides.end());
         std::vector<std::pair<VertexPair, std::array<int, 2>>> cuts;
-        for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
             const auto [edge, face] = sides[i];
-            if (sides[i + 1].first != edge) continue;
-            const int other = sides[i + 1].second;
+            if (i + 1 == sides.size() || sides[i + 1].first != edge) {
+                border.push_back(edge);
+                continue;
+            }
+            const int other = sides[++i].second;
             if (std::binary_search(failed.begin(), failed.end(), edge))
                 cuts.push_back({edge, {face, other}});
             else
@@ -51,6 +54,10 @@ class CornerRule {
         return count;
     }
     bool is_open(int a, int b) const { return std::binary_search(open.begin(), open.end(), ordered(a, b)); }
+    /// Whether only one face had the edge from the start.
+    bool is_border(int a, int b) const {
+        return std::binary_search(border.begin(), border.end(), ordered(a, b));
+    }
     std::size_t open_count() const { return open.size(); }
 
   private:
@@ -63,7 +70,7 @@ class CornerRule {
 
     const std::vector<Triangle>& faces;
     std::vector<int> parent;
-    std::vector<VertexPair> open;  ///< ascending
+    std::vector<VertexPair> open, border;  ///< ascending
 };
 
 }  // namespace sherd::test
