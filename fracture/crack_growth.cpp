@@ -21,7 +21,7 @@ constexpr double least_recorded = 0.1;
 }  // namespace
 
 CrackGrowth::CrackGrowth(const BreakableShell& shell, MembraneModel membrane, bool timeless)
-    : shell(shell), membrane(membrane), timeless(timeless), birth(shell, timeless), energy(shell) {
+    : shell(shell), timeless(timeless), birth(shell, timeless), energy(shell, membrane) {
     for (const Index sheet : shell.face_sheet())
         is_needed = is_needed || shell.toughness_of_sheet(sheet).given();
     if (!is_needed) return;
@@ -50,8 +50,7 @@ const Toughness& CrackGrowth::toughness(const GrowingTip& tip) const {
 
 TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
     if (now.equilibrium)
-        if (const std::optional<TipLoad> by_energy = energy.load(tip, *now.equilibrium, membrane))
-            return *by_energy;
+        if (const std::optional<TipLoad> by_energy = energy.load(tip, *now.equilibrium)) return *by_energy;
     return load_by_stress(shell, tip, now.strains);
 }
 
@@ -60,7 +59,7 @@ std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded(const Judged& now) 
     judged.clear();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const TipLoad bears = load(all[i], now);
-        judged.push_back({all[i], bears});
+        judged.push_back({all[i].number, bears});
         if (all[i].ready > now.end || now.is_opening(all[i].behind)) continue;
         const double ratio =
             bears.intensity / shell.toughness_towards(Vertex(all[i].vertex), bears.direction);
@@ -154,12 +153,10 @@ std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
     if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
         steps.push_back({{}, *born});
     for (const Overloaded& one : overloaded(now)) {
-        const auto step =
-            toughness(all[one.tip]).path == CrackPath::edges ? along_edges(one, now.begin) : along_ray(one);
-        // Two tips that meet take the same edge.
-        const bool is_taken = step && step->edge.is_valid() &&
-                              std::ranges::find(steps, step->edge, &CrackStep::edge) != steps.end();
-        if (step && !is_taken) steps.push_back(*step);
+        if (toughness(all[one.tip]).path == CrackPath::cut)
+            steps.push_back(along_ray(one));
+        else if (const std::optional<CrackStep> step = along_edges(one, now.begin))
+            steps.push_back(*step);
     }
     return steps;
 }
@@ -200,8 +197,8 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
 std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) const {
     const Shell& mechanics = shell.mechanics();
     std::vector<TipRecord> records;
-    for (const auto& [tip, load] : judged) {
-        const auto now = std::ranges::find(all, tip.number, &GrowingTip::number);
+    for (const auto& [number, load] : judged) {
+        const auto now = std::ranges::find(all, number, &GrowingTip::number);
         if (now == all.end()) continue;
         const double needed = shell.toughness_towards(Vertex(now->vertex), now->direction);
         if (load.intensity < least_recorded * needed) continue;
@@ -214,7 +211,7 @@ std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) con
         }
         const double young = mechanics.young[now->vertex];
         TipRecord record;
-        record.tip = tip.number;
+        record.tip = number;
         record.vertex = now->vertex;
         record.position = x.col(now->vertex);
         record.direction = direction.normalized();

@@ -43,7 +43,8 @@ class CrackGrowth {
     /// Whether a sheet has a toughness.
     bool needed() const { return is_needed; }
 
-    /// What cracks do next: at most one birth, and one edge for each tip.
+    /// What cracks do next: at most one birth, and one edge for each tip. Two tips that meet may have the
+    /// same.
     std::vector<CrackStep> next(const Judged& now);
     /// Lets a step take the edge that has been made for it, in a time step that began at `begin` (s). Returns
     /// false if its tip cannot go there.
@@ -64,7 +65,7 @@ class CrackGrowth {
   private:
     /// A tip as it was judged last.
     struct JudgedTip {
-        GrowingTip tip;
+        Index number;  ///< GrowingTip::number
         TipLoad load;
     };
     struct Overloaded {
@@ -87,7 +88,6 @@ class CrackGrowth {
     void find_tips();
 
     const BreakableShell& shell;
-    MembraneModel membrane;
     bool timeless, is_needed = false;
     CrackBirth birth;
     TipEnergy energy;

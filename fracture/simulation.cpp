@@ -197,7 +197,8 @@ std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double 
     Judged judged{now.strains, now.hinges, time(), time() + step_size.size(), waited, {}, {}};
     judged.is_opening = [this](Index edge) { return stepper->held(edge) > 0; };
     // Energy swings too much in fast plates, and hinges that are not coupled have none of use.
-    if (options.stepper.scheme != Scheme::explicit_differences && stepper->coupled_bending() != nullptr)
+    if (options.stepper.scheme != Scheme::explicit_differences && stepper->coupled_bending() != nullptr &&
+        !growth.tips().empty())
         judged.equilibrium = {stepper->position, stepper->elastic_gradient(), stepper->lip_forces(),
                               stepper->coupled_bending()};
     return growth.next(judged);

@@ -96,11 +96,11 @@ class Simulation {
                      const std::optional<Opening>& opening = {});
     /// Those of the edges that fail in a stage that may: see ArtDirection::smallest.
     std::vector<Edge> allowed(std::vector<Edge> edges);
-    /// Lets cracks go on, one edge after the other. Returns whether any did.
+    /// Lets cracks go on, one edge after the other. Returns whether the shell has changed.
     bool grow(std::span<const CrackStep> crack_steps, Index stage);
-    /// Makes the edge along the ray of a step, beside those made before. Returns whether the step can take
-    /// it.
-    bool make_edge(CrackStep& crack_step, std::span<const CrackStep> made_before);
+    /// Makes an edge along the ray of a step, beside those made before, which stay.
+    std::optional<BreakableShell::Advanced> make_edge(const CrackStep& crack_step,
+                                                      std::span<const CrackStep> made_before);
     /// How the edge of a crack that goes by toughness opens.
     std::optional<Opening> opening_of(Edge edge) const;
     /// Lets all that refers to the shell follow a change of it.

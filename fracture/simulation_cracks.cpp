@@ -35,7 +35,8 @@ std::vector<Edge> Simulation::allowed(std::vector<Edge> edges) {
     return edges;
 }
 
-bool Simulation::make_edge(CrackStep& crack_step, std::span<const CrackStep> made_before) {
+std::optional<BreakableShell::Advanced> Simulation::make_edge(const CrackStep& crack_step,
+                                                              std::span<const CrackStep> made_before) {
     const Mesh& mesh = breakable.mesh();
     AdvanceOptions options;
     options.kept.is_line = [&](Edge edge) {
@@ -49,21 +50,28 @@ bool Simulation::make_edge(CrackStep& crack_step, std::span<const CrackStep> mad
     const Vertex tip(static_cast<unsigned>(crack_step.next.vertex));
     const auto made = breakable.advance(tip, crack_step.ray, options);
     if (made && made->way != AdvancedEdge::Way::existing) follow_change(made->change);
-    return made && growth.take(*made, time(), crack_step) && !options.kept.is_line(crack_step.edge);
+    return made;
 }
 
 bool Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
-    std::vector<CrackStep> made;
-    for (CrackStep one : crack_steps)
-        if (one.edge.is_valid() || make_edge(one, made)) made.push_back(one);
+    bool changed = false;
+    std::vector<CrackStep> ready;
+    for (CrackStep one : crack_steps) {
+        if (!one.edge.is_valid()) {
+            const auto made = make_edge(one, ready);
+            changed = changed || (made && made->way != AdvancedEdge::Way::existing);
+            if (!made || !growth.take(*made, time(), one)) continue;
+        }
+        if (std::ranges::find(ready, one.edge, &CrackStep::edge) == ready.end()) ready.push_back(one);
+    }
     std::vector<CrackStep> grown;
-    for (const CrackStep& one : made) {
+    for (const CrackStep& one : ready) {
         if (allowed({one.edge}).empty()) continue;
         break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
         grown.push_back(one);
     }
     growth.done(grown, time() + step_size.size());
-    return !grown.empty();
+    return changed || !grown.empty();
 }
 
 std::optional<Opening> Simulation::opening_of(Edge edge) const {

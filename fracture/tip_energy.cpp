@@ -91,8 +91,7 @@ void TipEnergy::add_modes(const Known& known, const Equilibrium& state, TipLoad&
     load.direction = Eigen::AngleAxisd(turn, known.tip.normal) * known.tip.direction;
 }
 
-std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium& state,
-                                       MembraneModel membrane) {
+std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium& state) {
     if (membrane != MembraneModel::constant_strain) return std::nullopt;
     const Known* known = known_at(tip, state);
     if (known == nullptr) return std::nullopt;

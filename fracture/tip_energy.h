@@ -25,13 +25,13 @@ struct Equilibrium {
 class TipEnergy {
   public:
     /// The shell must outlive this object.
-    explicit TipEnergy(const BreakableShell& shell) : shell(shell) {}
+    TipEnergy(const BreakableShell& shell, MembraneModel membrane) : shell(shell), membrane(membrane) {}
 
     /// Must be called when the mesh has changed. tips: all of them.
     void mesh_changed(std::span<const GrowingTip> tips);
     /// Nothing where the energy is not known: at the tips of a crack that is still closed, where cracks join,
     /// or with a membrane of arcs.
-    std::optional<TipLoad> load(const GrowingTip& tip, const Equilibrium& state, MembraneModel membrane);
+    std::optional<TipLoad> load(const GrowingTip& tip, const Equilibrium& state);
 
   private:
     struct Known {
@@ -45,6 +45,7 @@ class TipEnergy {
     void add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const;
 
     const BreakableShell& shell;
+    MembraneModel membrane;
     std::optional<VertexFaces> around;
     std::vector<char> foreign;                    ///< [V] 1 on the boundary and at tips
     std::map<Index, std::unique_ptr<Known>> all;  ///< of a tip's vertex; null: its energy is not known
