@@ -4,7 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "fracture/crack_branching.h"
 #include "fracture/tip_stress.h"
 
 namespace sherd {
@@ -54,24 +56,38 @@ TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
     return load_by_stress(shell, tip, now.strains);
 }
 
-std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded(const Judged& now) {
-    std::vector<Overloaded> found;
+void CrackGrowth::judge_tips(const Judged& now) {
     judged.clear();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const TipLoad bears = load(all[i], now);
-        judged.push_back({all[i].number, bears});
-        if (all[i].ready > now.end || now.is_opening(all[i].behind)) continue;
-        const double ratio =
-            bears.intensity / shell.toughness_towards(Vertex(all[i].vertex), bears.direction);
-        if (ratio > 1) found.push_back({i, ratio, bears.direction});
+    for (GrowingTip& tip : all) {
+        const TipLoad bears = load(tip, now);
+        const double ratio = bears.intensity / shell.toughness_towards(Vertex(tip.vertex), bears.direction);
+        judged.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
+        if (!timeless) feed(shell, tip, ratio, now.waited);
     }
+}
+
+double CrackGrowth::joint_ratio(std::size_t tip) const {
+    if (!judged[tip].is_ready) return 0;
+    const GrowingTip* twin = near_twin(shell, all[tip], all);
+    if (twin == nullptr) return judged[tip].ratio;
+    const JudgedTip& other = judged[twin - all.data()];
+    return other.is_ready ? std::hypot(judged[tip].ratio, other.ratio) / std::numbers::sqrt2 : 0;
+}
+
+std::vector<CrackGrowth::Overloaded> CrackGrowth::overloaded() const {
+    std::vector<Overloaded> found;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (const double ratio = joint_ratio(i); ratio > 1)
+            found.push_back({i, ratio, judged[i].load.direction});
     std::ranges::stable_sort(found, std::greater(), &Overloaded::ratio);
     const Positions& rest = shell.mechanics().rest;
     std::vector<Overloaded> apart;
     for (const Overloaded& one : found) {
-        const double reach = apart_edges * edge_length_ahead(shell, all[one.tip]);
-        const bool waits = std::ranges::any_of(apart, [&](const Overloaded& other) {
-            return (rest.col(all[other.tip].vertex) - rest.col(all[one.tip].vertex)).norm() < reach;
+        const GrowingTip& tip = all[one.tip];
+        const double reach = apart_edges * edge_length_ahead(shell, tip);
+        const bool waits = std::ranges::any_of(apart, [&](const Overloaded& before) {
+            const GrowingTip& other = all[before.tip];
+            return other.number != tip.twin && (rest.col(other.vertex) - rest.col(tip.vertex)).norm() < reach;
         });
         if (!waits) apart.push_back(one);
     }
@@ -146,17 +162,36 @@ bool CrackGrowth::take(const BreakableShell::Advanced& made, double begin, Crack
     return true;
 }
 
+std::vector<Vector3d> CrackGrowth::ways_of(const Overloaded& one, double end) {
+    GrowingTip& tip = all[one.tip];
+    if (timeless || !branches(shell, tip, judged[one.tip].load.by_energy, all, end)) return {one.direction};
+    // Both begin here, and have to be fed anew to branch again.
+    tip.on_path = shell.mechanics().rest.col(tip.vertex);
+    tip.release = 0;
+    const std::array<Vector3d, 2> both = branch_directions(shell, tip, one.direction);
+    return {both.begin(), both.end()};
+}
+
+std::optional<CrackStep> CrackGrowth::step_of(const Overloaded& one, double begin) const {
+    if (toughness(all[one.tip]).path == CrackPath::edges) return along_edges(one, begin);
+    return along_ray(one);
+}
+
 std::vector<CrackStep> CrackGrowth::next(const Judged& now) {
     std::vector<CrackStep> steps;
     if (!is_needed) return steps;
     // Births come first: their edges are of the mesh as it is.
     if (const std::optional<Edge> born = birth.next(now.strains, now.measures, all, now.waited))
         steps.push_back({{}, *born});
-    for (const Overloaded& one : overloaded(now)) {
-        if (toughness(all[one.tip]).path == CrackPath::cut)
-            steps.push_back(along_ray(one));
-        else if (const std::optional<CrackStep> step = along_edges(one, now.begin))
+    judge_tips(now);
+    for (const Overloaded& one : overloaded()) {
+        const std::vector<Vector3d> ways = ways_of(one, now.end);
+        for (const Vector3d& way : ways) {
+            std::optional<CrackStep> step = step_of({one.tip, one.ratio, way}, now.begin);
+            if (!step) continue;
+            step->is_branch = &way != &ways.front();
             steps.push_back(*step);
+        }
     }
     return steps;
 }
@@ -173,8 +208,20 @@ void CrackGrowth::add_tip(Vertex vertex, const Vector3d& direction, Edge behind,
     all.push_back(tip);
 }
 
+void CrackGrowth::add_branch(GrowingTip tip) {
+    const auto first = std::ranges::find(all, tip.number, &GrowingTip::number);
+    tip.twin = tip.number;
+    tip.number = numbers++;
+    first->twin = tip.number;
+    all.push_back(tip);
+}
+
 void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
-    for (const auto& [number, edge, ray, next] : steps) {
+    for (const auto& [number, edge, ray, next, is_branch] : steps) {
+        if (is_branch) {
+            add_branch(next);
+            continue;
+        }
         if (number) {
             all[*number] = next;
             continue;
@@ -197,7 +244,7 @@ void CrackGrowth::done(std::span<const CrackStep> steps, double end) {
 std::vector<TipRecord> CrackGrowth::records(const Positions& x, double time) const {
     const Shell& mechanics = shell.mechanics();
     std::vector<TipRecord> records;
-    for (const auto& [number, load] : judged) {
+    for (const auto& [number, load, ratio, is_ready] : judged) {
         const auto now = std::ranges::find(all, number, &GrowingTip::number);
         if (now == all.end()) continue;
         const double needed = shell.toughness_towards(Vertex(now->vertex), now->direction);

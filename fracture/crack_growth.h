@@ -23,18 +23,20 @@ struct Judged {
 
 /// One edge by which a crack is born, or goes on.
 struct CrackStep {
-    std::optional<std::size_t> tip;   ///< number of the tip that goes on; none: a birth
+    std::optional<std::size_t> tip;   ///< which of tips() goes on; none: a birth
     Edge edge = {};                   ///< none yet: it is to be made, along the ray
     Vector3d ray = Vector3d::Zero();  ///< unit vector from the tip's vertex
     GrowingTip next = {};             ///< what becomes of the tip
+    bool is_branch = false;           ///< it leaves the tip beside another edge, as a new tip
 };
 
 /// The cracks of sheets that have a toughness: where they are born (CrackBirth), and where they go on.
 ///
 /// A tip goes on where its intensity is over the toughness, by the energy that it releases (TipEnergy) or by
 /// the stress ahead of it (load_by_stress()); at most so fast as the speed limit says, and not before the
-/// edge behind it has opened. It takes an edge that is made along its path, or the one that is nearest to it
-/// (CrackPath), and keeps in mind by how much an edge misses the path.
+/// edge behind it has opened; in two ways where it branches (branches()). It takes an edge that is made along
+/// its path, or the one that is nearest to it (CrackPath), and keeps in mind by how much an edge misses the
+/// path.
 class CrackGrowth {
   public:
     /// The shell must outlive this object. timeless: in statics, where nothing takes time.
@@ -43,7 +45,7 @@ class CrackGrowth {
     /// Whether a sheet has a toughness.
     bool needed() const { return is_needed; }
 
-    /// What cracks do next: at most one birth, and one edge for each tip. Two tips that meet may have the
+    /// What cracks do next: at most one birth, and one edge for each tip, or two. Tips that meet may have the
     /// same.
     std::vector<CrackStep> next(const Judged& now);
     /// Lets a step take the edge that has been made for it, in a time step that began at `begin` (s). Returns
@@ -67,6 +69,8 @@ class CrackGrowth {
     struct JudgedTip {
         Index number;  ///< GrowingTip::number
         TipLoad load;
+        double ratio;   ///< intensity over toughness
+        bool is_ready;  ///< whether it may go on
     };
     struct Overloaded {
         std::size_t tip;
@@ -75,8 +79,15 @@ class CrackGrowth {
     };
     TipLoad load(const GrowingTip& tip, const Judged& now);
     const Toughness& toughness(const GrowingTip& tip) const;
+    void judge_tips(const Judged& now);
+    /// Intensity over toughness of a tip that may go on, with that of a near twin; else 0.
+    double joint_ratio(std::size_t tip) const;
     /// The tips that go on, the most overloaded first, without those that another one of them is near to.
-    std::vector<Overloaded> overloaded(const Judged& now);
+    std::vector<Overloaded> overloaded() const;
+    /// The directions in which a tip goes on at `end` (s): two, where it branches.
+    std::vector<Vector3d> ways_of(const Overloaded& one, double end);
+    /// The edge by which a tip goes on, as its sheet's CrackPath says.
+    std::optional<CrackStep> step_of(const Overloaded& one, double begin) const;
     /// The edge nearest to the path of a tip that goes on in a direction; nothing where there is none.
     std::optional<CrackStep> along_edges(const Overloaded& one, double begin) const;
     CrackStep along_ray(const Overloaded& one) const;
@@ -84,6 +95,8 @@ class CrackGrowth {
     GrowingTip moved(const GrowingTip& tip, const Vector3d& direction, Edge edge, Index to,
                      double begin) const;
     void add_tip(Vertex vertex, const Vector3d& direction, Edge behind, double ready);
+    /// Adds what became of a tip beside its other branch.
+    void add_branch(GrowingTip tip);
     /// The tips of the cracks that there are, each away from its crack.
     void find_tips();
 

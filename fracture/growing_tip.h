@@ -15,6 +15,8 @@ struct GrowingTip {
     double ready = 0;                        ///< s, before which the speed limit does not let it go on
     Index behind = -1;                       ///< the edge that failed last, which must have opened before
     Index number = 0;                        ///< of all tips that there have been
+    Index twin = -1;                         ///< number of the other tip of the last branching; -1: none
+    double release = 0;                      ///< mean of G / G_c over the last edges
     double stride = 0;                       ///< m, of its last edge along the path
     double since = 0;                        ///< s, from which on the last edge went
     double before = 0;                       ///< m/s, its speed along the edge before

@@ -48,6 +48,7 @@ FractureCase edge_notch();
 FractureCase bent_plate();
 FractureCase double_cantilever();
 FractureCase offset_hole();
+FractureCase branching();
 
 /// All of them.
 std::vector<FractureCase> fracture_cases();

@@ -5,7 +5,8 @@ namespace sherd {
 
 std::vector<FractureCase> fracture_cases() {
     std::vector<FractureCase> all = centre_cracks();
-    for (FractureCase& one : std::array{edge_notch(), bent_plate(), double_cantilever(), offset_hole()})
+    for (FractureCase& one :
+         std::array{edge_notch(), bent_plate(), double_cantilever(), offset_hole(), branching()})
         all.push_back(std::move(one));
     return all;
 }

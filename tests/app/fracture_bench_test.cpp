@@ -37,7 +37,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, FractureBench,
                                          FractureBound{"edge notch, a / W = 0.4", {0.07, 0.07}},
                                          FractureBound{"bent plate with a centre crack", {0.04, 0.04}},
                                          FractureBound{"double cantilever", {0.06, 0.5, 0.13}},
-                                         FractureBound{"notch and offset hole", {0.005}}));
+                                         FractureBound{"notch and offset hole", {0.005}},
+                                         FractureBound{"branching", {0.02, 0, 0.3, 8}}));
 
 // Two random meshes must agree on where the crack runs.
 TEST(FractureBenchPaths, OfTwoMeshesAreTheSame) {

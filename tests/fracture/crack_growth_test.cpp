@@ -3,6 +3,7 @@
 // path, its speed or its neighbours, stars would be holes and straight cracks zigzag.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -16,10 +17,14 @@ namespace sherd {
 namespace {
 
 constexpr double strip_length = 0.12, strip_width = 0.06, strip_edge = 0.004;  // m
+const double usual_limit = usual_speed_limit(test::glass);
+/// m/s, which no tip reaches, so that none branches.
+constexpr double no_limit = 6000;
 
 /// A glass strip along x, whose hinges near the middle of one side are weak, so that a crack begins there,
 /// and strong elsewhere.
-SheetInput weakened_strip(std::uint32_t seed, double toughness, CrackPath path = CrackPath::cut) {
+SheetInput weakened_strip(std::uint32_t seed, double toughness, CrackPath path = CrackPath::cut,
+                          double limit = usual_limit) {
     SheetInput input;
     input.mesh = generate_rectangle(strip_length, strip_width, {strip_edge, Layout::delaunay, seed});
     input.material = test::glass;
@@ -32,7 +37,7 @@ SheetInput weakened_strip(std::uint32_t seed, double toughness, CrackPath path =
         input.strength.factors.push_back(weak ? 0.2 : 10);
     }
     input.toughness.value = toughness;
-    input.toughness.speed_limit = usual_speed_limit(test::glass);
+    input.toughness.speed_limit = limit;
     input.toughness.path = path;
     return input;
 }
@@ -53,10 +58,10 @@ std::vector<Load> pulled(const BreakableShell& sheets, double force) {
 }
 
 /// The strip, pulled at both ends by this stress (Pa).
-Simulation pulled_strip(std::uint32_t seed, double toughness, double stress,
-                        CrackPath path = CrackPath::cut) {
+Simulation pulled_strip(std::uint32_t seed, double toughness, double stress, CrackPath path = CrackPath::cut,
+                        double limit = usual_limit) {
     SimulationOptions options;
-    BreakableShell sheets({weakened_strip(seed, toughness, path)});
+    BreakableShell sheets({weakened_strip(seed, toughness, path, limit)});
     options.stepper.scheme = Scheme::explicit_differences;
     options.stepper.step = 1e-6;
     options.stepper.gravity.setZero();
@@ -83,7 +88,7 @@ struct Failures {
 
 /// Length of all cracks when the strip is in two, over its width.
 double path_ratio(std::uint32_t seed, CrackPath path) {
-    Simulation simulation = pulled_strip(seed, 1e6, 1.5e7, path);
+    Simulation simulation = pulled_strip(seed, 1e6, 1.5e7, path, no_limit);
     Failures failures;
     Index pieces = 1;
     for (int i = 0; i < 400 && pieces == 1; ++i) {
@@ -123,7 +128,7 @@ TEST(CrackGrowth, KeepsAreaAndMass) {
 
 // Each tip has its number as long as it runs, and what it bears is recorded while it does.
 TEST(CrackGrowth, RecordsItsTips) {
-    Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
+    Simulation simulation = pulled_strip(1, 1e6, 1.5e7, CrackPath::cut, no_limit);
     std::vector<TipRecord> tips;
     for (int i = 0; i < 60; ++i) {
         const StepReport report = simulation.step();
@@ -140,11 +145,25 @@ TEST(CrackGrowth, RecordsItsTips) {
         EXPECT_EQ(tip.tip, tips.front().tip) << "a crack from the rim has one";
         EXPECT_NEAR(tip.toughness / needed, 1, 1e-12);
         EXPECT_NEAR(tip.direction.norm(), 1, 1e-12);
-        EXPECT_LT(tip.speed, (1 + 1e-9) * usual_speed_limit(test::glass));
+        EXPECT_LT(tip.speed, (1 + 1e-9) * no_limit);
         pulled += tip.opening > std::abs(tip.shear) ? 1 : 0;
     }
     EXPECT_GT(pulled, 3 * tips.size() / 4) << "it is pulled open";
     EXPECT_GT((tips.back().position - tips.front().position).norm(), 2 * strip_edge);
+}
+
+// Under many times what a crack needs it cannot take all of it in one way: both of its branches must run.
+TEST(CrackGrowth, BranchesWhereItIsFedTooMuch) {
+    Simulation simulation = pulled_strip(1, 1e6, 1.5e7);
+    std::map<Index, std::vector<Vector3d>> places;
+    for (int i = 0; i < 60; ++i) {
+        simulation.step();
+        for (const TipRecord& tip : simulation.take_events().tips) places[tip.tip].push_back(tip.position);
+    }
+    const auto ran = std::ranges::count_if(places, [](const auto& tip) {
+        return (tip.second.back() - tip.second.front()).norm() > 2 * strip_edge;
+    });
+    EXPECT_GT(ran, 1) << "branches stopped where they began";
 }
 
 // What says how far an edge has opened must fade, on edges that have failed and no others, to nothing.

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/crack_branching.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "fracture/tip_stress.h"
+
+namespace sherd {
+namespace {
+
+/// In the time of so many edges at the speed limit the mean release follows what feeds a tip: stress swings
+/// by a factor of four while an edge opens.
+constexpr double edges_of_mean = 3;
+/// Mean of G over G_c from which on a tip branches: twice what it needs. By stress that is twice 0.7, which
+/// is the mean of a tip that just keeps going: stress falls when an edge opens, and rises until the next one
+/// does.
+constexpr double enough_by_energy = 2, enough_by_stress = 1.4;
+/// Share of its speed limit from which on a tip is at it: strides differ, and go in steps of time.
+constexpr double share_of_limit = 0.8;
+/// Between either branch and the way of the crack.
+constexpr double branch_angle = 25 * std::numbers::pi / 180;
+/// Twins that are nearer to each other than so many edges go on together, and those within more of them do
+/// not branch: a tip slows down where it branches, and is fed too much until it runs again.
+constexpr double edges_together = 3, edges_between = 8;
+
+double speed_limit(const BreakableShell& shell, const GrowingTip& tip) {
+    return shell.toughness_of_sheet(shell.mechanics().vertex_sheet[tip.vertex]).speed_limit;
+}
+
+const GrowingTip* twin_within(double edges, const BreakableShell& shell, const GrowingTip& tip,
+                              std::span<const GrowingTip> all) {
+    if (tip.twin < 0) return nullptr;
+    const auto twin = std::ranges::find(all, tip.twin, &GrowingTip::number);
+    if (twin == all.end()) return nullptr;
+    const Positions& rest = shell.mechanics().rest;
+    const double gap = (rest.col(twin->vertex) - rest.col(tip.vertex)).norm();
+    return gap < edges * edge_length_ahead(shell, tip) ? &*twin : nullptr;
+}
+
+}  // namespace
+
+void feed(const BreakableShell& shell, GrowingTip& tip, double intensity_ratio, double waited) {
+    const double window = edges_of_mean * edge_length_ahead(shell, tip) / speed_limit(shell, tip);
+    const double share = waited < window ? waited / window : 1;
+    tip.release += share * (intensity_ratio * intensity_ratio - tip.release);
+}
+
+bool branches(const BreakableShell& shell, const GrowingTip& tip, bool by_energy,
+              std::span<const GrowingTip> all, double time) {
+    return tip.stride > 0 && tip.release > (by_energy ? enough_by_energy : enough_by_stress) &&
+           tip.speed(time) > share_of_limit * speed_limit(shell, tip) &&
+           twin_within(edges_between, shell, tip, all) == nullptr;
+}
+
+std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const GrowingTip& tip,
+                                          const Vector3d& direction) {
+    const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
+    return {Eigen::AngleAxisd(branch_angle, normal) * direction,
+            Eigen::AngleAxisd(-branch_angle, normal) * direction};
+}
+
+const GrowingTip* near_twin(const BreakableShell& shell, const GrowingTip& tip,
+                            std::span<const GrowingTip> all) {
+    return twin_within(edges_together, shell, tip, all);
+}
+
+}  // namespace sherd

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tips that branch. Were they fed by the swings of an edge that opens, they would branch everywhere; were
+// twins not held together, one of each pair would stop at once, by the chance of the mesh.
+#include "fracture/crack_branching.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "meshops/generate.h"
+#include "tests/support/materials.h"
+
+namespace sherd {
+namespace {
+
+constexpr double plate_edge = 0.0016, limit = 1500;  // m, m/s
+
+/// Glass, 100 by 40 mm, that is open from the left to the middle.
+BreakableShell half_open_plate() {
+    Polygon outline;
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {0.1, 0.0}, {0.1, 0.04}, {0.0, 0.04}})
+        outline.outline.emplace_back(x, y);
+    outline.slits = {{{0, 0.02}, {0.05, 0.02}}};
+    SheetInput input;
+    input.mesh = generate_polygon(outline, {plate_edge, Layout::delaunay, 1});
+    input.material = test::glass;
+    input.strength = uniform_strength(1e12, Measure::stress);
+    input.toughness.value = 7.5e5;
+    input.toughness.speed_limit = limit;
+    return BreakableShell({input});
+}
+
+/// A tip that runs along x at its limit.
+GrowingTip running_tip(const BreakableShell& plate, const Vector3d& place) {
+    GrowingTip tip;
+    (plate.mechanics().rest.colwise() - place).colwise().squaredNorm().minCoeff(&tip.vertex);
+    tip.stride = plate_edge;
+    tip.before = limit;
+    return tip;
+}
+
+const Vector3d middle(0.05, 0.02, 0);
+
+// Half the release counts after the time of two edges: a swing within one edge does not make a tip branch.
+TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
+    const BreakableShell plate = half_open_plate();
+    GrowingTip tip = running_tip(plate, middle);
+    const double step = 0.01 * plate_edge / limit;
+    for (int i = 0; i < 200; ++i) feed(plate, tip, 2, step);
+    EXPECT_NEAR(tip.release, 4 * (1 - std::exp(-2.0 / 3)), 0.25);
+    feed(plate, tip, 3, 1);
+    EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
+}
+
+TEST(CrackBranching, NeedsTwiceTheEnergyAndTheLimit) {
+    const BreakableShell plate = half_open_plate();
+    GrowingTip tip = running_tip(plate, middle);
+    const double soon = plate_edge / limit;
+    for (const bool by_energy : {false, true}) {
+        tip.release = by_energy ? 1.9 : 1.3;
+        EXPECT_FALSE(branches(plate, tip, by_energy, {}, soon));
+        tip.release = by_energy ? 2.1 : 1.5;
+        EXPECT_TRUE(branches(plate, tip, by_energy, {}, soon));
+        EXPECT_FALSE(branches(plate, tip, by_energy, {}, 2 * soon)) << "it has come at half the limit";
+    }
+    tip.stride = 0;
+    EXPECT_FALSE(branches(plate, tip, false, {}, soon)) << "it has not run yet";
+}
+
+TEST(CrackBranching, GoesToBothSidesAlike) {
+    const BreakableShell plate = half_open_plate();
+    const GrowingTip tip = running_tip(plate, middle);
+    const auto [one, other] = branch_directions(plate, tip, Vector3d::UnitX());
+    EXPECT_NEAR(one.x(), std::cos(25 * std::numbers::pi / 180), 1e-12);
+    EXPECT_NEAR((one - other).y() * (one - other).y(), std::pow(2 * one.y(), 2), 1e-12);
+    EXPECT_NEAR((one + other).y(), 0, 1e-12);
+    EXPECT_EQ(one.z(), 0);
+}
+
+// Twins go together as long as the mesh cannot tell them apart, and do not branch soon after.
+TEST(CrackBranching, TwinsKeepTogetherAndApart) {
+    const BreakableShell plate = half_open_plate();
+    struct Gap {
+        double edges;
+        bool is_near, may_branch;
+    };
+    for (const auto& [edges, is_near, may_branch] :
+         {Gap{2, true, false}, {5, false, false}, {11, false, true}}) {
+        std::vector<GrowingTip> all;
+        for (const double side : {0.5, -0.5})
+            all.push_back(running_tip(plate, Vector3d(0.075, 0.02 + side * edges * plate_edge, 0)));
+        all[1].number = 1;
+        all[0].twin = 1;
+        all[1].twin = 0;
+        all[0].release = 5;
+        EXPECT_EQ(near_twin(plate, all[0], all) == &all[1], is_near) << edges << " edges apart";
+        EXPECT_EQ(branches(plate, all[0], false, all, plate_edge / limit), may_branch) << edges;
+        all[0].twin = 7;
+        EXPECT_EQ(near_twin(plate, all[0], all), nullptr) << "that one is no more";
+    }
+}
+
+}  // namespace
+}  // namespace sherd
