@@ -8,6 +8,7 @@
 
 #include "fracture/crack_branching.h"
 #include "fracture/tip_stress.h"
+#include "fracture/weakest_direction.h"
 
 namespace sherd {
 namespace {
@@ -59,7 +60,8 @@ TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
 void CrackGrowth::judge_tips(const Judged& now) {
     judged.clear();
     for (GrowingTip& tip : all) {
-        const TipLoad bears = load(tip, now);
+        TipLoad bears = load(tip, now);
+        if (toughness(tip).has_directions()) turn_to_weakest(shell, tip, bears);
         const double ratio = bears.intensity / shell.toughness_towards(Vertex(tip.vertex), bears.direction);
         judged.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
         if (!timeless) feed(shell, tip, ratio, now.waited);

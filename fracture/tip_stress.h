@@ -9,6 +9,9 @@ namespace sherd {
 /// Mean length, m, of the edges that lead on from a tip at rest; 0 if there are none.
 double edge_length_ahead(const BreakableShell& shell, const GrowingTip& tip);
 
+/// By how much a tip that runs may turn with its next edge, rad: waves would make its path snake.
+double largest_turn(const BreakableShell& shell, const GrowingTip& tip);
+
 /// What a tip bears, by the surface stress averaged over the faces ahead of it: with its mean s_m and half
 /// its difference s_b across the crack, K = sqrt(max(s_m, 0)^2 + c s_b^2) sqrt(2 pi alpha h), with c = (1 +
 /// nu) / (3 (3 + nu)) (energy release in bending, Hui and Zehnder 1993), h the length of the edges ahead and

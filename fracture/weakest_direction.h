@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fracture/breakable_shell.h"
+#include "fracture/growing_tip.h"
+
+namespace sherd {
+
+/// Turns what a tip bears from the direction of the largest tension to that of the largest G / G_c, where
+/// toughness depends on the direction. Beside the largest tension, where a crack is pulled open only, an edge
+/// that kinks by an angle a releases cos^4(a / 2) of the energy (Cotterell and Rice 1980), so that the
+/// intensity falls by cos^2(a / 2).
+void turn_to_weakest(const BreakableShell& shell, const GrowingTip& tip, TipLoad& load);
+
+}  // namespace sherd
