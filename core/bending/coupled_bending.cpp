@@ -18,7 +18,7 @@ void CoupledBending::count_all() {
     counted.resize(shell.triangles.size());
     std::iota(counted.begin(), counted.end(), 0);
     needed = folds.present();
-    find_reach();
+    reach.clear();
 }
 
 void CoupledBending::count_only(std::vector<Index> faces) {
@@ -33,11 +33,11 @@ void CoupledBending::find_needed() {
         for (const auto& [fold, per_angle] : curvature.terms(face)) is_needed[fold] = 1;
     needed = folds.present();
     std::erase_if(needed, [&](Index fold) { return is_needed[fold] == 0; });
-    find_reach();
+    reach.clear();
 }
 
-void CoupledBending::find_reach() {
-    reach.clear();
+const std::vector<CoupledBending::Reach>& CoupledBending::reach_of_counted() const {
+    if (!reach.empty()) return reach;
     for (const Index face : counted) {
         auto& [vertices, places] = reach.emplace_back();
         for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
@@ -50,6 +50,7 @@ void CoupledBending::find_reach() {
             places.push_back(place);
         }
     }
+    return reach;
 }
 
 void CoupledBending::start_from(const Positions& x, double factor) {
@@ -127,8 +128,9 @@ void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const
 
 void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
                                  std::vector<Matrix3d>& of_face) const {
-    of_face.assign(reach[i].vertices.size(), Matrix3d::Zero());
-    auto place = reach[i].places.begin();
+    const auto& [vertices, places] = reach_of_counted()[i];
+    of_face.assign(vertices.size(), Matrix3d::Zero());
+    auto place = places.begin();
     for (const auto& [fold, per_angle] : curvature.terms(counted[i])) {
         const HingePositions& gradient = of_folds[fold].gradient;
         for (int v = 0; v < 4; ++v)
@@ -144,7 +146,7 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
     std::vector<Matrix3d> of_face;
     for (std::size_t i = 0; i < counted.size(); ++i) {
         find_slopes(i, slopes, of_face);
-        hessian.add_all(reach[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
+        hessian.add_all(reach_of_counted()[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
             return of_face[a].transpose() * of_face[b];
         });
     }
@@ -153,7 +155,8 @@ void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix
 }
 
 void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const auto& [vertices, places] : reach) add_pairs(pairs, std::span<const Index>(vertices));
+    for (const auto& [vertices, places] : reach_of_counted())
+        add_pairs(pairs, std::span<const Index>(vertices));
 }
 
 }  // namespace sherd

@@ -58,7 +58,7 @@ class CoupledBending : public Energy {
 
     void count_all();
     void find_needed();
-    void find_reach();
+    const std::vector<Reach>& reach_of_counted() const;
     /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
     /// positions of the vertices in its reach, sqrt(J) / m.
     void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
@@ -80,9 +80,9 @@ class CoupledBending : public Energy {
     bool of_all = true;          ///< whether all faces count
     std::vector<Index> counted;  ///< faces that count
     std::vector<Index> needed;   ///< present folds on which their curvature depends
-    std::vector<Reach> reach;    ///< of each face that counts
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
+    mutable std::vector<Reach> reach;  ///< of each face that counts, once a Hessian has asked for it; or none
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations
 };
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <numeric>
 
 namespace sherd {
 namespace {
@@ -19,46 +18,40 @@ Vector3d relaxed(const Vector3d& curvature, const Eigen::Matrix3Xd& free, const 
 }  // namespace
 
 FaceCurvature::FaceCurvature(const Shell& shell, const Folds& folds)
-    : shell(shell), folds(folds), patches(shell, folds) {
-    build();
-}
-
-void FaceCurvature::build() {
-    shares.assign(shell.edge_hinge.size(), {});
+    : shell(shell),
+      folds(folds),
+      patches(shell, folds),
+      shares(shell.edge_hinge.size()),
+      faces(shell.triangles.size()) {
     for (const Index edge : shell.hinge_edge) shares[edge] = shares_of(edge);
-    faces.assign(shell.triangles.size(), {});
     for (Index face = 0; face < static_cast<Index>(faces.size()); ++face) update_face(face);
 }
 
 std::vector<Index> FaceCurvature::follow(const ShellChange& change) {
-    if (!change.faces.empty() || !change.reshaped.empty()) {
-        patches.build();
-        build();
-        std::vector<Index> all(faces.size());
-        std::iota(all.begin(), all.end(), 0);
-        return all;
-    }
-    std::vector<char> gone(folds_of_edges() + shares.size(), 0);  // by fold
-    std::vector<Index> changed;                                   // faces
-    const auto add_faces_of = [&](const std::array<TriangleEdge, 2>& sides) {
-        for (const auto& [triangle, corner] : sides) changed.push_back(triangle);
-    };
-    for (const Patches::Removed& removed : patches.forget_removed()) {
-        gone[folds_of_edges() + removed.edge] = 1;
-        shares[removed.edge].clear();
-        add_faces_of(removed.sides);
-    }
-    for (std::size_t edge = 0; edge < shares.size(); ++edge)
-        if (std::ranges::any_of(shares[edge],
-                                [&](const Patches::Share& share) { return gone[share.fold] != 0; })) {
-            shares[edge] = shares_of(static_cast<Index>(edge));
-            add_faces_of(*patches.sides_of(static_cast<Index>(edge)));
-        }
+    const Patches::Change seen = patches.follow(change);
+    if (seen.more_mirrors > 0) renumber(seen);
     shares.resize(shell.edge_hinge.size());
+    faces.resize(shell.triangles.size());
+    std::vector<Index> changed = seen.faces;
+    for (std::size_t edge = 0; edge < shares.size(); ++edge) {
+        if (!shares[edge].empty() && !seen.concerns(shares[edge])) continue;
+        const auto sides = patches.sides_of(static_cast<Index>(edge));
+        shares[edge].clear();
+        if (!sides) continue;
+        shares[edge] = shares_of(static_cast<Index>(edge));
+        for (const auto& [triangle, corner] : *sides) changed.push_back(triangle);
+    }
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const Index face : changed) update_face(face);
     return changed;
+}
+
+void FaceCurvature::renumber(const Patches::Change& change) {
+    for (auto& of_edge : shares)
+        for (Patches::Share& share : of_edge) share.fold = change.now(share.fold);
+    for (auto& terms : faces)
+        for (Term& term : terms) term.fold = change.now(term.fold);
 }
 
 std::vector<Patches::Share> FaceCurvature::shares_of(Index edge) const {

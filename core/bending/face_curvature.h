@@ -28,8 +28,8 @@ class FaceCurvature {
     /// Shell and folds must outlive this object.
     FaceCurvature(const Shell& shell, const Folds& folds);
 
-    /// Must be called when the shell has changed. Only the faces around removed hinges are computed anew,
-    /// which it returns by ascending number; all, if the shell has other triangles.
+    /// Must be called when the shell has changed. Only the faces that see something of the change are
+    /// computed anew, which it returns by ascending number.
     std::vector<Index> follow(const ShellChange& change);
 
     /// What the change of curvature of a face consists of.
@@ -45,7 +45,7 @@ class FaceCurvature {
     const Patches& around() const { return patches; }
 
   private:
-    void build();
+    void renumber(const Patches::Change& change);
     Index folds_of_edges() const { return folds.folds_of_edges(); }
     std::vector<Patches::Share> shares_of(Index edge) const;
     void update_face(Index face);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace sherd {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 /// Singular values of a patch's angles, over the edge's length, under which it is grown, and under which what
 /// it cannot see is left as it is.
 constexpr double sees_well = 0.2, sees_hardly = 0.05;
+constexpr std::array<Index, 3> no_folds{-1, -1, -1};
 
 /// A tensor's components with the weight that makes their sum of squares the same in all frames.
 Vector3d invariant(const Vector3d& tensor) {
@@ -41,39 +43,93 @@ double sight(const AnglesOfFolds& angles) {
 }  // namespace
 
 void Patches::build() {
-    triangles.clear();
+    first_edge = folds.folds_of_edges();
+    std::vector<Index> faces(shell.triangles.size()), hinges(shell.hinges.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    std::iota(hinges.begin(), hinges.end(), 0);
     for (const TriangleStencil& triangle : shell.triangles)
         triangles.push_back(plane_triangle(columns(shell.rest, triangle.vertices)));
-    fold_of_side.assign(triangles.size(), {-1, -1, -1});
-    const auto is_smooth = [this](Index fold) { return std::abs(folds.rest_angle(fold)) <= sharpest; };
-    for (Index m = 0; m < folds.folds_of_edges(); ++m)
-        if (const auto& [triangle, corner] = folds.mirror_side(m); is_smooth(m))
-            fold_of_side[triangle][corner] = m;
+    fold_of_side.assign(triangles.size(), no_folds);
     sides_of_edge.assign(shell.edge_hinge.size(), {});
-    const std::vector<std::array<TriangleEdge, 2>> sides = sides_of_hinges(shell);
-    for (std::size_t h = 0; h < sides.size(); ++h) {
-        const Index edge = shell.hinge_edge[h], fold = folds.folds_of_edges() + edge;
-        sides_of_edge[edge] = sides[h];
-        if (!is_smooth(fold)) continue;
-        for (const auto& [triangle, corner] : sides[h]) fold_of_side[triangle][corner] = fold;
-    }
+    Change of_all{first_edge, 0, {}, std::vector<char>(folds.size(), 0)};
+    enter_mirrors(of_all);
+    enter_hinges(hinges, faces, of_all);
 }
 
-std::vector<Patches::Removed> Patches::forget_removed() {
-    std::vector<Removed> removed;
+Patches::Change Patches::follow(const ShellChange& change) {
+    Change result{first_edge, folds.folds_of_edges() - first_edge, {}, std::vector<char>(folds.size(), 0)};
+    first_edge = folds.folds_of_edges();
+    if (result.more_mirrors > 0)
+        for (auto& sides : fold_of_side)
+            for (Index& fold : sides) fold = result.now(fold);
+    forget_removed(result);
+    sides_of_edge.resize(shell.edge_hinge.size());
+    if (!change.reshaped.empty()) reshape(change, result);
+    std::ranges::sort(result.faces);
+    result.faces.erase(std::unique(result.faces.begin(), result.faces.end()), result.faces.end());
+    return result;
+}
+
+void Patches::forget_removed(Change& result) {
     for (Index edge = 0; edge < static_cast<Index>(sides_of_edge.size()); ++edge) {
         const auto sides = sides_of(edge);
         if (!sides || shell.edge_hinge[edge] >= 0) continue;
-        for (const auto& [triangle, corner] : *sides) fold_of_side[triangle][corner] = -1;
-        removed.push_back({edge, *sides});
+        result.folds[first_edge + edge] = 1;
+        for (const auto& [triangle, corner] : *sides) {
+            fold_of_side[triangle][corner] = -1;
+            result.faces.push_back(triangle);
+        }
     }
-    sides_of_edge.resize(shell.edge_hinge.size());
-    return removed;
+}
+
+void Patches::reshape(const ShellChange& change, Change& result) {
+    for (const auto& [face, vertices] : change.changed) touch(face, result);
+    std::vector<Index> near;
+    for (const Index hinge : change.reshaped_hinges)
+        for (const TriangleEdge& side : sides_of_edge[shell.hinge_edge[hinge]]) near.push_back(side.triangle);
+    triangles.resize(shell.triangles.size());
+    fold_of_side.resize(shell.triangles.size());
+    for (const auto& [face, parents] : change.reshaped) {
+        triangles[face] = plane_triangle(columns(shell.rest, shell.triangles[face].vertices));
+        fold_of_side[face] = no_folds;
+        result.faces.push_back(face);
+        near.push_back(face);
+    }
+    enter_mirrors(result);
+    enter_hinges(change.reshaped_hinges, near, result);
+}
+
+void Patches::enter_mirrors(Change& result) {
+    for (Index m = 0; m < first_edge; ++m) enter(m, folds.mirror_side(m), result);
+}
+
+/// among: faces that have all sides of these hinges.
+void Patches::enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result) {
+    const std::vector<std::array<TriangleEdge, 2>> sides = sides_of_hinges(shell, hinges, among);
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+        const Index edge = shell.hinge_edge[hinges[i]];
+        sides_of_edge[edge] = sides[i];
+        for (const TriangleEdge& side : sides[i]) enter(first_edge + edge, side, result);
+    }
+}
+
+void Patches::enter(Index fold, const TriangleEdge& side, Change& result) {
+    if (!is_smooth(fold)) fold = -1;
+    if (fold_of_side[side.triangle][side.corner] == fold) return;
+    touch(side.triangle, result);
+    fold_of_side[side.triangle][side.corner] = fold;
+}
+
+/// Whatever sees a face has a share of one of its folds.
+void Patches::touch(Index face, Change& result) const {
+    result.faces.push_back(face);
+    for (const Index fold : fold_of_side[face])
+        if (fold >= 0) result.folds[fold] = 1;
 }
 
 std::optional<std::array<TriangleEdge, 2>> Patches::sides_of(Index edge) const {
     const auto& [triangle, corner] = sides_of_edge[edge][0];
-    if (fold_of_side[triangle][corner] != folds.folds_of_edges() + edge) return std::nullopt;
+    if (fold_of_side[triangle][corner] != first_edge + edge) return std::nullopt;
     return sides_of_edge[edge];
 }
 
@@ -83,7 +139,7 @@ double Patches::side_length(const TriangleEdge& side) const {
 }
 
 Patches::Unfolded Patches::across(const Unfolded& from, int side) const {
-    const auto& [first, second] = sides_of_edge[fold_of_side[from.triangle][side] - folds.folds_of_edges()];
+    const auto& [first, second] = sides_of_edge[fold_of_side[from.triangle][side] - first_edge];
     const TriangleEdge& other = first.triangle == from.triangle && first.corner == side ? second : first;
     // The common edge runs the other way in the other triangle.
     const double turn = direction_of_side(triangles[from.triangle], side) -
@@ -95,7 +151,7 @@ std::vector<Patches::Unfolded> Patches::grown(const std::vector<Unfolded>& patch
     std::vector<Unfolded> all = patch;
     for (const Unfolded& at : patch)
         for (int side = 0; side < 3; ++side) {
-            if (fold_of_side[at.triangle][side] < folds.folds_of_edges()) continue;
+            if (fold_of_side[at.triangle][side] < first_edge) continue;
             const Unfolded next = across(at, side);
             // One that is next to both triangles is unfolded across either edge.
             if (std::ranges::find(patch, next.triangle, &Unfolded::triangle) == patch.end())
@@ -109,9 +165,9 @@ Vector3d Patches::angle_of(const Unfolded& at, int side) const {
         return turned_tensor(tangent_angle(triangles[of.triangle], corner), of.angle);
     };
     const Index fold = fold_of_side[at.triangle][side];
-    if (fold < folds.folds_of_edges()) return 2 * own(at, side);
+    if (fold < first_edge) return 2 * own(at, side);
     const Unfolded other = across(at, side);
-    const auto& [first, second] = sides_of_edge[fold - folds.folds_of_edges()];
+    const auto& [first, second] = sides_of_edge[fold - first_edge];
     return own(at, side) + own(other, first.triangle == other.triangle ? first.corner : second.corner);
 }
 
@@ -142,7 +198,7 @@ std::vector<Patches::Share> Patches::shares(const TriangleEdge& side, const Vect
         return angles;
     };
     std::vector<Unfolded> patch{{side.triangle, 0}};
-    if (fold_of_side[side.triangle][side.corner] >= folds.folds_of_edges())
+    if (fold_of_side[side.triangle][side.corner] >= first_edge)
         patch.push_back(across(patch.front(), side.corner));
     std::vector<FoldAngle> seen = folds_of(patch);
     if (sight(angles_of(seen)) < sees_well) seen = folds_of(grown(patch));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "core/bending/folds.h"
 #include "core/elements/mid_edge.h"
@@ -20,10 +22,19 @@ class Patches {
         Index fold;
         double weight;
     };
-    /// An edge whose hinge was removed, and the sides that it joined.
-    struct Removed {
-        Index edge;
-        std::array<TriangleEdge, 2> sides;
+    /// What a change of the shell means for sums over patches.
+    struct Change {
+        Index first_edge;          ///< number of edge 0 among folds, before
+        Index more_mirrors;        ///< by which the numbers of edges have grown since
+        std::vector<Index> faces;  ///< with another shape, or other folds at their sides, ascending
+        /// [folds] 1: every sum in which the fold has a share must be made anew.
+        std::vector<char> folds;
+
+        /// The fold's number after the change.
+        Index now(Index fold) const { return fold < first_edge ? fold : fold + more_mirrors; }
+        bool concerns(std::span<const Share> sum) const {
+            return std::ranges::any_of(sum, [this](const Share& share) { return folds[share.fold] != 0; });
+        }
     };
 
     /// Shell and folds must outlive this object. Patches end at folds that are turned by more than `sharpest`
@@ -33,10 +44,8 @@ class Patches {
         build();
     }
 
-    /// Reads all triangles and folds of the shell anew.
-    void build();
-    /// Must be called when hinges were removed, and no face was born. Returns them by ascending edge.
-    std::vector<Removed> forget_removed();
+    /// Must be called when the shell has changed, and its folds have followed.
+    Change follow(const ShellChange& change);
 
     const PlaneTriangle& triangle(Index face) const { return triangles[face]; }     ///< at rest
     Index fold_at(Index face, int side) const { return fold_of_side[face][side]; }  ///< -1: free
@@ -64,6 +73,16 @@ class Patches {
         int views;  ///< number of the patch's triangles that it is the mean of
     };
 
+    void build();
+    void forget_removed(Change& result);
+    void reshape(const ShellChange& change, Change& result);
+    void enter_mirrors(Change& result);
+    void enter_hinges(std::span<const Index> hinges, std::span<const Index> among, Change& result);
+    /// Whether patches go on across a fold.
+    bool is_smooth(Index fold) const { return std::abs(folds.rest_angle(fold)) <= sharpest; }
+    void enter(Index fold, const TriangleEdge& side, Change& result);
+    void touch(Index face, Change& result) const;
+
     Unfolded across(const Unfolded& from, int side) const;
     std::vector<Unfolded> grown(const std::vector<Unfolded>& patch) const;
     /// What a curvature means for the angle of the fold at a side that has one.
@@ -73,6 +92,7 @@ class Patches {
     const Shell& shell;
     const Folds& folds;
     double sharpest;
+    Index first_edge = 0;                                    ///< number of edge 0 among folds
     std::vector<PlaneTriangle> triangles;                    ///< [F]
     std::vector<std::array<Index, 3>> fold_of_side;          ///< [F] -1: free
     std::vector<std::array<TriangleEdge, 2>> sides_of_edge;  ///< [E] that its hinge joins

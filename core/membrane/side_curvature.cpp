@@ -8,12 +8,7 @@
 namespace sherd {
 
 SideCurvature::SideCurvature(const Shell& shell, const Folds& folds)
-    : shell(shell), folds(folds), patches(shell, folds, std::numbers::pi / 4) {
-    build();
-}
-
-void SideCurvature::build() {
-    sides.assign(shell.triangles.size(), {});
+    : shell(shell), folds(folds), patches(shell, folds, std::numbers::pi / 4), sides(shell.triangles.size()) {
     for (Index face = 0; face < static_cast<Index>(sides.size()); ++face)
         for (int side = 0; side < 3; ++side) update(face, side);
 }
@@ -29,18 +24,16 @@ void SideCurvature::update(Index face, int side) {
 }
 
 void SideCurvature::follow(const ShellChange& change) {
-    if (!change.faces.empty() || !change.reshaped.empty()) {
-        patches.build();
-        return build();
+    const Patches::Change seen = patches.follow(change);
+    sides.resize(shell.triangles.size());
+    for (Index face = 0; face < static_cast<Index>(sides.size()); ++face) {
+        const bool changed = std::ranges::binary_search(seen.faces, face);
+        for (int side = 0; side < 3; ++side) {
+            std::vector<Patches::Share>& sum = sides[face][side];
+            for (Patches::Share& share : sum) share.fold = seen.now(share.fold);
+            if (changed || seen.concerns(sum)) update(face, side);
+        }
     }
-    std::vector<char> gone(folds.size(), 0);
-    for (const Patches::Removed& removed : patches.forget_removed())
-        gone[folds.folds_of_edges() + removed.edge] = 1;
-    for (Index face = 0; face < static_cast<Index>(sides.size()); ++face)
-        for (int side = 0; side < 3; ++side)
-            if (std::ranges::any_of(sides[face][side],
-                                    [&](const Patches::Share& share) { return gone[share.fold] != 0; }))
-                update(face, side);
 }
 
 Vector3d SideCurvature::of(std::size_t face, const VectorXd& angles) const {

@@ -16,8 +16,8 @@ class SideCurvature {
     /// Shell and folds must outlive this object.
     SideCurvature(const Shell& shell, const Folds& folds);
 
-    /// Must be called when the shell has changed. Only sides around removed hinges are computed anew, unless
-    /// the shell has other triangles.
+    /// Must be called when the shell has changed. Only sides that see something of the change are computed
+    /// anew.
     void follow(const ShellChange& change);
 
     /// What a side's curvature is summed from; weights in 1/m.
@@ -26,7 +26,6 @@ class SideCurvature {
     Vector3d of(std::size_t face, const VectorXd& angles) const;
 
   private:
-    void build();
     void update(Index face, int side);
 
     const Shell& shell;

@@ -2,6 +2,7 @@
 #include "core/shell/triangle_edge.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -47,9 +48,17 @@ std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& cha
 }
 
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
+    std::vector<Index> hinges(shell.hinges.size()), triangles(shell.triangles.size());
+    std::iota(hinges.begin(), hinges.end(), 0);
+    std::iota(triangles.begin(), triangles.end(), 0);
+    return sides_of_hinges(shell, hinges, triangles);
+}
+
+std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,
+                                                         std::span<const Index> triangles) {
     // The sides by the vertices that they run from and to, which no two triangles have in common.
     std::vector<std::tuple<Index, Index, TriangleEdge>> sides;
-    for (Index t = 0; t < static_cast<Index>(shell.triangles.size()); ++t)
+    for (const Index t : triangles)
         for (int corner = 0; corner < 3; ++corner) {
             const auto [from, to, opposite] = edge_and_apex(shell, {t, corner});
             sides.emplace_back(from, to, TriangleEdge{t, corner});
@@ -60,9 +69,10 @@ std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell) {
         return std::get<2>(*std::ranges::lower_bound(sides, std::pair(from, to), {}, ends));
     };
     std::vector<std::array<TriangleEdge, 2>> of_hinges;
-    for (const HingeStencil& hinge : shell.hinges)
-        of_hinges.push_back(
-            {find(hinge.vertices[0], hinge.vertices[1]), find(hinge.vertices[1], hinge.vertices[0])});
+    for (const Index hinge : hinges) {
+        const std::array<Index, 4>& vertices = shell.hinges[hinge].vertices;
+        of_hinges.push_back({find(vertices[0], vertices[1]), find(vertices[1], vertices[0])});
+    }
     return of_hinges;
 }
 

@@ -32,5 +32,8 @@ std::vector<TriangleEdge> sides_after(const Shell& shell, const ShellChange& cha
 
 /// The two sides that each hinge joins, [H]: of T0, then of T1 (HingePositions).
 std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell);
+/// The same of some hinges, whose sides are among those of some triangles.
+std::vector<std::array<TriangleEdge, 2>> sides_of_hinges(const Shell& shell, std::span<const Index> hinges,
+                                                         std::span<const Index> triangles);
 
 }  // namespace sherd

@@ -235,7 +235,7 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     step.velocity_origin = shell.velocity;
     for (Energy* energy : elastic) energy->topology_changed(change, step);
     for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
-    contact.shell_changed();
+    contact.shell_changed(change);
     changed = true;
     if (!change.reshaped.empty())
         substeps_since = substeps_after_crack;  // smaller triangles may be far stiffer

@@ -19,9 +19,10 @@ void OpeningEdges::open(const Opening& edge, const Positions& kept, double gone)
     one.edge = edge.edge;
     one.needed = edge.energy - gone;
     one.longest = edge.longest;
-    const Eigen::VectorXd sizes = kept.colwise().norm();
+    const VectorXd sizes = kept.colwise().norm();
+    const double least = least_force * sizes.maxCoeff();
     for (Index v = 0; v < static_cast<Index>(kept.cols()); ++v)
-        if (sizes[v] > least_force * sizes.maxCoeff()) one.vertices.push_back(v);
+        if (sizes[v] > least) one.vertices.push_back(v);
     one.forces = kept(Eigen::all, one.vertices);
     all.push_back(std::move(one));
 }

@@ -162,12 +162,13 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
         const Index corner = shell.triangles[triangle].vertices[1],
                     copy = static_cast<Index>(shell.mass.size());
-        follow(shell, {.vertices = {{copy, {{corner, 1}}}}});
+        const ShellChange change{.vertices = {{copy, {{corner, 1}}}}};
+        follow(shell, change);
         shell.triangles[triangle].vertices[1] = copy;
         shell.twins.push_back({corner, copy});
         if (triangle == 3) shell.twins.erase(shell.twins.begin());
         const ContactSurface before = std::exchange(surface, ContactSurface(shell));
-        candidates.follow(before, surface, none);
+        candidates.follow(change, before, surface, none);
         const Neighbourhood here(shell.position, Positions::Zero(3, copy + 1), 1e-4);
         ASSERT_TRUE(candidates.neighbourhood().contains(here));
         const std::vector<ContactPair> picked = candidates.pick(surface, here);

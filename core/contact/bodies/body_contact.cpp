@@ -30,9 +30,9 @@ void BodyContact::begin(const StepContext& step) {
     make_steps(step);
 }
 
-void BodyContact::topology_changed(const ShellChange&, const StepContext& step) {
+void BodyContact::topology_changed(const ShellChange& change, const StepContext& step) {
     for (std::size_t b = 0; b < pairs.size(); ++b)
-        if (pairs[b]) pairs[b]->surface_changed(surface_with(shell, started[b]));
+        if (pairs[b]) pairs[b]->surface_changed(change, surface_with(shell, started[b]));
     make_steps(step);
 }
 

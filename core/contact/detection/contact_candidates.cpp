@@ -66,19 +66,33 @@ Vector3d between_middles(PairKind kind, const PairPositions& x) {
     return middle.normalized();
 }
 
-/// Vertices that became or ceased to be corners of triangles, or whose twins changed.
-std::vector<char> changed_vertices(const ContactSurface& before, const ContactSurface& after) {
-    std::vector<char> changed(std::max(before.vertices(), after.vertices()), 0);
-    for (std::size_t f = 0; f < after.triangles().size(); ++f)
+/// Vertices that became or ceased to be corners of triangles, that have another place on the sheet, or whose
+/// twins changed.
+std::vector<char> changed_vertices(const ShellChange& change, const ContactSurface& before,
+                                   const ContactSurface& after) {
+    std::vector<char> changed(after.vertices(), 0);
+    for (std::size_t f = 0; f < before.triangles().size(); ++f)
         for (int i = 0; i < 3; ++i) {
             const Index old = before.triangles()[f][i], now = after.triangles()[f][i];
             if (old != now) changed[old] = changed[now] = 1;
         }
+    for (const auto& [face, vertices] : change.changed)
+        for (const Index v : before.triangles()[face]) changed[v] = 1;
+    for (const auto& [face, parents] : change.reshaped)
+        for (const Index v : after.triangles()[face]) changed[v] = 1;
     std::vector<std::array<Index, 2>> twins;
     std::set_symmetric_difference(before.twins().begin(), before.twins().end(), after.twins().begin(),
                                   after.twins().end(), std::back_inserter(twins));
     for (const auto& [a, b] : twins) changed[a] = changed[b] = 1;
     return changed;
+}
+
+/// Lets what vertices of a surface [3, vertices] have follow a change of the sheets.
+void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positions& all) {
+    Positions of_sheets = all.rightCols(all.cols() - collider_vertices);
+    follow(of_sheets, change);
+    all.conservativeResize(3, collider_vertices + of_sheets.cols());
+    all.rightCols(of_sheets.cols()) = of_sheets;
 }
 
 }  // namespace
@@ -100,7 +114,11 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
     };
-    const auto has_not = [&](const auto& element, const Box& box) { return !has_changed(element, box); };
+    const auto others_at = [&](const BoxTree& tree) {
+        return [&, around = tree.bounds()](const auto& element, const Box& box) {
+            return box.meets(around) && !has_changed(element, box);
+        };
+    };
     const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
         some.tree.meet(others.tree, [&](Index i, Index j) {
             consider(surface, kind, both(some.vertices[i], others.vertices[j]));
@@ -111,9 +129,9 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     const auto triangles = those(surface.triangles(), boxes, has_changed);
     const auto edges = those(surface.edges(), boxes, has_changed);
     meet(PairKind::vertex_triangle, vertices, triangles);
-    meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, has_not));
-    meet(PairKind::vertex_triangle, those(all_points, boxes, has_not), triangles);
-    meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, has_not));
+    meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, others_at(vertices.tree)));
+    meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
+    meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, others_at(edges.tree)));
     edges.tree.meet_itself([&](Index i, Index j) {
         consider(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
     });
@@ -185,24 +203,15 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
     return picked;
 }
 
-void ContactCandidates::follow(const ContactSurface& before, const ContactSurface& after,
-                               ColliderTrees& colliders) {
-    const Index known = static_cast<Index>(within.start.cols());
-    if (known != before.vertices() || before.triangles().size() != after.triangles().size()) {
+void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
+                               const ContactSurface& after, ColliderTrees& colliders) {
+    if (within.start.cols() != before.vertices()) {
         *this = {};
         return;
     }
-    for (Positions* x : {&within.start, &within.motion}) {
-        const Positions old = *x;
-        *x = Positions::Zero(3, after.vertices());
-        x->leftCols(known) = old;
-        for (std::size_t f = 0; f < after.triangles().size(); ++f)
-            for (int i = 0; i < 3; ++i) {
-                const Index now = after.triangles()[f][i];
-                if (now >= known) x->col(now) = old.col(before.triangles()[f][i]);
-            }
-    }
-    const std::vector<char> changed = changed_vertices(before, after);
+    for (Positions* x : {&within.start, &within.motion})
+        follow_on_sheets(change, before.collider_vertices(), *x);
+    const std::vector<char> changed = changed_vertices(change, before, after);
     std::erase_if(candidates, [&](const Candidate& candidate) {
         return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
                            [&](Index v) { return changed[v]; });

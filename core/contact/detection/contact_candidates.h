@@ -23,9 +23,10 @@ class ContactCandidates {
     /// Returns a superset of the pairs that come near contact somewhere in `smaller`, which must lie in the
     /// neighbourhood. They are ascending, vertex-triangle pairs first.
     std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller);
-    /// Searches pairs again where triangles have other vertices, or vertices gained or lost twins. A new
-    /// vertex must have the start and the motion of the vertex that it replaced.
-    void follow(const ContactSurface& before, const ContactSurface& after, ColliderTrees& colliders);
+    /// Searches pairs again where triangles have other vertices or another place on the sheet, or where
+    /// vertices gained or lost twins.
+    void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
+                ColliderTrees& colliders);
 
   private:
     struct Candidate {

@@ -45,9 +45,9 @@ double thinnest_half(const ContactSurface& surface) {
 
 }  // namespace
 
-void NearPairs::surface_changed(ContactSurface surface) {
+void NearPairs::surface_changed(const ShellChange& change, ContactSurface surface) {
     const ContactSurface before = std::exchange(of, std::move(surface));
-    found.follow(before, of, colliders);
+    found.follow(change, before, of, colliders);
     near = {};
     last.resize(3, 0);
 }

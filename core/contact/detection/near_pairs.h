@@ -13,8 +13,8 @@ namespace sherd {
 class NearPairs {
   public:
     explicit NearPairs(ContactSurface surface) : of(std::move(surface)) {}
-    /// Continues with a surface that has new vertices at its end, other triangles or other twins.
-    void surface_changed(ContactSurface surface);
+    /// Continues with a surface whose sheets have changed, or have other twins.
+    void surface_changed(const ShellChange& change, ContactSurface surface);
     const ContactSurface& surface() const { return of; }
 
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.

@@ -33,9 +33,9 @@ void ExplicitBodies::measure_triangles() {
         longest = std::max(longest, std::sqrt(2 * triangle.membrane.area));
 }
 
-void ExplicitBodies::shell_changed() {
+void ExplicitBodies::shell_changed(const ShellChange& change) {
     for (std::size_t b = 0; b < all.size(); ++b)
-        if (pairs[b]) pairs[b]->surface_changed(surface_with(shell, all[b], true));
+        if (pairs[b]) pairs[b]->surface_changed(change, surface_with(shell, all[b], true));
     measure_triangles();
 }
 

@@ -26,7 +26,7 @@ class ExplicitBodies {
     /// Begins a step, from which work is counted and to whose beginning restart() goes back.
     void begin();
     void restart() { all = started; }
-    void shell_changed();
+    void shell_changed(const ShellChange& change);
     /// Half a substep of `length` s, with the forces that were added last.
     void kick(double length);
     /// Moves the bodies through the substep.

@@ -37,9 +37,9 @@ void ExplicitContact::place(double from, double time) {
     if (sheets) sheets->begin(substep);
 }
 
-void ExplicitContact::shell_changed() {
-    bodies.shell_changed();
-    if (sheets) sheets->surface_changed();
+void ExplicitContact::shell_changed(const ShellChange& change) {
+    bodies.shell_changed(change);
+    if (sheets) sheets->surface_changed(change);
 }
 
 ContactForces ExplicitContact::forces(const Substep& at_end) {

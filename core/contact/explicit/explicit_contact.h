@@ -23,7 +23,7 @@ class ExplicitContact {
 
     /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
     void place(double before, double time);
-    void shell_changed();
+    void shell_changed(const ShellChange& change);
     /// Forces at the end of a substep, where the obstacles are.
     ContactForces forces(const Substep& substep);
     /// Stored in all contacts with the shell at x, J.

@@ -37,12 +37,13 @@ void SheetContact::begin(const StepContext& step) {
     end = collider_positions(obstacles, step.end());
 }
 
-void SheetContact::surface_changed() {
-    near.surface_changed(ContactSurface(shell, colliders, surface().sheets_meet(), surface().has_springs()));
+void SheetContact::surface_changed(const ShellChange& change) {
+    near.surface_changed(change,
+                         ContactSurface(shell, colliders, surface().sheets_meet(), surface().has_springs()));
 }
 
-void SheetContact::topology_changed(const ShellChange&, const StepContext& step) {
-    surface_changed();
+void SheetContact::topology_changed(const ShellChange& change, const StepContext& step) {
+    surface_changed(change);
     begin(step);
 }
 

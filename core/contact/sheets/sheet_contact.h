@@ -21,8 +21,8 @@ class SheetContact : public Energy {
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
-    /// The shell has other vertices, triangles or lips.
-    void surface_changed();
+    /// The shell has changed, or has other lips.
+    void surface_changed(const ShellChange& change);
 
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
