@@ -51,6 +51,10 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 
 }  // namespace
 
+Vector3d SheetInput::starts_at(Vertex vertex) const {
+    return start.cols() > 0 ? Vector3d(start.col(number(vertex))) : vector_of(mesh.point(vertex));
+}
+
 BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs)
     : crack_mesh(joined(inputs)), rest_ancestry(mesh()) {
     Index first_vertex = 0;
@@ -79,7 +83,8 @@ void BreakableShell::add_vertices(const SheetInput& input, Index sheet, Index fi
     resize_vertices(shell, first_vertex + number(input.mesh.number_of_vertices()));
     for (const Vertex vertex : input.mesh.vertices()) {
         const Index v = first_vertex + number(vertex);
-        shell.rest.col(v) = shell.position.col(v) = vector_of(input.mesh.point(vertex));
+        shell.rest.col(v) = vector_of(input.mesh.point(vertex));
+        shell.position.col(v) = input.starts_at(vertex);
         shell.thickness[v] = input.material.thickness;
         shell.young[v] = mean_young(input.material);
         shell.vertex_sheet[v] = sheet;

@@ -24,7 +24,8 @@ struct MovingPin {
 
 /// The input of a simulation for one sheet.
 struct SheetInput {
-    Mesh mesh;  ///< m, the rest shape at the place where the sheet starts
+    Mesh mesh;        ///< m, the rest shape at the place where the sheet starts
+    Positions start;  ///< [3, V] m, where its vertices start; without columns: at rest
     Material material;
     std::vector<Vector3d>
         axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
@@ -35,6 +36,8 @@ struct SheetInput {
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     std::vector<Index> pinned;             ///< vertices that are fixed or scripted
     std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for each
+
+    Vector3d starts_at(Vertex vertex) const;  ///< m
 };
 
 /// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and

@@ -15,6 +15,9 @@ constexpr int rings_for_plate = 2;  // with fewer, k_1 and k_2 mean nothing
 constexpr int followed = 8;
 /// Cosine of the angle up to which the last edge lies on the path.
 constexpr double straight = 0.996;
+/// Modes that account for so many times the energy that is released, or for less than its inverse, are not
+/// those of the tip.
+constexpr double most_of_modes = 1.5;
 
 /// The lips of the crack that ends at a vertex, one after the other on both sides, as long as they were one
 /// before the crack opened.
@@ -42,6 +45,15 @@ double gain_by_turning(const ModePair& modes) {
     const double half = 0.5 * hoop_angle(modes), c = std::cos(half);
     const double hoop = c * (modes.first * c * c - 1.5 * modes.second * std::sin(2 * half));
     return std::max(1.0, hoop * hoop / straight);
+}
+
+/// Whether a sheet is torn out of its plane, where the largest hoop stress does not say where a crack goes:
+/// it folds within the rings, so that modes do not account for the energy of going straight on, J/m^2, or it
+/// is sheared across its plane, by k_2, more than all else.
+bool is_torn(const PlaneStress& material, const TipLoad& load, double energy) {
+    const double modes = membrane_release(material, load.membrane) + plate_release(material, load.plate);
+    return modes * most_of_modes < energy || modes > energy * most_of_modes ||
+           plate_release(material, {0, load.plate.second}) > 0.5 * modes;
 }
 
 }  // namespace
@@ -80,15 +92,18 @@ TipEnergy::Known* TipEnergy::known_at(const GrowingTip& tip, const Equilibrium& 
     return place->second.get();
 }
 
-void TipEnergy::add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const {
+bool TipEnergy::add_modes(const Known& known, const Equilibrium& state, double straight_on,
+                          TipLoad& load) const {
     const Shell& mechanics = shell.mechanics();
     const std::optional<PlaneStress> material = isotropic_at(mechanics, (*around)[known.tip.vertex].front());
-    if (!material) return;
+    if (!material) return true;
     load.membrane = membrane_intensity(mechanics, *around, known.tip, state.x);
     if (state.bending != nullptr && static_cast<int>(known.tip.rings.size()) > rings_for_plate)
         load.plate = plate_intensity(mechanics, *around, *state.bending, known.tip, state.x);
+    if (is_torn(*material, load, straight_on / mechanics.thickness[known.tip.vertex])) return false;
     const double turn = hoop_direction(*material, load.membrane, load.plate).angle;
     load.direction = Eigen::AngleAxisd(turn, known.tip.normal) * known.tip.direction;
+    return true;
 }
 
 std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium& state) {
@@ -97,14 +112,19 @@ std::optional<TipLoad> TipEnergy::load(const GrowingTip& tip, const Equilibrium&
     if (known == nullptr) return std::nullopt;
     const ConfigurationalForce force =
         known->force.at(state.x, {.spread = state.elastic - state.on_lips, .on_lips = state.on_lips});
+    const Vector2d along = force.corrected();
     TipLoad load;
     load.direction = known->tip.direction;
     load.by_energy = true;
-    add_modes(*known, state, load);
+    const bool has_modes = add_modes(*known, state, along[0], load);
     const bool is_straight = known->tip.direction.dot(tip.direction) > straight;
-    const double released =
-        is_straight ? force.corrected()[0] + (gain_by_turning(load.membrane) - 1) * force.membrane[0]
-                    : force.released();
+    double released = is_straight ? along[0] : along.norm();
+    if (has_modes && is_straight) released += (gain_by_turning(load.membrane) - 1) * force.membrane[0];
+    if (!has_modes && along[0] > 0) {
+        released = along.norm();
+        load.direction =
+            Eigen::AngleAxisd(std::atan2(along[1], along[0]), known->tip.normal) * known->tip.direction;
+    }
     load.intensity = std::sqrt(std::max(0.0, released) * shell.mechanics().young[tip.vertex] /
                                shell.mechanics().thickness[tip.vertex]);
     return load;

@@ -21,7 +21,8 @@ struct Equilibrium {
 /// is the component of the configurational force along it, raised in the membrane by what the largest hoop
 /// stress of K_I and K_II exceeds it by, since a crack that turns releases more than one that goes straight
 /// on. Where the last edge is off the path, it is the length of the force. The direction is that of the
-/// largest hoop stress, of membrane and bending.
+/// largest hoop stress, of membrane and bending. In a sheet that is torn out of its plane direction and
+/// length are the force's.
 class TipEnergy {
   public:
     /// The shell must outlive this object.
@@ -41,8 +42,9 @@ class TipEnergy {
     Known* known_at(const GrowingTip& tip, const Equilibrium& state);
     /// [V] 1 where the rings of a tip must not reach: other tips, and all of the boundary but its own lips.
     std::vector<char> foreign_to(Index vertex) const;
-    /// Enters modes and direction, in a sheet that is isotropic.
-    void add_modes(const Known& known, const Equilibrium& state, TipLoad& load) const;
+    /// Enters modes and direction, in a sheet that is isotropic. Returns false, without a direction, where it
+    /// is torn out of its plane. straight_on: what going straight on releases, J/m.
+    bool add_modes(const Known& known, const Equilibrium& state, double straight_on, TipLoad& load) const;
 
     const BreakableShell& shell;
     MembraneModel membrane;

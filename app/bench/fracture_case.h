@@ -26,7 +26,7 @@ struct FractureHistory {
     Positions rest;  ///< [3, V] m, in the end
 };
 
-/// A sheet with a crack that grows, beside theory: a shipped scene whose sheet is called "plate".
+/// A sheet that breaks, or nearly does, beside theory: a shipped scene whose sheet is called "plate".
 struct FractureCase {
     std::string name;
     std::string scene;    ///< name of the shipped one
@@ -36,11 +36,12 @@ struct FractureCase {
     std::string in_units;
     std::array<double, 3> edges;  ///< m: coarse, medium, fine
     std::vector<FractureNumber> numbers;
-    /// The numbers of a run in which a crack grew.
+    /// The numbers of a run, in which a crack grew if there was one.
     std::function<std::vector<double>(const FractureHistory&)> measure;
     /// Puts what a scene cannot say into the place of its loads.
     std::function<void(const Scene&, const Shell&, SimulationOptions&)> replace_loads = {};
     bool compares_paths = false;  ///< whether all meshes should have the same path
+    bool has_crack = true;        ///< from the start, which grows
 };
 
 std::vector<FractureCase> centre_cracks();
@@ -49,6 +50,7 @@ FractureCase bent_plate();
 FractureCase double_cantilever();
 FractureCase offset_hole();
 FractureCase branching();
+std::vector<FractureCase> released_strips();
 
 /// All of them.
 std::vector<FractureCase> fracture_cases();

@@ -8,6 +8,7 @@ std::vector<FractureCase> fracture_cases() {
     for (FractureCase& one :
          std::array{edge_notch(), bent_plate(), double_cantilever(), offset_hole(), branching()})
         all.push_back(std::move(one));
+    for (FractureCase& one : released_strips()) all.push_back(std::move(one));
     return all;
 }
 

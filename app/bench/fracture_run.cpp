@@ -29,6 +29,15 @@ void run_to_the_end(const Scene& scene, Simulation& simulation, FractureHistory&
     }
 }
 
+std::vector<Vector2d> path_of_crack(const FractureHistory& history) {
+    std::vector<Vector2d> path;
+    for (const GrownEdge& grown : grown_edges(history)) {
+        if (path.empty()) path.push_back(grown.from);
+        path.push_back(grown.to);
+    }
+    return path;
+}
+
 double distance(const Vector2d& point, const std::vector<Vector2d>& path) {
     double least = (point - path.front()).norm();
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -57,12 +66,11 @@ FractureRun run_fracture(const FractureCase& one, double edge, int seed) {
         run.failure = error.what();
     }
     history.rest = simulation.shell().mechanics().rest;
-    for (const GrownEdge& grown : grown_edges(history)) {
-        if (run.path.empty()) run.path.push_back(grown.from);
-        run.path.push_back(grown.to);
-    }
-    if (!run.path.empty()) run.values = one.measure(history);
-    if (run.path.empty() && run.failure.empty()) run.failure = "no crack grew";
+    if (one.has_crack) run.path = path_of_crack(history);
+    if (!one.has_crack || !run.path.empty())
+        run.values = one.measure(history);
+    else if (run.failure.empty())
+        run.failure = "no crack grew";
     run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return run;
 }

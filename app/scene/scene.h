@@ -107,10 +107,19 @@ struct FractureSpec {
     bool has_toughness() const { return toughness > 0 || fracture_energy > 0; }
 };
 
+/// `bend`: a sheet that is flat at rest starts rolled up.
+struct BendSpec {
+    double curvature = 0;                ///< 1/m, positive towards its normals
+    Vector3d along = Vector3d::UnitX();  ///< of the mesh before it is placed
+    Vector3d from = Vector3d::Zero();    ///< m, on the line across `along` that stays where it is
+    std::string where;                   ///< "FILE:LINE: dotted.key", for errors
+};
+
 struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile> mesh;
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    std::optional<BendSpec> bend;          ///< none: it starts at rest
     Vector3d velocity = Vector3d::Zero();  ///< m/s
     Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
     Material material;

@@ -18,12 +18,9 @@ constexpr double safety = 0.8;
 /// Contact begins and ends within a substep, which errs in energy by the square of substep times frequency:
 /// it therefore has a third of the longest one.
 constexpr double resolution_of_contact = 3;
-constexpr int first_iterations = 40, later_iterations = 8;
-/// Substeps after which the highest frequency is estimated anew where a crack has opened, which raises it by
-/// far less than the share that is left.
-constexpr int substeps_after_crack = 50;
-/// Growth of the largest strain after which it is estimated anew: the membrane's stiffness along a stretch
-/// grows by three times as much.
+constexpr int first_iterations = 40, later_iterations = 20;
+/// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
+/// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
 constexpr double most_substeps = 1e6;  // in a step; more say that positions have run away
 
@@ -90,11 +87,11 @@ bool ExplicitStepper::begin(double of_step) {
 void ExplicitStepper::choose_substep() {
     const Stopwatch watch(spent, Task::elasticity);
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
-    if ((changed && substeps_since >= substeps_after_crack) || strain > strain_then + growth) {
+    // Every crack counts: what it leaves alone may be a face that swings far faster than with its neighbours.
+    if (changed || strain > strain_then + growth) {
         of_shell = highest_frequency(elastic, shell, shell.position,
                                      mode.cols() == 0 ? first_iterations : later_iterations, mode);
         changed = false;
-        substeps_since = 0;
         strain_then = strain;
     }
     const double of_contact =
@@ -150,7 +147,6 @@ MinimiserResult ExplicitStepper::solve(int) {
     work.balance.lost_to_scheme =
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
-    substeps_since += substeps;
     require_stable(position.allFinite());
     contact.require_no_passage(step, position);
     ledger.solved(stored());
@@ -237,8 +233,6 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
     contact.shell_changed(change);
     changed = true;
-    if (!change.reshaped.empty())
-        substeps_since = substeps_after_crack;  // smaller triangles may be far stiffer
     energies_now.reset();
     append(acceleration, change.vertices);
     const Positions before = acceleration;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
 #include <optional>
 
 #include "core/contact/explicit/explicit_contact.h"
@@ -66,18 +65,17 @@ class ExplicitStepper : public Stepper {
     ExplicitContact contact;
     OpeningEdges opening;
     std::vector<Energy*> elastic;
-    StepContext step;     ///< the open one, or the last one
-    double time = 0;      ///< s, end of the finished steps
-    double of_shell = 0;  ///< rad/s, highest frequency without contact
-    int substeps = 0;     ///< of the open step, or of the last one
-    double length = 0;    ///< s, of each of them
-    bool first = true;    ///< whether no step has begun yet
-    bool made = false;    ///< whether the open step has been made
-    bool changed = true;  ///< whether the shell has changed since the frequency was estimated
-    int substeps_since = std::numeric_limits<int>::max() / 2;  ///< that have been made since then
-    double strain_then = 0;                                    ///< largest of all faces then
-    Positions mode;                                            ///< of the highest frequency
-    Positions velocity, acceleration;                          ///< m/s, m/s^2, at `position`
+    StepContext step;                  ///< the open one, or the last one
+    double time = 0;                   ///< s, end of the finished steps
+    double of_shell = 0;               ///< rad/s, highest frequency without contact
+    int substeps = 0;                  ///< of the open step, or of the last one
+    double length = 0;                 ///< s, of each of them
+    bool first = true;                 ///< whether no step has begun yet
+    bool made = false;                 ///< whether the open step has been made
+    bool changed = true;               ///< whether the shell has changed since the frequency was estimated
+    double strain_then = 0;            ///< largest of all faces then
+    Positions mode;                    ///< of the highest frequency
+    Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
     Forces forces_now;
     /// Energies at `position`; none: they have not been asked for since the shell has moved or changed.
     mutable std::optional<PotentialEnergies> energies_now;

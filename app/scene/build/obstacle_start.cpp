@@ -39,7 +39,7 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
         if (std::binary_search(input.pinned.begin(), input.pinned.end(), static_cast<Index>(v.idx())))
             continue;
         const double thickness = input.material.thickness;
-        const double depth = overlap(*obstacle.shape, pose, position(input.mesh, v), 0.5 * thickness).depth;
+        const double depth = overlap(*obstacle.shape, pose, input.starts_at(v), 0.5 * thickness).depth;
         found.count += depth > noticed * thickness;
         if (depth > deepest_start * thickness) found.deep.push_back(v);
         if (depth <= found.depth) continue;
@@ -56,7 +56,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
         "touching: "
         "move the sheet or the obstacle by that much, or make it smaller",
         obstacle.where, found.count, input.mesh.number_of_vertices(), sheet.name, found.deepest.idx(),
-        place_words(position(input.mesh, found.deepest)), found.depth);
+        place_words(input.starts_at(found.deepest)), found.depth);
 }
 
 /// How the faces of one sheet stand to the surface of one obstacle.
@@ -94,6 +94,16 @@ std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
     return crossing;
 }
 
+/// The mesh of all sheets as they start.
+Mesh starting_mesh(const BreakableShell& all) {
+    Mesh mesh = all.mesh();
+    for (const Vertex v : mesh.vertices()) {
+        const auto at = all.mechanics().position.col(static_cast<Index>(v));
+        mesh.point(v) = Point(at.x(), at.y(), at.z());
+    }
+    return mesh;
+}
+
 /// Of each sheet, how it stands to the obstacle's surface.
 std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                              const Obstacle& obstacle) {
@@ -102,7 +112,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
     const Shell& mechanics = all.mechanics();
     const Positions& x = mechanics.position;
     for (const Face face :
-         faces_through(all.mesh(), obstacle, contact_colliders(mechanics, {obstacle})[0].around)) {
+         faces_through(starting_mesh(all), obstacle, contact_colliders(mechanics, {obstacle})[0].around)) {
         const StartFault fault = start_fault(FaultKind::across_obstacle, face, all);
         found[fault.sheet].crossing.push_back(fault);
     }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/scene/build/bent_start.h"
 #include "app/scene/build/material_axes.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/strength.h"
@@ -38,6 +39,7 @@ bool has_directions(const SheetSpec& sheet) {
 SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
     SheetInput input;
     input.mesh = make_mesh(sheet, scene, warnings);
+    if (sheet.bend) input.start = bent_start(*sheet.bend, input.mesh, sheet.place);
     input.pinned = pinned_vertices(sheet, input.mesh);
     input.moving_pins = moving_pins(sheet, input.mesh);
     input.material = sheet.material;

@@ -87,6 +87,7 @@ void move(SheetInput& input, const Vector3d& way) {
         Point& at = input.mesh.point(v);
         at = Point(at.x() + way.x(), at.y() + way.y(), at.z() + way.z());
     }
+    input.start.colwise() += way;
 }
 
 /// Sheets that were parted, and how far each was moved, m.

@@ -34,6 +34,24 @@ std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
     return mesh;
 }
 
+BendSpec read_bend(TomlTable& table) {
+    BendSpec bend;
+    bend.where = table.where("");
+    bend.curvature = table.number("curvature", "1/m", any_number);
+    bend.along = read_direction(table, "along", Vector3d::UnitX());
+    bend.from = table.vector("from", "m", Vector3d::Zero());
+    table.finish();
+    return bend;
+}
+
+/// What moves by keys is placed by its shape at rest.
+void require_still_supports(TomlTable& table, const SheetSpec& sheet) {
+    for (const auto* pins : {&sheet.pins, &sheet.clamps})
+        for (const PinSpec& pin : *pins)
+            if (sheet.bend && !pin.motion.keys.empty())
+                table.report("bend", "conflicts with keys of a pin or clamp: let the sheet start flat");
+}
+
 }  // namespace
 
 SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::filesystem::path& directory) {
@@ -42,6 +60,7 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     sheet.mesh = read_mesh_spec(table, directory);
     sheet.where = table.where("mesh");
     if (auto place = table.table("place")) sheet.place = read_place(*place);
+    if (auto bend = table.table("bend")) sheet.bend = read_bend(*bend);
     sheet.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
     sheet.spin = table.vector("spin", "rad/s", Vector3d::Zero());
     const MaterialPreset* preset = nullptr;
@@ -55,6 +74,7 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     }
     if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory, preset);
     read_supports(table, sheet);
+    require_still_supports(table, sheet);
     table.finish();
     return sheet;
 }

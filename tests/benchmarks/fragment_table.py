@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Breaks a glass tube, a sphere, a bowl and an egg's shell and prints how their fragments are distributed by mass.
+
+    tests/benchmarks/fragment_table.py build/release/app/sherd [SEEDS]
+
+The number of fragments of mass m is taken for a power, m^-tau, between a smallest mass and a largest one; tau is the most
+likely one, with the interval in which twice its log-likelihood falls by less than 3.84 (95 %). Takes minutes. Needs h5py
+and numpy.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+SCENES = pathlib.Path(__file__).parents[2] / "scenes" / "experiments"
+# Wittel, Kun, Herrmann and Kroeplin 2004: shells by impact and by pressure.
+PUBLISHED = {"glass_tube": "", "dropped_sphere": "1.35", "dropped_bowl": "1.35", "burst_egg": "1.54"}
+SMALLEST_FACES = 4  # a fragment of fewer faces is as small as the mesh allows
+EXPONENTS = numpy.linspace(0, 4, 2001)
+
+
+def fragments(recording):
+    """Areas of the pieces (m^2, of a uniform thickness in proportion to mass), mean area of a face, and the largest
+    change of the energy lost to the scheme over the energy at the start."""
+    with h5py.File(recording) as file:
+        frame = file["frames"][sorted(file["frames"])[-1]]
+        area = frame["rest/area"][:]
+        pieces = numpy.bincount(frame["face/fragment"][:], weights=area)
+        steps = file["steps"]
+        energy = sum(steps[name][:] for name in ("kinetic", "bending", "membrane"))
+        made = numpy.abs(steps["lost_to_scheme"][:]).max() / energy.max()
+    return pieces[pieces > 0], area.mean(), made
+
+
+def most_likely(sizes, least, most):
+    """tau of m^-tau between two sizes, and its interval."""
+    power = 1 - EXPONENTS[:, None]
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        norm = numpy.where(numpy.abs(power) < 1e-9, numpy.log(most / least), (most**power - least**power) / power)[:, 0]
+    likelihood = -EXPONENTS * numpy.log(sizes).sum() - len(sizes) * numpy.log(norm)
+    inside = EXPONENTS[2 * (likelihood.max() - likelihood) < 3.84]
+    return EXPONENTS[likelihood.argmax()], inside.min(), inside.max()
+
+
+def row(program, name, seeds):
+    sizes, counts, largest, made = [], [], [], 0
+    for seed in range(1, seeds + 1):
+        with tempfile.TemporaryDirectory() as folder:
+            recording = pathlib.Path(folder) / "pieces.h5"
+            subprocess.run([program, "run", SCENES / f"{name}.toml", "-o", recording, "--set", f"seed={seed}"], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            areas, face, of_scheme = fragments(recording)
+        shares = areas / areas.sum()
+        sizes += list(shares[(areas > SMALLEST_FACES * face) & (shares < shares.max())])
+        counts.append(str(len(areas)))
+        largest.append(f"{shares.max():.2f}")
+        made = max(made, of_scheme)
+        least = SMALLEST_FACES * face / areas.sum()
+    exponent = "-"
+    if len(sizes) > 4:
+        exponent = "{:.2f} ({:.2f} to {:.2f})".format(*most_likely(numpy.array(sizes), least, 0.5))
+    return [name, ", ".join(counts), ", ".join(largest), str(len(sizes)), exponent, PUBLISHED[name] or "-", f"{made:.3f}"]
+
+
+def main():
+    program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 3
+    print("| scene | pieces | largest | of 4 faces and more | exponent (95 %) | published | energy of the scheme |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    for name in PUBLISHED:
+        print(f"| {' | '.join(row(program, name, seeds))} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
