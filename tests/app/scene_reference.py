@@ -45,7 +45,7 @@ SAME = {
     "sheet.NAME.pin.keys": "obstacle.NAME.keys",
     "obstacle.NAME.place": "sheet.NAME.place",
 }
-PRESETS = "preset"  # the first column of the one table that lists names, not keys
+NAMES = ("preset", "scene")  # first columns of tables that list names, not keys
 
 SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
 MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }']
@@ -63,7 +63,7 @@ def scene():
              "load = [{ point = [0, 0, 1], boundary = true, KEYS }]", "wind = [{ gust = { KEYS }, KEYS }]"]
     for i, mesh in enumerate(MESHES):
         score, chart, axis = SCORES[i % len(SCORES)], MAPS[i % len(MAPS)], AXES[i % len(AXES)]
-        lines += [f"[sheet.s{i}]", "KEYS", f"mesh = {mesh}", "place = { rotate = { KEYS }, KEYS }",
+        lines += [f"[sheet.s{i}]", "KEYS", f"mesh = {mesh}", "bend = { KEYS }", "place = { rotate = { KEYS }, KEYS }",
                   f"material = {{ axis = {axis}, KEYS }}", f"fracture = {{ map = {chart}, score = {score}, KEYS }}",
                   f"pin = {pin}", f"clamp = {pin}", "symmetry = { KEYS }"]
     for i, solid in enumerate(SOLIDS):
@@ -140,7 +140,7 @@ def rows(text):
             previous = line or previous
         elif columns is None:
             columns = cells
-        elif not set(cells[0]) <= set("- ") and columns[0] != PRESETS:
+        elif not set(cells[0]) <= set("- ") and columns[0] not in NAMES:
             name = next((name for name in (previous, columns[0], heading) if name in PLACES), None)
             assert name is not None, f"a table of unknown place: under '{heading}', after '{previous}': {columns}"
             yield PLACES[name], cells, columns
