@@ -48,7 +48,7 @@ std::optional<BreakableShell::Advanced> Simulation::make_edge(const CrackStep& c
         });
     };
     const Vertex tip(static_cast<unsigned>(crack_step.next.vertex));
-    const auto made = breakable.advance(tip, crack_step.ray, options);
+    auto made = breakable.advance(tip, crack_step.ray, options);
     if (made && made->way != AdvancedEdge::Way::existing) follow_change(made->change);
     return made;
 }

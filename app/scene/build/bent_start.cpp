@@ -15,7 +15,7 @@ constexpr double flat = 1e-6;  // of the mesh's diagonal: single-precision files
 
 Vector3d normal_of_flat(const Mesh& mesh, const BendSpec& bend) {
     const MeshMeasures extent = measure(mesh);
-    const Vector3d normal = triangle_normal(face_points(mesh, Face(0))).normalized();
+    Vector3d normal = triangle_normal(face_points(mesh, Face(0))).normalized();
     const Vector3d on = position(mesh, Vertex(0));
     for (const Vertex v : mesh.vertices())
         if (std::abs(normal.dot(position(mesh, v) - on)) > flat * (extent.upper - extent.lower).norm())
