@@ -67,18 +67,20 @@ std::optional<AdvancedEdge> CrackMesh::advance(Vertex tip, const Eigen::Vector3d
 
 void CrackMesh::follow(const TopologyChange& change) {
     for (const Born<Vertex>& vertex : change.vertices) vertex_origin.push_back(vertex.element);
-    for (const Born<Edge>& edge : change.edges) inherit(edge);
+    for (const Born<Edge>& edge : change.edges) {
+        states.push_back(edge.is_copy() ? states[edge.parent()] : EdgeState::interior);
+        outline.push_back(edge.is_copy() ? outline[edge.parent()] : 0);
+        edge_origin.push_back(edge.element);
+    }
+    for (const Born<Edge>& edge : change.edges)
+        if (edge.is_copy() && states[edge.element] != EdgeState::interior && !is_outline(edge.element))
+            share_origin(edge);
     for (const Born<Vertex>& vertex : change.vertices)
         if (is_cracked(vertex.element)) to_open.push_back(vertex.element);
 }
 
-void CrackMesh::inherit(const Born<Edge>& born) {
-    const bool is_half = born.is_copy();
-    states.push_back(is_half ? states[born.parent()] : EdgeState::interior);
-    outline.push_back(is_half ? outline[born.parent()] : 0);
-    edge_origin.push_back(born.element);
-    if (!is_half || states.back() == EdgeState::interior || outline.back() != 0) return;
-    // Of the halves of a lip, the one that still meets the other lip goes on as a side of the same crack.
+// Of the halves of a lip, the one that still meets the other lip goes on as a side of the same crack.
+void CrackMesh::share_origin(const Born<Edge>& born) {
     const Edge half = born.parent();
     const auto meets_other_lip = [&](Vertex end) {
         const auto around = halfedges.halfedges_around_target(halfedges.halfedge(end));

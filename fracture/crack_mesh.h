@@ -50,7 +50,7 @@ class CrackMesh {
   private:
     int boundary_vertices(Edge edge) const;
     void follow(const TopologyChange& change);
-    void inherit(const Born<Edge>& born);
+    void share_origin(const Born<Edge>& born);
 
     Mesh halfedges;
     std::vector<EdgeState> states;
