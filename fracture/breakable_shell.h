@@ -67,6 +67,8 @@ class BreakableShell {
     Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
     Index sheet_of(Edge edge) const;  ///< number of the input
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
+    /// The toughness of the sheet of a vertex.
+    const Toughness& toughness_at(Index vertex) const { return toughnesses[shell.vertex_sheet[vertex]]; }
     /// Whether strength depends on the direction in which the edge is pulled open.
     bool has_directed_strength(Edge edge) const {
         const Strength& strength = strengths[sheet_of(edge)];

@@ -25,10 +25,6 @@ constexpr double branch_angle = 25 * std::numbers::pi / 180;
 /// not branch: a tip slows down where it branches, and is fed too much until it runs again.
 constexpr double edges_together = 3, edges_between = 8;
 
-double speed_limit(const BreakableShell& shell, const GrowingTip& tip) {
-    return shell.toughness_of_sheet(shell.mechanics().vertex_sheet[tip.vertex]).speed_limit;
-}
-
 const GrowingTip* twin_within(double edges, const BreakableShell& shell, const GrowingTip& tip,
                               std::span<const GrowingTip> all) {
     if (tip.twin < 0) return nullptr;
@@ -42,7 +38,8 @@ const GrowingTip* twin_within(double edges, const BreakableShell& shell, const G
 }  // namespace
 
 void feed(const BreakableShell& shell, GrowingTip& tip, double intensity_ratio, double waited) {
-    const double window = edges_of_mean * edge_length_ahead(shell, tip) / speed_limit(shell, tip);
+    const double window =
+        edges_of_mean * edge_length_ahead(shell, tip) / shell.toughness_at(tip.vertex).speed_limit;
     const double share = waited < window ? waited / window : 1;
     tip.release += share * (intensity_ratio * intensity_ratio - tip.release);
 }
@@ -50,7 +47,7 @@ void feed(const BreakableShell& shell, GrowingTip& tip, double intensity_ratio, 
 bool branches(const BreakableShell& shell, const GrowingTip& tip, bool by_energy,
               std::span<const GrowingTip> all, double time) {
     return tip.stride > 0 && tip.release > (by_energy ? enough_by_energy : enough_by_stress) &&
-           tip.speed(time) > share_of_limit * speed_limit(shell, tip) &&
+           tip.speed(time) > share_of_limit * shell.toughness_at(tip.vertex).speed_limit &&
            twin_within(edges_between, shell, tip, all) == nullptr;
 }
 

@@ -37,7 +37,7 @@ void CrackGrowth::find_tips() {
     for (const Vertex vertex : mesh.vertices()) {
         const auto number = static_cast<Index>(vertex);
         if (!shell.cracks().is_tip(vertex)) continue;
-        if (!shell.toughness_of_sheet(shell.mechanics().vertex_sheet[number]).given()) continue;
+        if (!shell.toughness_at(number).given()) continue;
         for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(vertex))) {
             if (shell.cracks().state(mesh.edge(h)) == EdgeState::interior) continue;
             const Positions& rest = shell.mechanics().rest;
@@ -45,10 +45,6 @@ void CrackGrowth::find_tips() {
             break;
         }
     }
-}
-
-const Toughness& CrackGrowth::toughness(const GrowingTip& tip) const {
-    return shell.toughness_of_sheet(shell.mechanics().vertex_sheet[tip.vertex]);
 }
 
 TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
@@ -61,7 +57,7 @@ void CrackGrowth::judge_tips(const Judged& now) {
     judged.clear();
     for (GrowingTip& tip : all) {
         TipLoad bears = load(tip, now);
-        if (toughness(tip).has_directions()) turn_to_weakest(shell, tip, bears);
+        if (shell.toughness_at(tip.vertex).has_directions()) turn_to_weakest(shell, tip, bears);
         const double ratio = bears.intensity / shell.toughness_towards(Vertex(tip.vertex), bears.direction);
         judged.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
         if (!timeless) feed(shell, tip, ratio, now.waited);
@@ -110,7 +106,7 @@ GrowingTip CrackGrowth::moved(const GrowingTip& tip, const Vector3d& direction, 
     next.direction = (turn * direction).normalized();
     next.behind = static_cast<Index>(edge);
     next.stride = way.dot(direction);
-    const double limit = toughness(tip).speed_limit;
+    const double limit = shell.toughness_at(tip.vertex).speed_limit;
     if (timeless) return next;
     // When in the step it goes on: steps would make its speed jump.
     next.since = std::max(tip.ready, begin);
@@ -167,7 +163,6 @@ bool CrackGrowth::take(const BreakableShell::Advanced& made, double begin, Crack
 std::vector<Vector3d> CrackGrowth::ways_of(const Overloaded& one, double end) {
     GrowingTip& tip = all[one.tip];
     if (timeless || !branches(shell, tip, judged[one.tip].load.by_energy, all, end)) return {one.direction};
-    // Both begin here, and have to be fed anew to branch again.
     tip.on_path = shell.mechanics().rest.col(tip.vertex);
     tip.release = 0;
     const std::array<Vector3d, 2> both = branch_directions(shell, tip, one.direction);
@@ -175,7 +170,7 @@ std::vector<Vector3d> CrackGrowth::ways_of(const Overloaded& one, double end) {
 }
 
 std::optional<CrackStep> CrackGrowth::step_of(const Overloaded& one, double begin) const {
-    if (toughness(all[one.tip]).path == CrackPath::edges) return along_edges(one, begin);
+    if (shell.toughness_at(all[one.tip].vertex).path == CrackPath::edges) return along_edges(one, begin);
     return along_ray(one);
 }
 

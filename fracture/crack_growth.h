@@ -78,13 +78,13 @@ class CrackGrowth {
         Vector3d direction;
     };
     TipLoad load(const GrowingTip& tip, const Judged& now);
-    const Toughness& toughness(const GrowingTip& tip) const;
     void judge_tips(const Judged& now);
     /// Intensity over toughness of a tip that may go on, with that of a near twin; else 0.
     double joint_ratio(std::size_t tip) const;
     /// The tips that go on, the most overloaded first, without those that another one of them is near to.
     std::vector<Overloaded> overloaded() const;
-    /// The directions in which a tip goes on at `end` (s): two, where it branches.
+    /// The directions in which a tip goes on at `end` (s): two, where it branches, which begins a path of its
+    /// own for each and forgets what has fed it.
     std::vector<Vector3d> ways_of(const Overloaded& one, double end);
     /// The edge by which a tip goes on, as its sheet's CrackPath says.
     std::optional<CrackStep> step_of(const Overloaded& one, double begin) const;
