@@ -171,6 +171,8 @@ void add_last_step(std::string& text, const RunInfo& info) {
         out,
         "energy       kinetic {:.5g}, bending {:.5g}, membrane {:.5g}, gravity {:.5g}, contact {:.5g} J\n",
         last.kinetic, last.bending, last.membrane, last.gravity, last.contact);
+    if (last.residual > 0)
+        fmt::format_to(out, "residual     {:.5g} J of the stress of tempered sheets\n", last.residual);
     if (info.has_balance) add_balance(text, last);
     fmt::format_to(out,
                    "momentum     linear {:.4g} {:.4g} {:.4g} kg m/s, angular {:.4g} {:.4g} {:.4g} kg m^2/s\n",

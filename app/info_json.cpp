@@ -67,6 +67,7 @@ std::string run_info_json(const RunInfo& info) {
     json["energy"] = {{"kinetic", last.kinetic},
                       {"bending", last.bending},
                       {"membrane", last.membrane},
+                      {"residual", last.residual},
                       {"gravity", last.gravity},
                       {"contact", last.contact}};
     json["balance"] = info.has_balance ? balance_json(last) : Json();

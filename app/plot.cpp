@@ -39,8 +39,8 @@ Chart motion_chart(const std::vector<StepReport>& steps) {
     Chart chart{"Energy", time_axis, {.name = "energy", .unit = "J"}, {}};
     chart.series.push_back(over_time(steps, "kinetic", blue, &StepReport::kinetic));
     chart.series.push_back(over_time(steps, "gravity", vermillion, &StepReport::gravity));
-    chart.series.push_back(over_time(steps, "all five", black, [](const StepReport& step) {
-        return step.kinetic + step.gravity + step.bending + step.membrane + step.contact;
+    chart.series.push_back(over_time(steps, "all", black, [](const StepReport& step) {
+        return step.kinetic + step.gravity + step.bending + step.membrane + step.contact + step.residual;
     }));
     chart.series.back().dashed = true;
     return chart;
@@ -51,6 +51,8 @@ Chart elastic_chart(const std::vector<StepReport>& steps) {
     chart.series.push_back(over_time(steps, "bending", green, &StepReport::bending));
     chart.series.push_back(over_time(steps, "membrane", purple, &StepReport::membrane));
     chart.series.push_back(over_time(steps, "contact", orange, &StepReport::contact));
+    if (std::ranges::any_of(steps, [](const StepReport& step) { return step.residual > 0; }))
+        chart.series.push_back(over_time(steps, "residual stress", vermillion, &StepReport::residual));
     return chart;
 }
 

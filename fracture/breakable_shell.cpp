@@ -138,7 +138,9 @@ HingeStencil BreakableShell::stencil(Edge edge) const {
 }
 
 double BreakableShell::strength_of_hinge(Edge edge) const {
-    return directional_strength(strengths[sheet_of(edge)], hinge_axis(edge)) * strength_factors[edge];
+    const Strength& strength = strengths[sheet_of(edge)];
+    const double itself = directional_strength(strength, hinge_axis(edge)) * strength_factors[edge];
+    return strength.measure == Measure::stress ? itself + materials[sheet_of(edge)].tempered : itself;
 }
 
 double BreakableShell::toughness_of_hinge(Edge edge) const {

@@ -59,7 +59,7 @@ class BreakableShell {
     /// Number of the edge's hinge in mechanics().hinges; -1 if it has none.
     Index hinge_of_edge(Edge edge) const { return shell.edge_hinge[edge]; }
     /// Strength of the hinge of `edge`, in the unit of its sheet's measure; infinite if it cannot fail, or
-    /// not yet (ArtDirection::after).
+    /// not yet (ArtDirection::after). Of a stress, with the compression of a tempered surface.
     double strength(Edge edge) const { return waits(edge) ? never : shell.edge_strength[edge]; }
     /// Whether the edge has a hinge that can fail.
     bool can_fail(Edge edge) const { return hinge_of_edge(edge) >= 0 && std::isfinite(strength(edge)); }
@@ -69,6 +69,7 @@ class BreakableShell {
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
     /// The toughness of the sheet of a vertex.
     const Toughness& toughness_at(Index vertex) const { return toughnesses[shell.vertex_sheet[vertex]]; }
+    const Material& material_at(Index vertex) const { return materials[shell.vertex_sheet[vertex]]; }
     /// Whether strength depends on the direction in which the edge is pulled open.
     bool has_directed_strength(Edge edge) const {
         const Strength& strength = strengths[sheet_of(edge)];

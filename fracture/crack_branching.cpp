@@ -13,6 +13,9 @@ namespace {
 /// In the time of so many edges at the speed limit the mean release follows what feeds a tip: stress swings
 /// by a factor of four while an edge opens.
 constexpr double edges_of_mean = 3;
+/// Residual stress does not swing: what it gives follows in the time of so many thicknesses, in which it
+/// gives way around the path of a tip; and twins that it feeds branch when they are as far apart.
+constexpr double thicknesses_of_mean = 0.5;
 /// Mean of G over G_c from which on a tip branches: twice what it needs. By stress that is twice 0.7, which
 /// is the mean of a tip that just keeps going: stress falls when an edge opens, and rises until the next one
 /// does.
@@ -25,30 +28,41 @@ constexpr double branch_angle = 25 * std::numbers::pi / 180;
 /// not branch: a tip slows down where it branches, and is fed too much until it runs again.
 constexpr double edges_together = 3, edges_between = 8;
 
-const GrowingTip* twin_within(double edges, const BreakableShell& shell, const GrowingTip& tip,
+bool is_fed_by_residual(const TipLoad& load) {
+    return load.residual > 0.5;
+}
+
+/// apart: m, at rest.
+const GrowingTip* twin_within(double apart, const BreakableShell& shell, const GrowingTip& tip,
                               std::span<const GrowingTip> all) {
     if (tip.twin < 0) return nullptr;
     const auto twin = std::ranges::find(all, tip.twin, &GrowingTip::number);
     if (twin == all.end()) return nullptr;
     const Positions& rest = shell.mechanics().rest;
     const double gap = (rest.col(twin->vertex) - rest.col(tip.vertex)).norm();
-    return gap < edges * edge_length_ahead(shell, tip) ? &*twin : nullptr;
+    return gap < apart ? &*twin : nullptr;
 }
 
 }  // namespace
 
-void feed(const BreakableShell& shell, GrowingTip& tip, double intensity_ratio, double waited) {
-    const double window =
-        edges_of_mean * edge_length_ahead(shell, tip) / shell.toughness_at(tip.vertex).speed_limit;
-    const double share = waited < window ? waited / window : 1;
-    tip.release += share * (intensity_ratio * intensity_ratio - tip.release);
+void feed(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load, double intensity_ratio,
+          double waited) {
+    double way = edges_of_mean * edge_length_ahead(shell, tip), counts = 1;
+    if (is_fed_by_residual(load)) way = thicknesses_of_mean * shell.mechanics().thickness[tip.vertex];
+    if (!load.by_energy) counts -= load.residual * (1 - enough_by_stress / enough_by_energy);
+    const double window = way / shell.toughness_at(tip.vertex).speed_limit,
+                 share = waited < window ? waited / window : 1;
+    tip.release += share * (intensity_ratio * intensity_ratio * counts - tip.release);
 }
 
-bool branches(const BreakableShell& shell, const GrowingTip& tip, bool by_energy,
+bool branches(const BreakableShell& shell, const GrowingTip& tip, const TipLoad& load,
               std::span<const GrowingTip> all, double time) {
-    return tip.stride > 0 && tip.release > (by_energy ? enough_by_energy : enough_by_stress) &&
+    const double apart = is_fed_by_residual(load)
+                             ? thicknesses_of_mean * shell.mechanics().thickness[tip.vertex]
+                             : edges_between * edge_length_ahead(shell, tip);
+    return tip.stride > 0 && tip.release > (load.by_energy ? enough_by_energy : enough_by_stress) &&
            tip.speed(time) > share_of_limit * shell.toughness_at(tip.vertex).speed_limit &&
-           twin_within(edges_between, shell, tip, all) == nullptr;
+           twin_within(apart, shell, tip, all) == nullptr;
 }
 
 std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const GrowingTip& tip,
@@ -60,7 +74,7 @@ std::array<Vector3d, 2> branch_directions(const BreakableShell& shell, const Gro
 
 const GrowingTip* near_twin(const BreakableShell& shell, const GrowingTip& tip,
                             std::span<const GrowingTip> all) {
-    return twin_within(edges_together, shell, tip, all);
+    return twin_within(edges_together * edge_length_ahead(shell, tip), shell, tip, all);
 }
 
 }  // namespace sherd

@@ -14,12 +14,13 @@ namespace sherd {
 // not tell which of them bears more, and what it tells by chance would decide, since the first to go on
 // unloads the other one. So twins that are near go on together, by the mean of what they bear, or not at all.
 
-/// Lets the mean release of a tip follow its intensity over the toughness, which it bore for the last
-/// `waited` s.
-void feed(const BreakableShell& shell, GrowingTip& tip, double intensity_ratio, double waited);
+/// Lets the mean release of a tip follow what it bore for the last `waited` s: its intensity over the
+/// toughness.
+void feed(const BreakableShell& shell, GrowingTip& tip, const TipLoad& load, double intensity_ratio,
+          double waited);
 
 /// Whether a tip that goes on at `time` (s) does so in two ways; all: the tips that there are.
-bool branches(const BreakableShell& shell, const GrowingTip& tip, bool by_energy,
+bool branches(const BreakableShell& shell, const GrowingTip& tip, const TipLoad& load,
               std::span<const GrowingTip> all, double time);
 
 /// The two directions of a tip that branches about a direction, unit vectors in the tangent plane.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fracture/crack_branching.h"
+#include "fracture/residual_stress.h"
 #include "fracture/tip_stress.h"
 #include "fracture/weakest_direction.h"
 
@@ -48,9 +49,11 @@ void CrackGrowth::find_tips() {
 }
 
 TipLoad CrackGrowth::load(const GrowingTip& tip, const Judged& now) {
-    if (now.equilibrium)
-        if (const std::optional<TipLoad> by_energy = energy.load(tip, *now.equilibrium)) return *by_energy;
-    return load_by_stress(shell, tip, now.strains);
+    std::optional<TipLoad> load;
+    if (now.equilibrium) load = energy.load(tip, *now.equilibrium);
+    if (!load) load = load_by_stress(shell, tip, now.strains);
+    add_residual(shell, tip, *load);
+    return *load;
 }
 
 void CrackGrowth::judge_tips(const Judged& now) {
@@ -60,7 +63,7 @@ void CrackGrowth::judge_tips(const Judged& now) {
         if (shell.toughness_at(tip.vertex).has_directions()) turn_to_weakest(shell, tip, bears);
         const double ratio = bears.intensity / shell.toughness_towards(Vertex(tip.vertex), bears.direction);
         judged.push_back({tip.number, bears, ratio, tip.ready <= now.end && !now.is_opening(tip.behind)});
-        if (!timeless) feed(shell, tip, ratio, now.waited);
+        if (!timeless) feed(shell, tip, bears, ratio, now.waited);
     }
 }
 
@@ -162,7 +165,7 @@ bool CrackGrowth::take(const BreakableShell::Advanced& made, double begin, Crack
 
 std::vector<Vector3d> CrackGrowth::ways_of(const Overloaded& one, double end) {
     GrowingTip& tip = all[one.tip];
-    if (timeless || !branches(shell, tip, judged[one.tip].load.by_energy, all, end)) return {one.direction};
+    if (timeless || !branches(shell, tip, judged[one.tip].load, all, end)) return {one.direction};
     tip.on_path = shell.mechanics().rest.col(tip.vertex);
     tip.release = 0;
     const std::array<Vector3d, 2> both = branch_directions(shell, tip, one.direction);

@@ -31,6 +31,7 @@ struct GrowingTip {
 struct TipLoad {
     double intensity = 0;                    ///< K, Pa m^0.5: it goes on where this exceeds the toughness
     Vector3d direction = Vector3d::UnitX();  ///< in which it then goes on, a unit vector in the tangent plane
+    double residual = 0;                     ///< share of residual stress in the energy released
     bool by_energy = false;                  ///< whether the intensity is that of the energy released
     ModePair membrane;                       ///< K_I, K_II, Pa m^0.5
     ModePair plate;                          ///< k_1, k_2, Pa m^0.5

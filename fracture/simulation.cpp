@@ -8,6 +8,7 @@
 
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
+#include "fracture/residual_stress.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -88,6 +89,7 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
 
 BreakableShell Simulation::with_cracks(BreakableShell sheets) {
     keep_loads(sheets, options.stepper.shell);
+    residual = residual_at_start = residual_energy(sheets, options.cracks);
     if (options.cracks.empty()) return sheets;
     for (const Edge edge : options.cracks) {
         EdgeFailure failure;
@@ -262,7 +264,9 @@ void Simulation::finish(StepReport& report) {
     report.membrane = potential.membrane;
     report.gravity = potential.gravity;
     report.contact = potential.contact;
+    report.residual = residual;
     static_cast<EnergyBalance&>(report) = stepper->balance();
+    report.lost_to_cracks += residual_at_start - residual;
     report.linear_momentum = linear_momentum(breakable.mechanics());
     report.angular_momentum = angular_momentum(breakable.mechanics());
     for (const RigidBody& body : bodies()) {

@@ -94,6 +94,8 @@ class Simulation {
     MinimiserResult solve_stage(StepReport& report, int max_iterations);
     void break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
                      const std::optional<Opening>& opening = {});
+    /// Breaks the edge of a crack that goes by toughness, which takes residual stress with it.
+    void break_by_toughness(Edge edge, Index stage);
     /// Those of the edges that fail in a stage that may: see ArtDirection::smallest.
     std::vector<Edge> allowed(std::vector<Edge> edges);
     /// Lets cracks go on, one edge after the other. Returns whether the shell has changed.
@@ -101,8 +103,8 @@ class Simulation {
     /// Makes an edge along the ray of a step, beside those made before, which stay.
     std::optional<BreakableShell::Advanced> make_edge(const CrackStep& crack_step,
                                                       std::span<const CrackStep> made_before);
-    /// How the edge of a crack that goes by toughness opens.
-    std::optional<Opening> opening_of(Edge edge) const;
+    /// How the edge of a crack that goes by toughness opens; has: J, that it need not take from what carries.
+    std::optional<Opening> opening_of(Edge edge, double has) const;
     /// Lets all that refers to the shell follow a change of it.
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
@@ -121,6 +123,7 @@ class Simulation {
     SimulationOptions options;
     std::int64_t steps = 0;
     CrackEvents events;
+    double residual = 0, residual_at_start = 0;  ///< J, of residual stress
     BreakableShell breakable;
     std::unique_ptr<Stepper> stepper;
     CrackGrowth growth;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "fracture/residual_stress.h"
 #include "fracture/simulation.h"
 #include "fracture/small_pieces.h"
 
@@ -67,14 +68,24 @@ bool Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
     std::vector<CrackStep> grown;
     for (const CrackStep& one : ready) {
         if (allowed({one.edge}).empty()) continue;
-        break_edges(std::array{one.edge}, measured().hinges, stage, opening_of(one.edge));
+        break_by_toughness(one.edge, stage);
         grown.push_back(one);
     }
     growth.done(grown, time() + step_size.size());
     return changed || !grown.empty();
 }
 
-std::optional<Opening> Simulation::opening_of(Edge edge) const {
+void Simulation::break_by_toughness(Edge edge, Index stage) {
+    const Positions& rest = breakable.mechanics().rest;
+    const Vertex from = breakable.mesh().vertex(edge, 0);
+    const Vector3d to = rest.col(static_cast<Index>(breakable.mesh().vertex(edge, 1)));
+    const double released =
+        residual_release(breakable, from, to) * (to - rest.col(static_cast<Index>(from))).norm();
+    residual -= released;
+    break_edges(std::array{edge}, measured().hinges, stage, opening_of(edge, released));
+}
+
+std::optional<Opening> Simulation::opening_of(Edge edge, double has) const {
     if (!stepper->opens_gradually()) return std::nullopt;
     const Shell& shell = breakable.mechanics();
     const auto a = static_cast<Index>(breakable.mesh().vertex(edge, 0)),
@@ -82,7 +93,8 @@ std::optional<Opening> Simulation::opening_of(Edge edge) const {
     const double length = (shell.rest.col(a) - shell.rest.col(b)).norm();
     const Toughness& toughness = breakable.toughness(edge);
     const double needed = toughness.value * toughness.value / shell.young[a] * length * shell.thickness[a];
-    return Opening{static_cast<Index>(edge), needed, longest_opening * length / toughness.speed_limit};
+    if (has >= needed) return std::nullopt;
+    return Opening{static_cast<Index>(edge), needed - has, longest_opening * length / toughness.speed_limit};
 }
 
 void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {

@@ -20,6 +20,7 @@ struct StepReport : EnergyBalance {
     double membrane = 0;                           ///< J
     double gravity = 0;                            ///< J, potential energy, zero at the origin
     double contact = 0;                            ///< J, elastic energy of the contacts
+    double residual = 0;                           ///< J, of the residual stress of tempered sheets
     Vector3d linear_momentum = Vector3d::Zero();   ///< kg m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the origin
 

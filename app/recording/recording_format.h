@@ -79,7 +79,7 @@ struct Table<StepReport> {
     static constexpr std::int64_t since = 2;
     /// Recordings of before there were statics, or a balance of energy, lack it.
     static constexpr bool may_lack(std::string_view name) {
-        return name == "load" || name == "unexplained" || name.starts_with("work_of_") ||
+        return name == "load" || name == "residual" || name == "unexplained" || name.starts_with("work_of_") ||
                name.starts_with("lost_to_");
     }
     template <class Visit>
@@ -94,6 +94,7 @@ struct Table<StepReport> {
         visit("membrane", {"J"}, &R::membrane);
         visit("gravity", {"J", "potential energy, zero at the origin"}, &R::gravity);
         visit("contact", {"J"}, &R::contact);
+        visit("residual", {"J", "of the residual stress of tempered sheets"}, &R::residual);
         // These are sums since the start of the run.
         const auto since_start = [&](const char* name, const char* meaning, double R::*part) {
             visit(name, hdf5::Meaning{"J", meaning}, part);

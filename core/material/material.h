@@ -23,6 +23,7 @@ struct Material {
     std::optional<double> young1 = {};  ///< Pa, along the second axis; none: as along the first
     std::optional<double> shear = {};   ///< G01, Pa; none: see elastic_constants()
     Calibration calibration = Calibration::third;
+    double tempered = 0;  ///< Pa, compression at the surfaces, which tension within balances
 };
 
 /// Whether all directions in the sheet are equivalent, so that the material axes do not matter.

@@ -47,9 +47,9 @@ TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
     const BreakableShell plate = half_open_plate();
     GrowingTip tip = running_tip(plate, middle);
     const double step = 0.01 * plate_edge / limit;
-    for (int i = 0; i < 200; ++i) feed(plate, tip, 2, step);
+    for (int i = 0; i < 200; ++i) feed(plate, tip, {}, 2, step);
     EXPECT_NEAR(tip.release, 4 * (1 - std::exp(-2.0 / 3)), 0.25);
-    feed(plate, tip, 3, 1);
+    feed(plate, tip, {}, 3, 1);
     EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
 }
 
@@ -58,14 +58,16 @@ TEST(CrackBranching, NeedsTwiceTheEnergyAndTheLimit) {
     GrowingTip tip = running_tip(plate, middle);
     const double soon = plate_edge / limit;
     for (const bool by_energy : {false, true}) {
+        TipLoad load;
+        load.by_energy = by_energy;
         tip.release = by_energy ? 1.9 : 1.3;
-        EXPECT_FALSE(branches(plate, tip, by_energy, {}, soon));
+        EXPECT_FALSE(branches(plate, tip, load, {}, soon));
         tip.release = by_energy ? 2.1 : 1.5;
-        EXPECT_TRUE(branches(plate, tip, by_energy, {}, soon));
-        EXPECT_FALSE(branches(plate, tip, by_energy, {}, 2 * soon)) << "it has come at half the limit";
+        EXPECT_TRUE(branches(plate, tip, load, {}, soon));
+        EXPECT_FALSE(branches(plate, tip, load, {}, 2 * soon)) << "it has come at half the limit";
     }
     tip.stride = 0;
-    EXPECT_FALSE(branches(plate, tip, false, {}, soon)) << "it has not run yet";
+    EXPECT_FALSE(branches(plate, tip, {}, {}, soon)) << "it has not run yet";
 }
 
 TEST(CrackBranching, GoesToBothSidesAlike) {
@@ -96,7 +98,7 @@ TEST(CrackBranching, TwinsKeepTogetherAndApart) {
         all[1].twin = 0;
         all[0].release = 5;
         EXPECT_EQ(near_twin(plate, all[0], all) == &all[1], is_near) << edges << " edges apart";
-        EXPECT_EQ(branches(plate, all[0], false, all, plate_edge / limit), may_branch) << edges;
+        EXPECT_EQ(branches(plate, all[0], {}, all, plate_edge / limit), may_branch) << edges;
         all[0].twin = 7;
         EXPECT_EQ(near_twin(plate, all[0], all), nullptr) << "that one is no more";
     }

@@ -105,6 +105,8 @@ const std::vector<BadMaterial> bad_materials{
     {"young01 = 1\npoisson = 0.1", "scene.toml:6: sheet.plate.material.young01: conflicts with poisson"},
     {"poisson = 0.6", "poisson: must be a number between -1 and 0.5"},
     {"calibration = \"thrid\"", "calibration: must be one of \"third\", \"paper\""},
+    {"young = [4e6, 1e6]\ntempered = 1e8", "scene.toml:7: sheet.plate.material.tempered: needs a material that"},
+    {"tempered = -1", "material.tempered: must be"},
     {"axis = { degres = 3 }", "material.axis.degres: unknown key"},
     {"axis = {}", "scene.toml:6: sheet.plate.material.axis: needs direction, degrees or both"},
     {"axis = { degrees = 1, field = true }", "axis: needs direction, degrees or both"},

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Notches panes of tempered glass and prints into how many pieces they break.
+
+    tests/benchmarks/tempered_table.py build/release/app/sherd [SEEDS]
+
+Pieces are counted as standards of tempered glass do, on the 50 x 50 mm in the middle: those that a side of it cuts
+count half. Residual: what the stress of the pane has left, of what it had. Takes minutes a row. Needs h5py and numpy.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "tempered_glass.toml"
+HALF_WINDOW = 0.025  # m
+# Pa, m, m: surface compression, thickness, edges
+CASES = ((6e7, 0.006, 0.001), (8e7, 0.006, 0.001), (1.03e8, 0.006, 0.001), (1.03e8, 0.006, 0.0014),
+         (1.23e8, 0.006, 0.001), (1.03e8, 0.004, 0.001))
+
+
+def pieces(recording):
+    """How many pieces the window has, how many the pane, the shares of the pane's area of those of fewer than four
+    faces, and the share of the residual energy that is left."""
+    with h5py.File(recording) as file:
+        frame = file["frames"][sorted(file["frames"])[-1]]
+        rest, faces = frame["rest/position"][:, :2], frame["rest/faces"][:]
+        piece, area = frame["face/fragment"][:], frame["rest/area"][:]
+        residual = file["steps/residual"][:]
+    inside = (abs(rest[faces].mean(axis=1) - rest.mean(axis=0)) < HALF_WINDOW).all(axis=1)
+    whole, within = numpy.bincount(piece), numpy.bincount(piece[inside], minlength=piece.max() + 1)
+    count = (within == whole)[within > 0].sum() + 0.5 * (within < whole)[within > 0].sum()
+    return count, (whole > 0).sum(), area[whole[piece] < 4].sum() / area.sum(), residual[-1] / residual[0]
+
+
+def main():
+    program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
+    print("| compressed by (MPa) | thickness (mm) | edges (mm) | pieces on 50 x 50 mm, a mesh each | of the pane | "
+          "dust | residual |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    for stress, thickness, edge in CASES:
+        rows = []
+        for seed in range(1, seeds + 1):
+            with tempfile.TemporaryDirectory() as folder:
+                recording = pathlib.Path(folder) / "pane.h5"
+                settings = [f"seed={seed}", f"sheet.pane.material.tempered={stress}",
+                            f"sheet.pane.material.thickness={thickness}", f"sheet.pane.mesh.edge_length={edge}"]
+                subprocess.run([program, "run", SCENE, "-o", recording, *sum((["--set", one] for one in settings), [])],
+                               check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                rows.append(pieces(recording))
+        columns = [", ".join(f"{value:{form}}" for value in column)
+                   for column, form in zip(zip(*rows), ("g", "d", ".2%", ".2f"))]
+        print(f"| {stress / 1e6:g} | {1000 * thickness:g} | {1000 * edge:g} | {' | '.join(columns)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
