@@ -64,8 +64,8 @@ void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
     if (share <= most_short_edges || told) return;
     warnings.push_back(
         fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({:.3g} m), where the "
-                    "theory of thin "
-                    "shells does not hold; make them longer (edge_length, or remesh on a mesh file)",
+                    "theory of thin shells does not hold; where the sheet bends, make them longer "
+                    "(edge_length, or remesh on a mesh file)",
                     sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness));
 }
 
