@@ -17,7 +17,7 @@ import h5py
 import numpy
 
 SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "blunt_tool.toml"
-RADII = (0.006, 0.008)  # m, of the tools
+RADII = (0.006, 0.008, 0.0095)  # m, of tools that fit into the notch
 
 
 def path(recording, start):
