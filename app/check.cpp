@@ -11,6 +11,7 @@
 #include "app/run_cost.h"
 #include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
+#include "app/scene/build/crack_step_words.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/supports.h"
@@ -125,6 +126,8 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
     fmt::print("{}", bending_words(built));
+    if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())
+        fmt::print("cracks run {}\n", words);
     warn_of_implausible(scene, built.inputs, built.options, warnings);
     print_cost(scene, std::move(built), options, warnings);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/peak_table.h"
+#include "app/scene/build/crack_step_words.h"
 
 namespace sherd {
 namespace {
@@ -58,6 +59,9 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
                         static_cast<double>(totals.newton_iterations) /
                             static_cast<double>(std::max<std::int64_t>(1, totals.last.step))));
     add_row(text, "cracked edges", fmt::format("{}", totals.cracks));
+    if (const auto words = crack_step_words(scene, simulation.shell());
+        simulation.grown_edges() > 0 && !words.empty())
+        add_row(text, "cracks run", words);
     add_row(text, "fragments", fmt::format("{}", totals.last.fragments));
     add_peaks(text, totals);
     if (totals.halvings > 0)

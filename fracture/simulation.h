@@ -63,6 +63,8 @@ class Simulation {
     const HingePeaks& peaks() const { return hinge_peaks; }
     /// How many edges have been kept from failing by ArtDirection::smallest.
     Index forbidden_failures() const { return forbidden; }
+    /// How many edges have failed by toughness, births among them.
+    Index grown_edges() const { return grown; }
     /// [O] and [B]: whether anything was in contact with the obstacle, or the body, at the end of a step so
     /// far.
     const std::vector<char>& touched_obstacles() const { return obstacles_touched; }
@@ -132,7 +134,7 @@ class Simulation {
     std::vector<char> obstacles_touched, bodies_touched;
     StepSize step_size;
     bool ends_at_crack = false;
-    Index forbidden = 0;
+    Index forbidden = 0, grown = 0;
 };
 
 }  // namespace sherd

@@ -65,14 +65,15 @@ bool Simulation::grow(std::span<const CrackStep> crack_steps, Index stage) {
         }
         if (std::ranges::find(ready, one.edge, &CrackStep::edge) == ready.end()) ready.push_back(one);
     }
-    std::vector<CrackStep> grown;
+    std::vector<CrackStep> gone;
     for (const CrackStep& one : ready) {
         if (allowed({one.edge}).empty()) continue;
         break_by_toughness(one.edge, stage);
-        grown.push_back(one);
+        gone.push_back(one);
     }
-    growth.done(grown, time() + step_size.size());
-    return changed || !grown.empty();
+    grown += static_cast<Index>(gone.size());
+    growth.done(gone, time() + step_size.size());
+    return changed || !gone.empty();
 }
 
 void Simulation::break_by_toughness(Edge edge, Index stage) {

@@ -109,6 +109,7 @@ TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     EXPECT_EQ(thick.exit_code, 0) << thick.err;
     EXPECT_TRUE(contains(thick.out, " edges of sheet.strip are shorter than it is thick (0.004 m)"))
         << thick.out;
+    EXPECT_TRUE(contains(thick.out, "where the sheet bends, make them longer")) << "in plane they may stay";
     const ProgramResult thin =
         run_sherd({"check", "scene.toml", "--set", "sheet.strip.material.thickness=0.001"}, directory.path);
     EXPECT_FALSE(contains(thin.out, "shorter than it is thick")) << thin.out;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/scene/build/reach.h"
+#include "app/scene/build/round_step.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -63,8 +64,8 @@ void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
     if (share <= most_short_edges || told) return;
     warnings.push_back(
         fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({:.3g} m), where the "
-                    "theory of thin "
-                    "shells does not hold; make them longer (edge_length, or remesh on a mesh file)",
+                    "theory of thin shells does not hold; where the sheet bends, make them longer "
+                    "(edge_length, or remesh on a mesh file)",
                     sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness));
 }
 
@@ -153,12 +154,6 @@ void warn_of_threshold(const SheetInput& input, const SheetSpec& sheet, std::vec
                                : "strain is in 1/m: strain of the surface over half the thickness"));
 }
 
-/// A time with one digit, not above this one.
-double rounded_down(double x) {
-    const double digit = std::pow(10.0, std::floor(std::log10(x)));
-    return std::floor(x / digit + 1e-9) * digit;
-}
-
 /// m/s, at most, with which a sheet and anything that it may meet come together at the start.
 double approach(std::size_t sheet, const Scene& scene, const std::vector<SheetInput>& inputs,
                 const SimulationOptions& options) {
@@ -184,8 +179,7 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
             "{}: sheet.{} comes {:.3g} m nearer to what it meets in one solver.step of {:g} s, more than an "
             "edge "
             "({:.3g} m): the blow is over before it is felt elsewhere; use a step of {:g} s or less",
-            scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge,
-            rounded_down(edge / speed)));
+            scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge, round_step(edge / speed)));
     }
     for (std::size_t b = 0; b < options.stepper.contact.bodies.size(); ++b) {
         const RigidBody& body = options.stepper.contact.bodies[b];
@@ -193,12 +187,11 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
         if (speed * step <= size ||
             (options.stepper.contact.obstacles.empty() && options.stepper.contact.bodies.size() == 1))
             continue;
-        warnings.push_back(
-            fmt::format("{}: obstacle.{} moves {:.3g} m in one solver.step of {:g} s, more than its size "
-                        "({:.3g} m): it may pass "
-                        "other obstacles unseen; use a step of {:g} s or less",
-                        scene.bodies[b].where, scene.bodies[b].name, speed * step, step, size,
-                        rounded_down(size / speed)));
+        warnings.push_back(fmt::format(
+            "{}: obstacle.{} moves {:.3g} m in one solver.step of {:g} s, more than its size "
+            "({:.3g} m): it may pass "
+            "other obstacles unseen; use a step of {:g} s or less",
+            scene.bodies[b].where, scene.bodies[b].name, speed * step, step, size, round_step(size / speed)));
     }
 }
 

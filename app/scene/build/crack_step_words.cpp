@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/build/crack_step_words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/scene/build/round_step.h"
+#include "fracture/resolving_step.h"
+
+namespace sherd {
+
+std::string crack_step_words(const Scene& scene, const BreakableShell& sheets) {
+    const std::optional<double> longest = resolving_step(sheets);
+    if (scene.is_static() || !longest) return {};
+    const double step = scene.solver.step, resolving = round_step(*longest);
+    const bool is_explicit = scene.solver.scheme == Scheme::explicit_differences;
+    if (step > *longest && is_explicit)
+        return fmt::format(
+            "one edge a step, slower than their speed limit; solver.step = {:g} lets them reach it",
+            resolving);
+    if (step > *longest)
+        return fmt::format("up to {:.0f} edges a step; solver.step = {:g} resolves them edge by edge",
+                           std::ceil(step / *longest), resolving);
+    return is_explicit ? ""
+                       : fmt::format("one edge a step, as steps of up to {:g} s resolve them", resolving);
+}
+
+}  // namespace sherd

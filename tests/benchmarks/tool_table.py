@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives blunt tools through a film and prints how long its crack's waves are, how far it swings, and how far it
+runs at once, over the tool's width; and the energy that was taken over G_c times the area of the crack.
+
+    tests/benchmarks/tool_table.py build/release/app/sherd [SEEDS]
+
+Takes minutes a run. Needs h5py and numpy.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+import h5py
+import numpy
+
+SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "blunt_tool.toml"
+RADII = (0.006, 0.008, 0.0095)  # m, of tools that fit into the notch
+
+
+def path(recording, start):
+    """Places of the crack that has grown from a point, at rest, m, in order, and the steps in which it got there."""
+    with h5py.File(recording) as file:
+        frame, failure = file["frames"][sorted(file["frames"])[-1]], file["events/failure"]
+        rest = frame["rest/position"][:][frame["vertex/original"][:]]
+        ends, steps = rest[failure["vertices"][:]][:, :, :2], failure["step"][:]
+    places, when = [numpy.array(start)], [0]
+    for edge, step in zip(ends[steps > 0], steps[steps > 0]):
+        away = numpy.linalg.norm(edge - places[-1], axis=1)
+        if away.min() < 1e-4:
+            places.append(edge[numpy.argmax(away)])
+            when.append(step)
+    return numpy.array(places), numpy.array(when)
+
+
+def longest_burst(places, when):
+    """How far the crack runs in one step at most, m."""
+    return numpy.bincount(when[1:], numpy.linalg.norm(numpy.diff(places, axis=0), axis=1)).max()
+
+
+def turns(places, least):
+    """The points of a path where x turns back by `least` (m) and more: [N, 2]."""
+    found, far, sign = [], places[0], 0
+    for place in places[1:]:
+        if sign * (place[0] - far[0]) >= 0:
+            sign = sign or numpy.sign(place[0] - far[0])
+            far = place
+        elif abs(place[0] - far[0]) >= least:
+            found.append(far)
+            far, sign = place, -sign
+    return numpy.array(found)
+
+
+def energy_taken(recording, places, film):
+    """What went to the crack and to the scheme, of G_c times the crack's area."""
+    with h5py.File(recording) as file:
+        taken = sum(file["steps/lost_to_" + name][-1] for name in ("cracks", "scheme"))
+    material = film["material"]
+    area = numpy.linalg.norm(numpy.diff(places, axis=0), axis=1).sum() * material["thickness"]
+    return taken / (film["fracture"]["toughness"] ** 2 / material["young"] * area)
+
+
+def row(recording, film, width):
+    """The row of a run in the table."""
+    places, when = path(recording, film["fracture"]["crack"]["line"][1][:2])
+    edge = film["mesh"]["edge_length"]
+    found = turns(places, 2 * edge)  # less is a wriggle of the mesh
+    swings = numpy.abs(numpy.diff(found, axis=0)) / width
+    length, side = (2 * swings[:, 1].mean(), swings[:, 0].mean()) if len(swings) else (numpy.nan, 0)
+    return (f"{len(found)} | {length:.1f} | {side:.1f} | "
+            f"{longest_burst(places, when) / width:.1f} | {energy_taken(recording, places, film):.2f} |")
+
+
+def main():
+    program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    film = tomllib.loads(SCENE.read_text())["sheet"]["film"]
+    print("| tool (mm) | seed | turns | wavelength | from side to side | longest burst | energy |\n"
+          "| --- | --- | --- | --- | --- | --- | --- |")
+    for radius in RADII:
+        for seed in range(1, seeds + 1):
+            with tempfile.TemporaryDirectory() as folder:
+                recording = pathlib.Path(folder) / "tool.h5"
+                subprocess.run([program, "run", SCENE, "-o", recording, "--set", f"seed={seed}",
+                                "--set", f"obstacle.tool.cylinder.radius={radius}"], check=True,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                print(f"| {2000 * radius:.0f} | {seed} | {row(recording, film, 2 * radius)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
