@@ -116,11 +116,9 @@ Material read_material(TomlTable& table, const MaterialPreset* chosen) {
         constexpr std::array<std::string_view, 2> names{"third", "paper"};
         if (table.choice("calibration", names) == "paper") material.calibration = Calibration::paper;
     }
-    if (table.has("tempered")) {
-        material.tempered = table.number("tempered", "Pa", not_negative);
-        if (!is_isotropic(material))
-            table.report("tempered", "needs a material that is alike in all directions");
-    }
+    material.tempered = table.number("tempered", "Pa", not_negative, 0.0);
+    if (material.tempered > 0 && !is_isotropic(material))
+        table.report("tempered", "needs a material that is alike in all directions");
     check_constants(table, material);
     table.finish();
     return material;
