@@ -64,12 +64,8 @@ std::string run_info_json(const RunInfo& info) {
     for (const SheetInfo& s : info.sheets)
         json["sheets"].push_back({{"name", s.name}, {"faces", s.faces}, {"area", s.area}});
     json["tips"] = tips_json(info.tips);
-    json["energy"] = {{"kinetic", last.kinetic},
-                      {"bending", last.bending},
-                      {"membrane", last.membrane},
-                      {"residual", last.residual},
-                      {"gravity", last.gravity},
-                      {"contact", last.contact}};
+    json["energy"] = {{"kinetic", last.kinetic},   {"bending", last.bending}, {"membrane", last.membrane},
+                      {"residual", last.residual}, {"gravity", last.gravity}, {"contact", last.contact}};
     json["balance"] = info.has_balance ? balance_json(last) : Json();
     json["momentum"] = {{"linear", vector_json(last.linear_momentum)},
                         {"angular", vector_json(last.angular_momentum)}};

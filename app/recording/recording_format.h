@@ -79,8 +79,8 @@ struct Table<StepReport> {
     static constexpr std::int64_t since = 2;
     /// Recordings of before there were statics, or a balance of energy, lack it.
     static constexpr bool may_lack(std::string_view name) {
-        return name == "load" || name == "residual" || name == "unexplained" || name.starts_with("work_of_") ||
-               name.starts_with("lost_to_");
+        return name == "load" || name == "residual" || name == "unexplained" ||
+               name.starts_with("work_of_") || name.starts_with("lost_to_");
     }
     template <class Visit>
     static void visit(Visit visit) {

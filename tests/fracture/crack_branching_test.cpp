@@ -53,6 +53,31 @@ TEST(CrackBranching, ATipIsFedWithinThreeEdges) {
     EXPECT_DOUBLE_EQ(tip.release, 9) << "in long steps it is that of the step";
 }
 
+// Residual stress does not swing: it counts in full beside the mean of what does, within half a thickness of
+// way, on any mesh.
+TEST(CrackBranching, ResidualStressFeedsByTheThickness) {
+    const BreakableShell plate = half_open_plate();
+    TipLoad load;
+    load.residual = 1;
+    GrowingTip tip = running_tip(plate, middle);
+    feed(plate, tip, load, 2, 1);
+    EXPECT_DOUBLE_EQ(tip.release, 0.7 * 4);
+    load.by_energy = true;
+    feed(plate, tip, load, 2, 1);
+    EXPECT_DOUBLE_EQ(tip.release, 4);
+    tip.release = 0;
+    const double step = 0.01 * test::glass.thickness / limit;
+    for (int i = 0; i < 50; ++i) feed(plate, tip, load, 2, step);
+    EXPECT_NEAR(tip.release, 4 * (1 - std::exp(-1.0)), 0.03);
+    std::vector<GrowingTip> twins{tip, running_tip(plate, middle + Vector3d(0, 4 * plate_edge, 0))};
+    twins[0].release = 5;
+    twins[0].twin = twins[1].number = 1;
+    EXPECT_TRUE(branches(plate, twins[0], load, twins, plate_edge / limit))
+        << "it is a thickness and more away";
+    load.residual = 0;
+    EXPECT_FALSE(branches(plate, twins[0], load, twins, plate_edge / limit)) << "it is four edges away";
+}
+
 TEST(CrackBranching, NeedsTwiceTheEnergyAndTheLimit) {
     const BreakableShell plate = half_open_plate();
     GrowingTip tip = running_tip(plate, middle);

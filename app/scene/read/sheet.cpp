@@ -74,8 +74,9 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     }
     if (auto fracture = table.table("fracture")) sheet.fracture = read_fracture(*fracture, directory, preset);
     if (sheet.material.tempered > 0 && sheet.fracture && !sheet.fracture->has_toughness())
-        table.report("fracture", "needs toughness, or fracture_energy, or preset: the sheet is tempered, and "
-                                 "its residual stress drives cracks");
+        table.report("fracture",
+                     "needs toughness, or fracture_energy, or preset: the sheet is tempered, and "
+                     "its residual stress drives cracks");
     read_supports(table, sheet);
     require_still_supports(table, sheet);
     table.finish();

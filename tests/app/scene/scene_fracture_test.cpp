@@ -183,6 +183,20 @@ TEST(SceneFracture, APresetBreaksLikeItsMaterialAndKeysWin) {
     EXPECT_EQ(fracture_of(breaking_plate("preset = false\nstrain = 1")).strength.along, 1);
 }
 
+TEST(SceneFracture, ATemperedSheetThatBreaksNeedsAToughness) {
+    const std::string sheet = R"(duration = 1
+[sheet.a]
+mesh = { generate = "disc", radius = 0.2, edge_length = 0.05 }
+material = { preset = "glass", tempered = 1e8 }
+)";
+    EXPECT_EQ(input_of(scene_of(sheet)).material.tempered, 1e8);
+    EXPECT_THROW(scene_of(sheet + "fracture.strength = 4e7\n"), Error);
+    const BreakableShell breaks(
+        {input_of(scene_of(sheet + "fracture = { strength = 4e7, toughness = 7e5 }\n"))});
+    for (const Edge edge : breaks.mesh().edges())
+        EXPECT_TRUE(!breaks.can_fail(edge) || breaks.strength(edge) > 1.3e8);
+}
+
 // Every material that breaks makes a sheet that holds together.
 TEST(SceneFracture, EveryPresetMakesASheet) {
     for (const MaterialPreset& preset : material_presets()) {
