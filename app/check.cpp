@@ -56,6 +56,8 @@ void print_strength(const SheetSpec& sheet, const Strength& strength) {
         fmt::print("  breaks above {} along its axis, {} across\n", words(strength.along),
                    words(strength.across));
     print_factors(strength.factors);
+    if (sheet.material.tempered > 0)
+        fmt::print("  and {:.4g} Pa more, by which its surfaces are compressed\n", sheet.material.tempered);
 }
 
 void print_toughness(const Toughness& toughness) {

@@ -71,13 +71,15 @@ std::vector<PeakRow> peak_rows(const Scene& scene, const Simulation& simulation)
         if (spec.fracture) measures = {spec.fracture->strength.measure};
         for (const Measure measure : measures) {
             PeakRow row{spec.name, words(measure), {}};
+            const double compression =
+                spec.fracture && measure == Measure::stress ? spec.material.tempered : 0;
             for (std::size_t hinge = 0; hinge < sheet.mechanics().hinges.size(); ++hinge) {
                 const Edge edge = sheet.edge_of_hinge(hinge);
                 if (sheet.sheet_of(edge) != static_cast<Index>(s)) continue;
-                const double factor = spec.fracture ? sheet.strength(edge) / threshold : 1;
+                const double factor = spec.fracture ? (sheet.strength(edge) - compression) / threshold : 1;
                 const bool is_judged = static_cast<Eigen::Index>(edge) < peaks.strain.size();
                 const double peak = is_judged ? peaks.of(measure, static_cast<Index>(edge)) : 0;
-                row.peaks.push_back(peak > 0 ? peak / factor : 0);
+                row.peaks.push_back(peak > compression ? (peak - compression) / factor : 0);
             }
             std::sort(row.peaks.begin(), row.peaks.end());
             if (!row.peaks.empty()) rows.push_back(std::move(row));

@@ -66,7 +66,7 @@ struct Dropped {
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
 place = { rotate = { axis = [1, 0.2, 0], degrees = 60 }, translate = [0, 0, 0.1] }
 velocity = [0, 0, -10]
-material = { preset = "stoneware" }
+material.preset = "stoneware"
 )" + fracture + "[obstacle.floor]\nplane = {}\n",
                             "scene.toml");
         std::vector<std::string> warnings;
@@ -101,6 +101,15 @@ TEST(PeakTable, CountsWhatEachHingeMakesOfTheThreshold) {
     }
     EXPECT_EQ(Dropped("[sheet.disc.fracture]\nstrain = 9\nmeasure = \"bending\"\n").rows[0].measure,
               "bending strain, 1/m");
+}
+
+// A tempered surface breaks over its strength and its compression: the table is of the strength.
+TEST(PeakTable, LeavesOutTheCompressionOfATemperedSurface) {
+    const std::string tough = "[sheet.disc.fracture]\nstrength = 1e12\ntoughness = 1e6\n";
+    const Dropped plain(tough), tempered("material.tempered = 1e5\n" + tough);
+    ASSERT_GT(plain.rows[0].peaks.back(), 1e5);
+    EXPECT_NEAR(tempered.rows[0].peaks.back(), plain.rows[0].peaks.back() - 1e5,
+                1e-6 * plain.rows[0].peaks.back());
 }
 
 const std::string falling_onto_floor = R"(duration = 0.002
