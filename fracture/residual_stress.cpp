@@ -56,10 +56,10 @@ class Freed {
         return static_cast<std::size_t>((angle - std::floor(angle)) * directions) % directions;
     }
     void add(const Beside& crack, std::size_t direction) {
-        if (of(crack) > share[direction]) {
-            share[direction] = of(crack);
-            along[direction] = crack.along;
-        }
+        const double freed = of(crack);
+        if (freed <= share[direction]) return;
+        share[direction] = freed;
+        along[direction] = crack.along;
     }
     /// With one more crack.
     double with(const Beside& crack) const {
@@ -204,6 +204,7 @@ double residual_release(const BreakableShell& shell, Vertex from, const Vector3d
 }
 
 void add_residual(const BreakableShell& shell, const GrowingTip& tip, TipLoad& load) {
+    if (!(shell.material_at(tip.vertex).tempered > 0)) return;
     const Shell& mechanics = shell.mechanics();
     const Vector3d ahead = edge_length_ahead(shell, tip) * tip.direction;
     const double released =

@@ -13,8 +13,8 @@ namespace sherd {
 // for a metre of it (plane strain; by finite elements, within 0.1 % for nu from 0.2 to 0.35). It frees a
 // point at the distance d of the share exp(-d / reach) / 2 of its energy: of the stress across the crack, and
 // not of that along it, which goes on to drive cracks that come across. Of two cracks at an angle both count,
-// the farther one by the square of its sine, those two that free the point of most. So what is left tells
-// nothing of the order in which cracks came.
+// the farther one by the square of its sine, those two that free the point of most. A piece of a crack frees
+// what is beside it, as at its middle: what is left depends on the order of cracks by what differs along it.
 
 /// How much energy residual stress stores, and how far from a crack it is gone.
 struct ResidualStress {

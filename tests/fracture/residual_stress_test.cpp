@@ -123,7 +123,7 @@ TEST(ResidualStress, ACrackBesideAnotherReleasesLess) {
     }
 }
 
-TEST(ResidualStress, WhatIsLeftDoesNotDependOnTheOrderOfCracks) {
+TEST(ResidualStress, WhatParallelCracksLeaveDoesNotDependOnTheirOrder) {
     const BreakableShell shell({pane(0.001, Layout::structured)});
     std::vector<Edge> cracks = edges_along(shell.mesh(), 0.03, 0.04);
     for (const Edge edge : edges_along(shell.mesh(), 0.031, 0.05)) cracks.push_back(edge);
