@@ -10,7 +10,7 @@ namespace sherd {
 // balances it, in a parabola through the thickness t, alike in all directions: S (3 (2 z / t)^2 - 1) / 2. On
 // a shell it is no load. But a crack frees its lips of it, and so releases some of its energy, as much as a
 // half-infinite strip does whose end is freed of this stress, for either lip: 0.0368 S^2 t^2 (1 - nu^2) / Y
-// for a metre of it (plane strain; by finite elements, within 0.1 % for nu from 0.2 to 0.35). It frees a
+// for a metre of it (plane strain; tests/benchmarks/freed_end.py, for nu from 0.2 to 0.35). It frees a
 // point at the distance d of the share exp(-d / reach) / 2 of its energy: of the stress across the crack, and
 // not of that along it, which goes on to drive cracks that come across. Of two cracks at an angle both count,
 // the farther one by the square of its sine, those two that free the point of most. A piece of a crack frees
