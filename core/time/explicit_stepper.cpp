@@ -18,7 +18,6 @@ constexpr double safety = 0.8;
 /// Contact begins and ends within a substep, which errs in energy by the square of substep times frequency:
 /// it therefore has a third of the longest one.
 constexpr double resolution_of_contact = 3;
-constexpr int first_iterations = 40, later_iterations = 20;
 /// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
 /// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
@@ -89,8 +88,7 @@ void ExplicitStepper::choose_substep() {
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
     // Every crack counts: what it leaves alone may be a face that swings far faster than with its neighbours.
     if (changed || strain > strain_then + growth) {
-        of_shell = highest_frequency(elastic, shell, shell.position,
-                                     mode.cols() == 0 ? first_iterations : later_iterations, mode);
+        of_shell = highest_frequency(elastic, shell, shell.position, mode);
         changed = false;
         strain_then = strain;
     }

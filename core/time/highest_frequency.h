@@ -8,10 +8,11 @@
 
 namespace sherd {
 
-/// Estimates the highest angular frequency, rad/s, of a shell at x [3, V] m with lumped masses, by
-/// `iterations` of the power method on M^-1 K with differences of forces for K. It comes from below. mode:
-/// [3, V], where the iteration starts and what it leaves for the next time; without columns it starts anew.
+/// Estimates the highest angular frequency, rad/s, of a shell at x [3, V] m with lumped masses, by Lanczos'
+/// method (Spectra's) on M^-1 K, with differences of forces for K. It comes from below. mode: [3, V], where
+/// the method starts and what it leaves for the next time; without columns it starts anew. Throws
+/// std::runtime_error when it does not converge.
 double highest_frequency(std::span<Energy* const> energies, const Shell& shell, const Positions& x,
-                         int iterations, Positions& mode);
+                         Positions& mode);
 
 }  // namespace sherd
