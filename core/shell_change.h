@@ -22,8 +22,8 @@ struct Heir {
 /// An edge that opens with a change of the shell.
 struct Opening {
     Index edge;
-    double energy;   ///< J, that it takes in all
-    double longest;  ///< s, after which nothing holds it any more
+    double energy;  ///< J, that it takes in all
+    double time;    ///< s, in which the tip passes it at its speed limit
 };
 
 /// A change of the shell's mesh. New elements are appended in the order given here; hinges are removed, then
@@ -35,7 +35,7 @@ struct ShellChange {
     /// Removed hinges, in the order of removal, each with its number at that time: the last hinge then took
     /// the number of the removed one.
     std::vector<Index> removed_hinges = {};
-    /// Of the hinge that was removed, where it opens gradually: explicit steps only.
+    /// Of the hinge that was removed, where its crack needs energy.
     std::optional<Opening> opening = {};
 
     /// Old vertices that are at another place of the sheet: their parents lay around it.
@@ -56,6 +56,9 @@ struct ShellChange {
         double mass;  ///< kg, as it was
     };
     std::vector<Weight> weights = {};  ///< of the old corners of changed faces, ascending
+
+    /// Whether the sheet gets other triangles; else edges open.
+    bool remeshes() const { return !reshaped.empty() || !moved.empty(); }
 };
 
 /// Removes the entry `hinge` of a list in the way hinges are removed: the last entry takes its place.

@@ -8,13 +8,6 @@
 // How edges fail and cracks go on in a step; simulation.cpp has the step.
 
 namespace sherd {
-namespace {
-
-/// An edge opens in at most so many times the time that its tip needs at the speed limit.
-constexpr double longest_opening = 12;
-
-}  // namespace
-
 void Simulation::break_edges(std::span<const Edge> edges, const HingeMeasures& measures, Index stage,
                              const std::optional<Opening>& opening) {
     record_failures(edges, measures, stage);
@@ -87,7 +80,6 @@ void Simulation::break_by_toughness(Edge edge, Index stage) {
 }
 
 std::optional<Opening> Simulation::opening_of(Edge edge, double has) const {
-    if (!stepper->opens_gradually()) return std::nullopt;
     const Shell& shell = breakable.mechanics();
     const auto a = static_cast<Index>(breakable.mesh().vertex(edge, 0)),
                b = static_cast<Index>(breakable.mesh().vertex(edge, 1));
@@ -95,7 +87,7 @@ std::optional<Opening> Simulation::opening_of(Edge edge, double has) const {
     const Toughness& toughness = breakable.toughness(edge);
     const double needed = toughness.value * toughness.value / shell.young[a] * length * shell.thickness[a];
     if (has >= needed) return std::nullopt;
-    return Opening{static_cast<Index>(edge), needed - has, longest_opening * length / toughness.speed_limit};
+    return Opening{static_cast<Index>(edge), needed - has, length / toughness.speed_limit};
 }
 
 void Simulation::record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage) {

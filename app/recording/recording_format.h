@@ -109,8 +109,10 @@ struct Table<StepReport> {
         since_start("lost_to_friction", "since the start, all friction of contact", &R::lost_to_friction);
         since_start("lost_to_damping", "since the start", &R::lost_to_damping);
         since_start("lost_to_cracks",
-                    "since the start: stored in what carried before edges opened, and not after",
+                    "since the start: stored in what carried before edges opened, and taken by them",
                     &R::lost_to_cracks);
+        since_start("lost_to_remeshing", "since the start: where the sheet got other triangles",
+                    &R::lost_to_remeshing);
         since_start("lost_to_scheme", "since the start: what the time scheme takes, by its formula",
                     &R::lost_to_scheme);
         since_start("unexplained", "since the start: change of all energies, less work, plus losses",

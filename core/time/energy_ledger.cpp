@@ -10,14 +10,14 @@ void EnergyLedger::begin(double stored, double moving) {
         last_moving = moving;
     }
     at_begin = stored;
-    opened = 0;
+    opened = reshaped = 0;
     motion = moving;
     slowed = last_moving - moving;
 }
 
-double EnergyLedger::topology_changed(double stored, double moving) {
+double EnergyLedger::topology_changed(double stored, double moving, bool remeshed) {
     const double gone = solution - stored;
-    opened += gone;
+    (remeshed ? reshaped : opened) += gone;
     solution = stored;
     slowed += motion - moving;
     motion = moving;
@@ -26,10 +26,12 @@ double EnergyLedger::topology_changed(double stored, double moving) {
 
 void EnergyLedger::finish(const StepWork& work, double stored, double moving) {
     EnergyBalance now = work.balance;
-    now.lost_to_scheme += work.against_stored - (stored - at_begin) - opened;
-    now.lost_to_cracks += opened + last - at_begin + slowed;
+    now.lost_to_scheme += work.against_stored - (stored - at_begin) - opened - reshaped;
+    now.lost_to_cracks += opened + last - at_begin;
+    now.lost_to_remeshing += reshaped + slowed;
     const double gained = now.work_of_loads + now.work_of_wind + now.work_of_supports + now.work_of_obstacles;
-    const double lost = now.lost_to_friction + now.lost_to_damping + now.lost_to_cracks + now.lost_to_scheme;
+    const double lost = now.lost_to_friction + now.lost_to_damping + now.lost_to_cracks +
+                        now.lost_to_remeshing + now.lost_to_scheme;
     now.unexplained = stored + moving - (last + last_moving) - gained + lost;
     last = stored;
     last_moving = moving;

@@ -27,9 +27,9 @@ class EnergyLedger {
     /// The same of the moving energy, for schemes whose solution has its velocities; else it is that of the
     /// beginning.
     void moves(double moving) { motion = moving; }
-    /// The shell has changed since, at the same positions of the sheet. What its other triangles and masses
-    /// take of the moving energy counts as lost to cracks, too. Returns what it took of what was stored, J.
-    double topology_changed(double stored, double moving);
+    /// The shell has changed since, at the same positions of the sheet: an edge has opened, or it has other
+    /// triangles (remeshed). Returns what that took of what was stored, J.
+    double topology_changed(double stored, double moving, bool remeshed);
     void finish(const StepWork& work, double stored, double moving);
 
     const EnergyBalance& balance() const { return all; }  ///< of the finished steps
@@ -42,6 +42,7 @@ class EnergyLedger {
     double solution = 0;               ///< J, stored when the open step was solved last
     double motion = 0;                 ///< J, moving then, or at the beginning of the open step
     double opened = 0;                 ///< J, what edges that opened in the open step stored
+    double reshaped = 0;  ///< J, what other triangles have taken of what was stored in the open step
     double slowed = 0;  ///< J, what changes of triangles have taken of the moving energy since the last step
 };
 

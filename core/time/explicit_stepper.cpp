@@ -235,7 +235,7 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     append(acceleration, change.vertices);
     const Positions before = acceleration;
     feel();
-    const double gone = ledger.topology_changed(stored(), moving(velocity, position));
+    const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
     opening.open(*change.opening, kept_forces(before), gone);
     forces_now.opening.setZero();

@@ -24,7 +24,6 @@ class ExplicitStepper : public Stepper {
     /// Makes the whole step, once; its iterations are substeps.
     MinimiserResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
-    bool opens_gradually() const override { return true; }
     double held(Index edge) const override { return opening.held(edge); }
     void topology_changed(const ShellChange& change) override;
     void finish() override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time/implicit_stepper.h"
 
+#include "core/shell/inheritance.h"
 #include "core/shell/supports.h"
 #include "core/time/implicit_euler.h"
 #include "core/time/statics.h"
@@ -30,7 +31,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia};
     for (const std::vector<Energy*>& some :
-         {forces.elastic(), contact.energies(), loads, contact.frictions()})
+         {forces.elastic(), contact.energies(), loads, contact.frictions(), {&opening}})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -41,6 +42,8 @@ bool ImplicitStepper::begin(double length) {
     const double elastic = elastic_at_start(step);
     potential.begin(step);
     ledger.begin(elastic + contact.stored_at_start(), moving(shell.velocity, shell.position));
+    opening.begin_step(step, shell.position);
+    unbalanced.resize(3, 0);
     require_apart();
     return predict();
 }
@@ -87,18 +90,32 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
     const MinimiserResult result = path ? path->solve(potential, loads, step, max_iterations, position)
                                         : minimiser->minimise(potential, max_iterations, position);
     ledger.solved(stored());
+    opening.solved(position);
+    unbalanced.resize(3, 0);
     return result;
 }
 
 void ImplicitStepper::topology_changed(const ShellChange& change) {
+    opening.shell_changes();
     follow(position, change);
+    opening.shell_changed(position);
     scheme->topology_changed(shell, change, step);
     potential.topology_changed(change, step);
     if (path)
         path->topology_changed(change, potential, position);
     else
         minimiser->topology_changed(change, potential, position);
-    ledger.topology_changed(stored(), moving(shell.velocity, shell.position));
+    const double gone =
+        ledger.topology_changed(stored(), moving(shell.velocity, shell.position), change.remeshes());
+    const Positions kept = newly_unbalanced(change.vertices);
+    if (change.opening) opening.open(*change.opening, kept, position, gone);
+}
+
+Positions ImplicitStepper::newly_unbalanced(std::span<const Heir> heirs) {
+    Positions before = unbalanced;
+    if (before.cols() > 0) append(before, heirs);
+    unbalanced = potential.gradient(position) * shell.mass.cwiseInverse().asDiagonal();
+    return (before.cols() > 0 ? Positions(unbalanced - before) : unbalanced) * shell.mass.asDiagonal();
 }
 
 void ImplicitStepper::finish() {
@@ -106,6 +123,7 @@ void ImplicitStepper::finish() {
     ledger.finish(work(), stored(), moving(step.velocity(position), position));
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
+    opening.finish();
     time = step.end();
 }
 
@@ -143,19 +161,22 @@ StepWork ImplicitStepper::work() {
     Positions gradient = Positions::Zero(3, position.cols());
     for (const std::vector<Energy*>& some : {forces.elastic(), contact.energies(), contact.frictions()})
         for (const Energy* energy : some) energy->add_gradient(position, gradient);
+    opening.add_gradient(position, gradient);
     StepWork all;
     all.against_stored = gradient.cwiseProduct(moved).sum();
     if (const BodyContact* bodies = contact.of_bodies()) all.against_stored -= bodies->contact_work();
     EnergyBalance& balance = all.balance;
     forces.add_outer(position, moved, balance, gradient);
     add_inertia(balance, gradient);
+    balance.lost_to_cracks = opening.taken();
     Positions free = gradient;
     constrain(shell, free);
     const double of_mirrors = forces.mirror_work(step, position);
     balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
     balance.work_of_obstacles = contact.obstacle_work(step, position);
     balance.lost_to_friction = contact.friction_loss(position);
-    all.against_stored += of_mirrors + balance.work_of_obstacles - balance.lost_to_friction;
+    all.against_stored +=
+        of_mirrors + balance.work_of_obstacles - balance.lost_to_friction - balance.lost_to_cracks;
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include "core/solver/newton.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
+#include "core/time/released_edges.h"
 #include "core/time/stepper.h"
 #include "core/time/time_scheme.h"
 
@@ -25,6 +26,7 @@ class ImplicitStepper : public Stepper {
     void topology_changed(const ShellChange& change) override;
     void finish() override;
 
+    double held(Index edge) const override { return opening.held(edge); }
     double load() const override { return step.load; }
     bool arrived() const override { return path && path->arrived(); }
     std::vector<Reaction> reactions() const override;
@@ -35,6 +37,9 @@ class ImplicitStepper : public Stepper {
 
   private:
     double stored_in_contact() const override { return contact.stored_energy(position); }
+    /// Takes what is unbalanced now, and returns by how much that is more, N, [3, V]. heirs: vertices that
+    /// have been born since the last time.
+    Positions newly_unbalanced(std::span<const Heir> heirs);
     std::vector<Energy*> all_energies();
     void require_apart();
     /// Moves `position` towards the prediction; returns false if scripted vertices or obstacles do not
@@ -55,9 +60,13 @@ class ImplicitStepper : public Stepper {
     Inertia inertia;
     std::vector<Energy*> loads;  ///< of `forces`
     Contact contact;
+    ReleasedEdges opening;
     Potential potential;
     std::unique_ptr<Minimiser> minimiser;
     std::optional<EquilibriumPath> path;  ///< instead of the minimiser
+    /// What changes of the shell since the last solution have left unbalanced, N/kg, [3, V]; no columns:
+    /// there were none.
+    Positions unbalanced;
 };
 
 }  // namespace sherd

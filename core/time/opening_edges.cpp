@@ -5,31 +5,20 @@
 #include <cmath>
 
 namespace sherd {
-
 namespace {
 
-/// Of the largest of the forces: smaller ones are round-off.
-constexpr double least_force = 1e-10;
+constexpr double longest = 12;  // times the time of an opening, after which nothing holds an edge any more
 
 }  // namespace
 
 void OpeningEdges::open(const Opening& edge, const Positions& kept, double gone) {
     if (!(edge.energy > gone)) return;
-    Kept one;
-    one.edge = edge.edge;
-    one.needed = edge.energy - gone;
-    one.longest = edge.longest;
-    const VectorXd sizes = kept.colwise().norm();
-    const double least = least_force * sizes.maxCoeff();
-    for (Index v = 0; v < static_cast<Index>(kept.cols()); ++v)
-        if (sizes[v] > least) one.vertices.push_back(v);
-    one.forces = kept(Eigen::all, one.vertices);
-    all.push_back(std::move(one));
+    all.push_back({edge.edge, KeptForces(kept), edge.energy - gone, longest * edge.time});
 }
 
 void OpeningEdges::fade(const Positions& moved, double length) {
     for (Kept& one : all) {
-        const double against = -one.forces.cwiseProduct(moved(Eigen::all, one.vertices)).sum();
+        const double against = one.kept.against(moved);
         one.age += length;
         const double reached = one.taken + one.share * std::max(0.0, against);
         const double before = one.share, left = std::sqrt(std::max(0.0, 1 - reached / one.needed));
@@ -41,9 +30,7 @@ void OpeningEdges::fade(const Positions& moved, double length) {
 }
 
 void OpeningEdges::add_forces(Positions& sum) const {
-    for (const Kept& one : all)
-        for (std::size_t i = 0; i < one.vertices.size(); ++i)
-            sum.col(one.vertices[i]) += one.share * one.forces.col(static_cast<Index>(i));
+    for (const Kept& one : all) one.kept.add(one.share, sum);
 }
 
 double OpeningEdges::held(Index edge) const {

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "core/shell_change.h"
+#include "core/time/kept_forces.h"
 
 namespace sherd {
 
-/// Edges that open gradually, so that each takes the energy that its crack needs. When an edge fails, what
-/// held it together stays as forces on the vertices, which keep their accelerations. These forces fade as
-/// they take energy: to the share sqrt(1 - W / W_c), with their work W against the opening and all that they
-/// shall take, W_c, and to nothing after the longest time. They act as friction does: never as a motor.
+/// Edges that open gradually in explicit steps, so that each takes the energy that its crack needs. When an
+/// edge fails, what held it together stays as forces on the vertices, which keep their accelerations. These
+/// forces fade as they take energy: to the share sqrt(1 - W / W_c), with their work W against the opening and
+/// all that they shall take, W_c, and to nothing after twelve times the time of an opening. They act as
+/// friction does: never as a motor.
 class OpeningEdges {
   public:
     /// kept: [3, V] N, what held the edge together. gone: J, that went out of what is stored at once.
@@ -27,12 +29,11 @@ class OpeningEdges {
   private:
     struct Kept {
         Index edge;
-        std::vector<Index> vertices;  ///< ascending
-        Positions forces;             ///< N, of each of them
-        double needed;                ///< J, that they shall take
-        double taken = 0;             ///< J, that they have taken
-        double longest;               ///< s
-        double age = 0;               ///< s
+        KeptForces kept;
+        double needed;     ///< J, that they shall take
+        double longest;    ///< s
+        double taken = 0;  ///< J, that they have taken
+        double age = 0;    ///< s
         double share = 1;
     };
     std::vector<Kept> all;

@@ -56,9 +56,7 @@ class Stepper {
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;
 
-    /// Whether edges open gradually: see ShellChange::opening.
-    virtual bool opens_gradually() const { return false; }
-    /// Share of what held an edge together that still does.
+    /// Share of what held an edge together that still does: see ShellChange::opening.
     virtual double held(Index /*edge*/) const { return 0; }
 
     /// The factor of all loads in the open step, or in the last one: 1, but in statics.

@@ -53,6 +53,7 @@ TEST(Info, TellsTheEnergiesOfTheLastStepAndTheExtremesOfAll) {
     EXPECT_EQ(info["energy"]["contact"], last.contact);
     EXPECT_EQ(info["balance"]["work_of_supports"], last.work_of_supports);
     EXPECT_EQ(info["balance"]["lost_to_cracks"], last.lost_to_cracks);
+    EXPECT_EQ(info["balance"]["lost_to_remeshing"], last.lost_to_remeshing);
     EXPECT_EQ(info["balance"]["unexplained"], last.unexplained);
     EXPECT_EQ(info["momentum"]["linear"][2], last.linear_momentum.z());
     EXPECT_EQ(info["momentum"]["angular"][0], last.angular_momentum.x());

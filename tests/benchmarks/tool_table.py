@@ -54,9 +54,9 @@ def turns(places, least):
 
 
 def energy_taken(recording, places, film):
-    """What went to the crack and to the scheme, of G_c times the crack's area."""
+    """What went to the crack, of G_c times its area."""
     with h5py.File(recording) as file:
-        taken = sum(file["steps/lost_to_" + name][-1] for name in ("cracks", "scheme"))
+        taken = file["steps/lost_to_cracks"][-1]
     material = film["material"]
     area = numpy.linalg.norm(numpy.diff(places, axis=0), axis=1).sum() * material["thickness"]
     return taken / (film["fracture"]["toughness"] ** 2 / material["young"] * area)

@@ -5,25 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/held_pair.h"
+
 namespace sherd {
 namespace {
 
-constexpr double force = 4, longest = 1;  // N, s
-
-/// Two vertices that are held together along x.
-Positions held_together() {
-    Positions kept = Positions::Zero(3, 4);
-    kept(0, 1) = force;
-    kept(0, 2) = -force;
-    return kept;
-}
-
-Positions parted_by(double way) {
-    Positions moved = Positions::Zero(3, 4);
-    moved(0, 1) = -0.5 * way;
-    moved(0, 2) = 0.5 * way;
-    return moved;
-}
+constexpr double force = 4, time = 1.0 / 12, longest = 1;  // N, s
 
 /// Pulls the vertices apart in steps of `way` (m) for at most so many steps. Returns the work that it takes.
 double pull(OpeningEdges& edges, double way, int steps) {
@@ -31,16 +18,16 @@ double pull(OpeningEdges& edges, double way, int steps) {
     for (int i = 0; i < steps && !edges.empty(); ++i) {
         Positions before = Positions::Zero(3, 4), after = before;
         edges.add_forces(before);
-        edges.fade(parted_by(way), 1e-6);
+        edges.fade(test::parted_by(way), 1e-6);
         edges.add_forces(after);
-        work -= 0.5 * (before + after).cwiseProduct(parted_by(way)).sum();
+        work -= 0.5 * (before + after).cwiseProduct(test::parted_by(way)).sum();
     }
     return work;
 }
 
 TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
     OpeningEdges edges;
-    edges.open({7, 0.3, longest}, held_together(), 0.1);
+    edges.open({7, 0.3, time}, test::held_together(force), 0.1);
     EXPECT_EQ(edges.held(7), 1);
     EXPECT_EQ(edges.held(8), 0);
     EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.2, 1e-4);
@@ -51,7 +38,7 @@ TEST(OpeningEdges, TakeTheirEnergyLessWhatWentAtOnce) {
 // The share that is left falls with the root of what is left to take, so that the force ends at a width.
 TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
     OpeningEdges edges;
-    edges.open({7, 0.2, longest}, held_together(), 0);
+    edges.open({7, 0.2, time}, test::held_together(force), 0);
     const double taken = pull(edges, 1e-5, 3000);
     EXPECT_GT(taken, 0.05);
     EXPECT_NEAR(edges.held(7), std::sqrt(1 - taken / 0.2), 1e-9);
@@ -63,27 +50,27 @@ TEST(OpeningEdges, FadeByTheRootOfWhatIsLeft) {
 
 TEST(OpeningEdges, NeverPush) {
     OpeningEdges edges;
-    edges.open({7, 0.2, longest}, held_together(), 0);
-    edges.fade(parted_by(-1e-3), 1e-6);
+    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    edges.fade(test::parted_by(-1e-3), 1e-6);
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_TRUE(now.isZero(0)) << "what held the edge together would drive it where it closes";
-    edges.fade(parted_by(1e-3), 1e-6);
+    edges.fade(test::parted_by(1e-3), 1e-6);
     edges.add_forces(now);
     EXPECT_GT(now(0, 1), 0) << "and holds it again when it opens";
 }
 
 TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
     OpeningEdges edges;
-    edges.open({7, 0.2, longest}, held_together(), 0.3);
+    edges.open({7, 0.2, time}, test::held_together(force), 0.3);
     EXPECT_TRUE(edges.empty());
-    edges.open({7, 0.2, longest}, held_together(), 0);
-    edges.fade(parted_by(0), longest / 2);
+    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    edges.fade(test::parted_by(0), longest / 2);
     EXPECT_FALSE(edges.empty());
     Positions now = Positions::Zero(3, 4);
     edges.add_forces(now);
     EXPECT_NEAR(now(0, 1), force / 2, 1e-12);
-    edges.fade(parted_by(0), longest);
+    edges.fade(test::parted_by(0), longest);
     EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
 }
 
