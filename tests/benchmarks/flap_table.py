@@ -6,15 +6,14 @@
 
 Takes minutes. Needs h5py and numpy.
 """
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import h5py
 import numpy
 
-SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "torn_flap.toml"
+from recorded_run import recorded_run
+
+SCENE = "experiments/torn_flap.toml"
 
 
 def widths(recording):
@@ -46,10 +45,7 @@ def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
     print("| seed | point (mm from the cuts) | power | off 8/11 (mm) | off 9/8 (mm) |\n| --- | --- | --- | --- | --- |")
     for seed in range(1, seeds + 1):
-        with tempfile.TemporaryDirectory() as folder:
-            recording = pathlib.Path(folder) / "flap.h5"
-            subprocess.run([program, "run", SCENE, "-o", recording, "--set", f"seed={seed}"], check=True,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with recorded_run(program, SCENE, [f"seed={seed}"]) as recording:
             y, width = widths(recording)
         point, power = free_power(y, width)
         off = " | ".join(f"{1000 * miss(y, width, n):.1f}" for n in (8 / 11, 9 / 8))

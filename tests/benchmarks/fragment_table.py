@@ -8,15 +8,13 @@ The number of fragments of mass m is taken for a power, m^-tau, between a smalle
 likely one, with the interval in which twice its log-likelihood falls by less than 3.84 (95 %). Takes minutes. Needs h5py
 and numpy.
 """
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import h5py
 import numpy
 
-SCENES = pathlib.Path(__file__).parents[2] / "scenes" / "experiments"
+from recorded_run import recorded_run
+
 # Wittel, Kun, Herrmann and Kroeplin 2004: shells by impact and by pressure.
 PUBLISHED = {"glass_tube": "", "dropped_sphere": "1.35", "dropped_bowl": "1.35", "burst_egg": "1.54"}
 SMALLEST_FACES = 4  # a fragment of fewer faces is as small as the mesh allows
@@ -49,10 +47,7 @@ def most_likely(sizes, least, most):
 def row(program, name, seeds):
     sizes, counts, largest, made = [], [], [], 0
     for seed in range(1, seeds + 1):
-        with tempfile.TemporaryDirectory() as folder:
-            recording = pathlib.Path(folder) / "pieces.h5"
-            subprocess.run([program, "run", SCENES / f"{name}.toml", "-o", recording, "--set", f"seed={seed}"], check=True,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with recorded_run(program, f"experiments/{name}.toml", [f"seed={seed}"]) as recording:
             areas, face, of_scheme = fragments(recording)
         shares = areas / areas.sum()
         sizes += list(shares[(areas > SMALLEST_FACES * face) & (shares < shares.max())])

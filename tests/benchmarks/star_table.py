@@ -8,15 +8,14 @@ Arms are counted where cracks cross circles around the blow, at rest; energy is 
 energy times their area. Takes minutes. Needs h5py and numpy.
 """
 import collections
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import h5py
 import numpy
 
-SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "struck_plate.toml"
+from recorded_run import recorded_run
+
+SCENE = "experiments/struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
 THICKNESS, FRACTURE_ENERGY = 1e-3, 1.1e6 ** 2 / 3.2e9  # m, J/m^2: K_Ic^2 / Y
 SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016), (0.005, 0.01, 0.015)
@@ -45,11 +44,8 @@ def main():
         for edge in EDGES:
             arms, lengths, energies, pieces = [], [], [], []
             for seed in range(1, seeds + 1):
-                with tempfile.TemporaryDirectory() as folder:
-                    recording = pathlib.Path(folder) / "star.h5"
-                    subprocess.run([program, "run", SCENE, "--variant", speed, "-o", recording, "--set", f"seed={seed}",
-                                    "--set", f"sheet.plate.mesh.edge_length={edge}"], check=True,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                settings = [f"seed={seed}", f"sheet.plate.mesh.edge_length={edge}"]
+                with recorded_run(program, SCENE, settings, "--variant", speed) as recording:
                     found, shares, lost = cracks(recording)
                 away = numpy.linalg.norm(found - BLOW, axis=2)
                 arms.append("/".join(str(int(((away < r).sum(axis=1) == 1).sum())) for r in RADII))

@@ -7,15 +7,14 @@
 Pieces are counted as standards of tempered glass do, on the 50 x 50 mm in the middle: those that a side of it cuts
 count half. Residual: what the stress of the pane has left, of what it had. Takes minutes a row. Needs h5py and numpy.
 """
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import h5py
 import numpy
 
-SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "tempered_glass.toml"
+from recorded_run import recorded_run
+
+SCENE = "experiments/tempered_glass.toml"
 HALF_WINDOW = 0.025  # m
 # Pa, m, m, s: surface compression, thickness, edges, and steps in which a crack goes on by less than one of them
 CASES = ((6e7, 0.006, 0.001, 5e-7), (8e7, 0.006, 0.001, 5e-7), (1.03e8, 0.006, 0.001, 5e-7),
@@ -45,13 +44,10 @@ def main():
     for stress, thickness, edge, step in CASES:
         rows = []
         for seed in range(1, seeds + 1):
-            with tempfile.TemporaryDirectory() as folder:
-                recording = pathlib.Path(folder) / "pane.h5"
-                settings = [f"seed={seed}", f"sheet.pane.material.tempered={stress}",
-                            f"sheet.pane.material.thickness={thickness}",
-                            f"sheet.pane.mesh.edge_length={edge}", f"solver.step={step}"]
-                subprocess.run([program, "run", SCENE, "-o", recording, *sum((["--set", one] for one in settings), [])],
-                               check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            settings = [f"seed={seed}", f"sheet.pane.material.tempered={stress}",
+                        f"sheet.pane.material.thickness={thickness}",
+                        f"sheet.pane.mesh.edge_length={edge}", f"solver.step={step}"]
+            with recorded_run(program, SCENE, settings) as recording:
                 rows.append(pieces(recording))
         columns = [", ".join(f"{value:{form}}" for value in column)
                    for column, form in zip(zip(*rows), ("g", "d", ".2%", ".2f"))]

@@ -7,16 +7,15 @@ runs at once, over the tool's width; and the energy that was taken over G_c time
 
 Takes minutes a run. Needs h5py and numpy.
 """
-import pathlib
-import subprocess
 import sys
-import tempfile
 import tomllib
 
 import h5py
 import numpy
 
-SCENE = pathlib.Path(__file__).parents[2] / "scenes" / "experiments" / "blunt_tool.toml"
+from recorded_run import SCENES, recorded_run
+
+SCENE = "experiments/blunt_tool.toml"
 RADII = (0.006, 0.008, 0.0095)  # m, of tools that fit into the notch
 
 
@@ -75,16 +74,13 @@ def row(recording, film, width):
 
 def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    film = tomllib.loads(SCENE.read_text())["sheet"]["film"]
+    film = tomllib.loads((SCENES / SCENE).read_text())["sheet"]["film"]
     print("| tool (mm) | seed | turns | wavelength | from side to side | longest burst | energy |\n"
           "| --- | --- | --- | --- | --- | --- | --- |")
     for radius in RADII:
         for seed in range(1, seeds + 1):
-            with tempfile.TemporaryDirectory() as folder:
-                recording = pathlib.Path(folder) / "tool.h5"
-                subprocess.run([program, "run", SCENE, "-o", recording, "--set", f"seed={seed}",
-                                "--set", f"obstacle.tool.cylinder.radius={radius}"], check=True,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            settings = [f"seed={seed}", f"obstacle.tool.cylinder.radius={radius}"]
+            with recorded_run(program, SCENE, settings) as recording:
                 print(f"| {2000 * radius:.0f} | {seed} | {row(recording, film, 2 * radius)}", flush=True)
 
 
