@@ -18,7 +18,7 @@ from recorded_run import recorded_run
 SCENE = "experiments/struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
 THICKNESS, FRACTURE_ENERGY = 1e-3, 1.1e6 ** 2 / 3.2e9  # m, J/m^2: K_Ic^2 / Y
-SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016), (0.005, 0.01, 0.015)
+SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016, 0.00125), (0.005, 0.01, 0.015)
 
 
 def cracks(recording):
@@ -40,6 +40,7 @@ def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
     print("| speed (m/s) | edges (mm) | arms at 5 / 10 / 15 mm, a mesh each | length of cracks (mm) | energy | pieces |")
     print("| --- | --- | --- | --- | --- | --- |")
+    speeds, counts = [], []
     for speed in SPEEDS:
         for edge in EDGES:
             arms, lengths, energies, pieces = [], [], [], []
@@ -48,13 +49,18 @@ def main():
                 with recorded_run(program, SCENE, settings, "--variant", speed) as recording:
                     found, shares, lost = cracks(recording)
                 away = numpy.linalg.norm(found - BLOW, axis=2)
-                arms.append("/".join(str(int(((away < r).sum(axis=1) == 1).sum())) for r in RADII))
+                at = [int(((away < r).sum(axis=1) == 1).sum()) for r in RADII]
+                speeds.append(float(speed))
+                counts.append(at[1])
+                arms.append("/".join(map(str, at)))
                 length = numpy.linalg.norm(found[:, 0] - found[:, 1], axis=1).sum()
                 lengths.append(f"{1000 * length:.0f}")
                 energies.append(f"{lost / (FRACTURE_ENERGY * THICKNESS * length):.2f}")
                 pieces.append(str(int((shares > 0).sum())))
             columns = [", ".join(column) for column in (arms, lengths, energies, pieces)]
             print(f"| {speed} | {1000 * edge:g} | {' | '.join(columns)} |", flush=True)
+    (power, _), covariance = numpy.polyfit(numpy.log(speeds), numpy.log(counts), 1, cov=True)
+    print(f"arms at 10 mm go with the power {power:.2f} of the speed, with a deviation of {covariance[0, 0] ** 0.5:.2f}")
 
 
 if __name__ == "__main__":
