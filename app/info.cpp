@@ -158,9 +158,8 @@ void add_balance(std::string& text, const EnergyBalance& balance) {
         out, "work         loads {:.5g}, wind {:.5g}, supports {:.5g}, obstacles {:.5g} J since the start\n",
         balance.work_of_loads, balance.work_of_wind, balance.work_of_supports, balance.work_of_obstacles);
     fmt::format_to(out,
-                   "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, remeshing {:.5g}, time "
-                   "scheme {:.5g} J; "
-                   "unexplained {:.2g} J\n",
+                   "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, remeshing {:.5g}, "
+                   "time scheme {:.5g} J; unexplained {:.2g} J\n",
                    balance.lost_to_friction, balance.lost_to_damping, balance.lost_to_cracks,
                    balance.lost_to_remeshing, balance.lost_to_scheme, balance.unexplained);
 }

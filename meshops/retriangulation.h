@@ -36,8 +36,9 @@ class Retriangulation {
     bool can_flip(Edge edge) const;
     /// Gives the edge's faces their other diagonal.
     void flip(Edge edge);
-    /// Moves a vertex so that no face turns over; place: of the sheet as it was in the beginning, within the
-    /// faces now at the vertex. A vertex on the boundary may only slide along it.
+    /// Moves a vertex; place: of the sheet as it was in the beginning, within the faces now at the vertex.
+    /// A vertex on the boundary may only slide along it. Where a face turns over by it the fractions are
+    /// wrong.
     void move(Vertex vertex, const SurfacePoint& place);
 
     /// The faces that are replaced so far, by the numbers that they keep, as they were.

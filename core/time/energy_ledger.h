@@ -19,8 +19,8 @@ struct StepWork {
 /// is that of elasticity and contact; the moving energy is kinetic energy and gravity's.
 class EnergyLedger {
   public:
-    /// Opens a step with what is stored at its beginning. An open step is discarded. moving: for the first
-    /// step.
+    /// Opens a step with what is stored at its beginning. An open step is discarded; what changes of the
+    /// shell in it have taken counts as lost to cracks. moving: for the first step.
     void begin(double stored, double moving);
     /// The step has been solved: that much is stored where a change of the shell will find it.
     void solved(double stored) { solution = stored; }

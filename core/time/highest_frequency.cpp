@@ -61,9 +61,13 @@ struct StiffnessMap {
     Eigen::Index cols() const { return x.size(); }
     void perform_op(const double* in, double* out) const {
         Positions moved = Eigen::Map<const Positions>(in, 3, x.cols()) * root.asDiagonal();
-        const double scale = length / moved.cwiseAbs().maxCoeff();
-        moved = (gradient(energies, x + scale * moved) - at_x) / scale * root.asDiagonal();
+        // Where few vertices are free the method begins anew from vectors that move others, too.
         constrain(shell, moved);
+        if (!moved.isZero(0)) {
+            const double scale = length / moved.cwiseAbs().maxCoeff();
+            moved = (gradient(energies, x + scale * moved) - at_x) / scale * root.asDiagonal();
+            constrain(shell, moved);
+        }
         Eigen::Map<Positions>(out, 3, x.cols()) = moved;
     }
 };

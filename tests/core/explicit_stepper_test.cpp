@@ -84,6 +84,17 @@ TEST_F(ExplicitModes, AHigherFrequencyElsewhereIsFoundFromTheLastMode) {
     EXPECT_GT(highest_frequency(forces.elastic(), shell, shell.position, mode), 0.985 * exact);
 }
 
+// Of a single vertex that can move the method has only three directions, and must not find those of the
+// others.
+TEST_F(ExplicitModes, AVertexAmongHeldOnesHasItsOwnFrequency) {
+    std::ranges::fill(shell.fixed, 1);
+    shell.fixed[shell.fixed.size() / 2] = 0;
+    ExplicitStepper stepper(shell, explicit_steps(1e-5));
+    const double exact = modes_at_rest(stepper, shell, forces.elastic()).eigenvalues().maxCoeff();
+    Positions mode;
+    EXPECT_NEAR(highest_frequency(forces.elastic(), shell, shell.position, mode) / std::sqrt(exact), 1, 1e-3);
+}
+
 // Where nothing can move there is no frequency.
 TEST_F(ExplicitModes, AHeldShellHasNone) {
     std::ranges::fill(shell.fixed, 1);

@@ -221,7 +221,7 @@ struct ImplicitRun {
 };
 
 // Cracks take their energy of what is stored, and what they release beyond that is not theirs, whether an
-// edge opens within a step or in several.
+// edge opens within a step or in several: then a part has become motion before.
 TEST(CrackGrowth, CracksTakeTheirEnergyInImplicitStepsToo) {
     for (const double step : {5e-7, 1e-5}) {
         const ImplicitRun run(step);
