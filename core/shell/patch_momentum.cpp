@@ -35,20 +35,25 @@ Vector3d spin_of(const Matrix3d& inertia, const Vector3d& angular) {
     return principal.eigenvectors() * spin;
 }
 
-/// Adds the rigid motion that has a momentum about the centre of mass `middle`.
-void push(const Shell& shell, std::span<const Index> vertices, const Vector3d& middle, const Vector3d& linear,
-          const Vector3d& angular, const Positions& position, Positions& velocity) {
-    double mass = 0;
-    Matrix3d inertia = Matrix3d::Zero();
-    for (const Index v : vertices) {
-        const Matrix3d arm = cross_matrix(position.col(v) - middle);
-        mass += shell.mass[v];
-        inertia -= shell.mass[v] * arm * arm;
+/// The rigid motion of a patch that has a momentum about its centre of mass `middle`.
+struct RigidMotion {
+    Vector3d middle, velocity, spin;
+
+    RigidMotion(const Shell& shell, std::span<const Index> patch, const Positions& position,
+                const Vector3d& middle, const Vector3d& linear, const Vector3d& angular)
+        : middle(middle) {
+        double mass = 0;
+        Matrix3d inertia = Matrix3d::Zero();
+        for (const Index v : patch) {
+            const Matrix3d arm = cross_matrix(position.col(v) - middle);
+            mass += shell.mass[v];
+            inertia -= shell.mass[v] * arm * arm;
+        }
+        velocity = linear / mass;
+        spin = spin_of(inertia, angular);
     }
-    const Vector3d spin = spin_of(inertia, angular);
-    for (const Index v : vertices)
-        velocity.col(v) += linear / mass + spin.cross(Vector3d(position.col(v) - middle));
-}
+    Vector3d at(const Vector3d& place) const { return velocity + spin.cross(place - middle); }
+};
 
 Vector3d centre_of(const Shell& shell, std::span<const Index> vertices, const Positions& position) {
     Vector3d sum = Vector3d::Zero();
@@ -67,21 +72,20 @@ void follow_in_motion(const Shell& shell, const ShellChange& change, Positions& 
     const Positions place = position, before = velocity;
     follow(position, change);
     follow(velocity, change);
-    std::vector<Index> patch, loose;
+    std::vector<Index> patch;
     for (const auto& [vertex, mass] : change.weights) patch.push_back(vertex);
     if (patch.empty()) return;
     for (const Heir& born : change.vertices) patch.push_back(born.element);
-    for (const Index v : patch)
-        if (shell.fixed[v] == 0 && shell.guide[v] == 0) loose.push_back(v);
-    if (loose.empty()) return;
-    const Vector3d middle = centre_of(shell, loose, position);
+    const Vector3d middle = centre_of(shell, patch, position);
     Momentum then, now;  // sums about `middle`
     for (const auto& [vertex, mass] : change.weights)
         then.add(mass, place.col(vertex) - middle, before.col(vertex));
     for (const Index v : patch) now.add(shell.mass[v], position.col(v) - middle, velocity.col(v));
     const Vector3d linear = then.linear - now.linear;
     const Vector3d angular = then.spin() - now.spin() + now.centre().cross(linear);
-    push(shell, loose, middle, linear, angular, position, velocity);
+    const RigidMotion lacking(shell, patch, position, middle, linear, angular);
+    for (const Index v : patch)
+        if (shell.fixed[v] == 0 && shell.guide[v] == 0) velocity.col(v) += lacking.at(position.col(v));
 }
 
 }  // namespace sherd
