@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of the program whose recordings the tables here are made of."""
+import collections
 import contextlib
 import pathlib
 import subprocess
 import tempfile
+
+import h5py
+import numpy
 
 SCENES = pathlib.Path(__file__).parents[2] / "scenes"
 
@@ -18,3 +22,18 @@ def recorded_run(program, scene, settings, *options):
         subprocess.run([program, "run", SCENES / scene, "-o", recording, *words, *options], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         yield recording
+
+
+def cracks(recording):
+    """Ends at rest of the edges that have failed: [N, 2, 2] m, each crack once, and no rim; shares of the area of all
+    pieces; energy that went to cracks (J)."""
+    with h5py.File(recording) as file:
+        frame = file["frames"][sorted(file["frames"])[-1]]
+        original, faces = frame["vertex/original"][:], frame["rest/faces"][:]
+        rest, area = frame["rest/position"][:, :2], frame["rest/area"][:]
+        edges, states = original[frame["edge/vertices"][:]], frame["edge/state"][:]
+        shares = numpy.bincount(frame["face/fragment"][:], weights=area) / area.sum()
+        lost = file["steps/lost_to_cracks"][-1]
+    sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
+    failed = {tuple(sorted(edge)) for edge, state in zip(edges, states) if state}
+    return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares, lost

@@ -7,33 +7,16 @@
 Arms are counted where cracks cross circles around the blow, at rest; energy is what went to cracks over the fracture
 energy times their area. Takes minutes. Needs h5py and numpy.
 """
-import collections
 import sys
 
-import h5py
 import numpy
 
-from recorded_run import recorded_run
+from recorded_run import cracks, recorded_run
 
 SCENE = "experiments/struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
 THICKNESS, FRACTURE_ENERGY = 1e-3, 1.1e6 ** 2 / 3.2e9  # m, J/m^2: K_Ic^2 / Y
 SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016, 0.00125), (0.005, 0.01, 0.015)
-
-
-def cracks(recording):
-    """Ends at rest of the edges that have failed: [N, 2, 2] m, each crack once, and no rim; shares of the area of all
-    pieces; energy that went to cracks (J)."""
-    with h5py.File(recording) as file:
-        frame = file["frames"][sorted(file["frames"])[-1]]
-        original, faces = frame["vertex/original"][:], frame["rest/faces"][:]
-        rest, area = frame["rest/position"][:, :2], frame["rest/area"][:]
-        edges, states = original[frame["edge/vertices"][:]], frame["edge/state"][:]
-        shares = numpy.bincount(frame["face/fragment"][:], weights=area) / area.sum()
-        lost = file["steps/lost_to_cracks"][-1]
-    sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
-    failed = {tuple(sorted(edge)) for edge, state in zip(edges, states) if state}
-    return numpy.array([rest[list(edge)] for edge in sorted(failed) if sides[edge] == 2]), shares, lost
 
 
 def main():
