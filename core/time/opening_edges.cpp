@@ -11,7 +11,20 @@ constexpr double longest = 12;  // times the time of an opening, after which not
 
 }  // namespace
 
-void OpeningEdges::open(const Opening& edge, const Positions& kept, double gone) {
+void OpeningEdges::Kept::cancel(Positions& others) {
+    const double size = share * kept.forces.squaredNorm();
+    if (size == 0) return;
+    const double opposed =
+        std::clamp(-kept.forces.cwiseProduct(kept.of_these(others)).sum() / size, 0.0, 1.0);
+    kept.add(opposed * share, others);
+    kept.forces *= 1 - opposed;
+    needed *= 1 - opposed;
+    taken *= 1 - opposed;
+}
+
+void OpeningEdges::open(const Opening& edge, Positions kept, double gone) {
+    for (Kept& one : all) one.cancel(kept);
+    std::erase_if(all, [](const Kept& one) { return one.needed == 0; });
     if (!(edge.energy > gone)) return;
     all.push_back({edge.edge, KeptForces(kept), edge.energy - gone, longest * edge.time});
 }

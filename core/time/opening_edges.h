@@ -12,11 +12,12 @@ namespace sherd {
 /// edge fails, what held it together stays as forces on the vertices, which keep their accelerations. These
 /// forces fade as they take energy: to the share sqrt(1 - W / W_c), with their work W against the opening and
 /// all that they shall take, W_c, and to nothing after twelve times the time of an opening. They act as
-/// friction does: never as a motor.
+/// friction does: never as a motor. So where what held an edge opposes what is kept of one before, as after
+/// an opening that gave energy and the next that takes it away, the two cancel.
 class OpeningEdges {
   public:
     /// kept: [3, V] N, what held the edge together. gone: J, that went out of what is stored at once.
-    void open(const Opening& edge, const Positions& kept, double gone);
+    void open(const Opening& edge, Positions kept, double gone);
     /// Lets the forces fade over a substep of `length` s in which vertices moved by `moved`, [3, V] m.
     void fade(const Positions& moved, double length);
 
@@ -35,6 +36,9 @@ class OpeningEdges {
         double taken = 0;  ///< J, that they have taken
         double age = 0;    ///< s
         double share = 1;
+
+        /// Takes out of both what is opposed in these forces and `others`, [3, V] N: their sum stays.
+        void cancel(Positions& others);
     };
     std::vector<Kept> all;
 };

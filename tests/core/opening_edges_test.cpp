@@ -74,5 +74,34 @@ TEST(OpeningEdges, EndAfterTheirTimeAndWhereMoreWentAtOnce) {
     EXPECT_TRUE(edges.empty()) << "an edge that rests half open would be glued for ever";
 }
 
+// Of two edges that open in one step beside small faces, the first may give bending energy and the next take
+// it away: what holds the first would stay alone, and throw the vertices.
+TEST(OpeningEdges, CancelWhatTheNextOpposes) {
+    OpeningEdges edges;
+    edges.open({7, 0.2, time}, test::held_together(force), -0.2);
+    edges.open({8, 0.2, time}, test::held_together(-0.75 * force), 0.3);
+    Positions now = Positions::Zero(3, 4);
+    edges.add_forces(now);
+    EXPECT_NEAR(now(0, 1), 0.25 * force, 1e-12);
+    EXPECT_NEAR(pull(edges, 1e-4, 10000), 0.25 * 0.4, 1e-4) << "and they take so much less";
+
+    edges.open({9, 0.2, time}, test::held_together(force), 0);
+    edges.open({10, 0.2, time}, test::held_together(-3 * force), 0);
+    now.setZero();
+    edges.add_forces(now);
+    EXPECT_NEAR(now(0, 1), -2 * force, 1e-12) << "all of what is kept holds what it held together";
+    EXPECT_EQ(edges.held(9), 0);
+    EXPECT_EQ(edges.held(10), 1);
+}
+
+TEST(OpeningEdges, KeepWhatTheNextDoesNotOppose) {
+    OpeningEdges edges;
+    edges.open({7, 0.2, time}, test::held_together(force), 0);
+    edges.open({8, 0.2, time}, test::held_together(force), 0);
+    Positions now = Positions::Zero(3, 4);
+    edges.add_forces(now);
+    EXPECT_EQ(now(0, 1), 2 * force);
+}
+
 }  // namespace
 }  // namespace sherd
