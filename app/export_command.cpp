@@ -68,10 +68,11 @@ void add_export(CLI::App& program, Command& chosen) {
         ->add_option("-o,--output", options->output, "File, or folder for several (default: beside RUN.h5)")
         ->option_text("PATH");
     command
-        ->add_option("--frames", options->frames,
-                     "last (default of obj, ply, stl, vdb), all (of pvd, pc2, mdd, glb), numbers and "
-                     "START:STOP:STEP as "
-                     "in Python, with commas between")
+        ->add_option(
+            "--frames", options->frames,
+            "last (default of obj, ply, stl, vdb, fragments), all (of pvd, pc2, mdd, glb), numbers and "
+            "START:STOP:STEP as "
+            "in Python, with commas between")
         ->option_text("WHICH");
     add_form_options(*command, *options);
     command->add_flag("--force", options->force, "Replace files that exist");
@@ -79,6 +80,7 @@ void add_export(CLI::App& program, Command& chosen) {
         "Examples:\n"
         "  sherd export plate_drop.h5 --to obj --fragments -o plate.obj\n"
         "  sherd export plate_drop.h5 --to stl --solid --fragments -o pieces\n"
+        "  sherd export plate_drop.h5 --to fragments -o pieces/plate.csv\n"
         "  sherd export plate_drop.h5 --to glb -o plate.glb\n"
         "  sherd export plate_drop.h5 --to ply --frames 0:100:10 -o frames");
     command->callback([&chosen, options] { chosen = [options] { return print_export(*options); }; });

@@ -36,7 +36,9 @@ void write_job(const ExportJob& job, const OutputLock& whole, bool force) {
 
 ExportReport export_recording(const ExportOptions& options) {
     const ExportFormat& format = export_format(options);
-    ExportSource source(options, format.extension, format.all_frames);
+    ExportOptions used = options;
+    used.solid |= format.bodies;
+    ExportSource source(used, format.extension, format.all_frames);
     const std::vector<ExportJob> jobs = format.plan(source);
     for (const ExportJob& job : jobs) check_free(job.file, options.force);
     prepare_folder(options, jobs.front().file.parent_path());

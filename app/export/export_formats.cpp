@@ -14,15 +14,16 @@ namespace sherd {
 
 namespace {
 
-constexpr std::array<ExportFormat, 8> formats{{
-    {"obj", ".obj", false, true, true, plan_obj},
-    {"ply", ".ply", false, true, true, plan_ply},
-    {"stl", ".stl", false, true, true, plan_stl},
-    {"pvd", ".pvd", true, false, false, plan_pvd},
-    {"pc2", ".pc2", true, false, true, plan_pc2},
-    {"mdd", ".mdd", true, false, true, plan_mdd},
-    {"glb", ".glb", true, true, true, plan_glb},
-    {"vdb", ".vdb", false, false, true, plan_vdb},
+constexpr std::array<ExportFormat, 9> formats{{
+    {"obj", ".obj", false, true, true, false, plan_obj},
+    {"ply", ".ply", false, true, true, false, plan_ply},
+    {"stl", ".stl", false, true, true, false, plan_stl},
+    {"pvd", ".pvd", true, false, false, false, plan_pvd},
+    {"pc2", ".pc2", true, false, true, false, plan_pc2},
+    {"mdd", ".mdd", true, false, true, false, plan_mdd},
+    {"glb", ".glb", true, true, true, false, plan_glb},
+    {"vdb", ".vdb", false, false, true, false, plan_vdb},
+    {"fragments", ".csv", false, false, false, true, plan_fragments},
 }};
 
 std::string names_where(bool ExportFormat::*property) {
@@ -69,8 +70,8 @@ void check_use(const ExportOptions& options, const ExportOptions& standard) {
     const bool cache = format == "pc2" || format == "mdd";
     require(!options.slow.factor || cache || format == "glb", "--slow", "with --to glb, pc2 and mdd");
     require(!options.slow.rate || cache, "--rate", "with --to pc2 and mdd");
-    require(!options.thickness || options.solid || format == "vdb", "--thickness",
-            "with --solid or --to vdb");
+    require(!options.thickness || options.solid || format == "vdb" || format == "fragments", "--thickness",
+            "with --solid, --to fragments or vdb");
 }
 
 }  // namespace

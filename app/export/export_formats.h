@@ -11,6 +11,7 @@ struct ExportFormat {
     const char* extension;  ///< of -o
     bool all_frames;        ///< what it is made for: the whole run, or a single moment
     bool fragments, solid;  ///< whether it knows these options
+    bool bodies;            ///< whether it always writes what --solid does
     /// Says what is to be written, in this order. The jobs refer to the source.
     std::vector<ExportJob> (*plan)(ExportSource& source);
 };
@@ -27,6 +28,7 @@ std::vector<ExportJob> plan_pvd(ExportSource& source);
 std::vector<ExportJob> plan_pc2(ExportSource& source);
 std::vector<ExportJob> plan_mdd(ExportSource& source);
 std::vector<ExportJob> plan_glb(ExportSource& source);
+std::vector<ExportJob> plan_fragments(ExportSource& source);
 std::vector<ExportJob> plan_vdb(ExportSource& source);
 
 }  // namespace sherd

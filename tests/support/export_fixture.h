@@ -28,7 +28,7 @@ class Export : public ::testing::Test {
 
     Mesh read(const std::string& name) const {
         std::vector<std::string> warnings;
-        Mesh mesh = read_mesh(folder.path / name, {}, warnings);
+        Mesh mesh = read_mesh(folder.path / name, {.join_advice = ""}, warnings);
         EXPECT_TRUE(warnings.empty()) << name << ": " << warnings.front();
         return mesh;
     }
