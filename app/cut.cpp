@@ -21,7 +21,8 @@ namespace {
 struct CutOptions {
     std::filesystem::path mesh, edges, line, output;
     bool keep_vertices = false;
-    ReadMeshOptions read{.repair_advice = "--repair"};
+    ReadMeshOptions read{.repair_advice = "--repair", .join_advice = ""};
+    bool repair = false;
     bool force = false, json = false;
 };
 
@@ -78,7 +79,9 @@ int cut(const CutOptions& options) {
         throw Error("say what to cut: --edges FILE or --line FILE");
     const OutputLock lock = checked_output(options);
     std::vector<std::string> warnings;
-    Mesh mesh = read_mesh(options.mesh, options.read, warnings);
+    ReadMeshOptions read = options.read;
+    if (options.repair) read.repair = Repair::all;
+    Mesh mesh = read_mesh(options.mesh, read, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     const Mesh before = mesh;
     Json told = Json::object();
@@ -118,8 +121,7 @@ void add_cut(CLI::App& program, Command& chosen) {
     command->add_option("-o,--output", options->output, "Mesh to write (.obj, .ply or .off)")
         ->required()
         ->option_text("OUT");
-    command->add_flag("--repair", options->read.repair,
-                      "Drop zero-area triangles, separate non-manifold edges");
+    command->add_flag("--repair", options->repair, "Mend what can only mean one thing, as scenes do");
     command->add_flag("--join", options->read.join_duplicate_points, "Join points at the same place first");
     command->add_flag("--force", options->force, "Replace OUT if it exists");
     command->add_flag("--json", options->json, "Print the counts as JSON");

@@ -97,7 +97,7 @@ Shell file_sheet(const ProbeShapes& shapes, const MaterialFile& material,
 ProbeShapes read_probe_shapes(const std::filesystem::path& rest, const std::filesystem::path& deformed,
                               std::vector<std::string>& warnings) {
     ProbeShapes shapes;
-    shapes.rest = read_mesh(rest, {.repair_advice = ""}, warnings);
+    shapes.rest = read_mesh(rest, {.repair_advice = "", .join_advice = ""}, warnings);
     const PolygonSoup rest_soup = read_polygon_soup(rest), deformed_soup = read_polygon_soup(deformed);
     check_polygon_soup(deformed_soup);
     require_same_faces(rest_soup, deformed_soup);

@@ -74,4 +74,15 @@ std::size_t join_duplicate_points(PolygonSoup& soup) {
     return joined;
 }
 
+bool shares_no_point(const PolygonSoup& soup) {
+    constexpr std::size_t none = -1;
+    std::vector<std::size_t> user(soup.points.size(), none);
+    for (std::size_t i = 0; i < soup.polygons.size(); ++i)
+        for (const std::size_t corner : soup.polygons[i]) {
+            if (user[corner] != none && user[corner] != i) return false;
+            user[corner] = i;
+        }
+    return soup.polygons.size() > 1;
+}
+
 }  // namespace sherd

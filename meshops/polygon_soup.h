@@ -56,5 +56,8 @@ void check_polygon_soup(const PolygonSoup& soup);
 /// Replaces, in the polygons, points at exactly the same place by the first of them. Returns the number of
 /// points that are no longer used for this reason.
 std::size_t join_duplicate_points(PolygonSoup& soup);
+/// Whether there is more than one polygon and no two of them have a corner in common, as in formats without
+/// shared points.
+bool shares_no_point(const PolygonSoup& soup);
 
 }  // namespace sherd

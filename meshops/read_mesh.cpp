@@ -7,7 +7,10 @@
 #include <sstream>
 
 #include "meshops/error.h"
-#include "meshops/triangle_soup.h"
+#include "meshops/flat_triangles.h"
+#include "meshops/inside_out.h"
+#include "meshops/seams.h"
+#include "meshops/separate_sheets.h"
 
 namespace sherd {
 namespace {
@@ -45,11 +48,22 @@ struct Reading {
                                              : "; " + std::string(options.repair_advice) + " " + what;
     }
 
+    bool repairs_all() const { return options.repair == Repair::all; }
+    /// A place in the file, and how many more there are: "a.obj:7: face 1 (and 2 more)".
+    std::string places(const std::vector<std::size_t>& triangles) const {
+        return place(triangles[0]) +
+               (triangles.size() > 1 ? " (and " + std::to_string(triangles.size() - 1) + " more)" : "");
+    }
+
     void remove_zero_area();
     void remove_repeated();
+    void tell_seams() const;
     void make_manifold();
     void make_consistent();
-    Mesh build(std::size_t joined) const;
+    void turn_outward();
+    /// wanted: number of points that are not joined to others.
+    void tell_unused(std::size_t wanted) const;
+    Mesh build() const;
 };
 
 std::string Reading::middle(std::span<const std::uint32_t> points) const {
@@ -66,13 +80,13 @@ std::string Reading::middle(std::span<const std::uint32_t> points) const {
 void Reading::remove_zero_area() {
     const auto found = zero_area_triangles(soup);
     if (found.empty()) return;
-    if (!options.repair) {
+    if (!repairs_all()) {
         throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) + " has zero area" +
                     (found.size() > 1 ? " (and " + std::to_string(found.size() - 1) + " more)" : "") +
                     advice("drops such triangles"));
     }
     warn(counted(found.size(), "triangle") + " dropped for zero area (the first: " + place(found[0]) + ")");
-    erase_triangles(soup, found);
+    remove_zero_area_triangles(soup);
     if (soup.triangles.empty()) {
         throw Error(polygons.file.string() + ": the mesh has no faces left: all triangles have zero area");
     }
@@ -81,7 +95,7 @@ void Reading::remove_zero_area() {
 void Reading::remove_repeated() {
     const auto found = repeated_triangles(soup);
     if (found.empty()) return;
-    if (!options.repair) {
+    if (!repairs_all()) {
         throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
                     " is there already, which makes its edges non-manifold" +
                     advice("drops repeated triangles"));
@@ -90,9 +104,19 @@ void Reading::remove_repeated() {
     erase_triangles(soup, found);
 }
 
+void Reading::tell_seams() const {
+    const auto seams =
+        options.join_advice.empty() ? std::vector<std::array<std::uint32_t, 2>>{} : seam_edges(soup);
+    if (seams.empty()) return;
+    warn(std::to_string(seams.size()) +
+         " edges lie on each other without being joined, as along a crack (the first: vertices " +
+         vertex(seams[0][0]) + " and " + vertex(seams[0][1]) + " at " + middle(seams[0]) + "); " +
+         std::string(options.join_advice) + " makes one sheet of what lies beside them");
+}
+
 void Reading::make_manifold() {
     const auto edges = non_manifold_edges(soup);
-    if (!edges.empty() && !options.repair) {
+    if (!edges.empty() && !repairs_all()) {
         std::string faces;
         for (const std::size_t triangle : edges[0].triangles) {
             faces += (faces.empty() ? "" : ", ") + std::to_string(soup.polygon[triangle]);
@@ -107,8 +131,12 @@ void Reading::make_manifold() {
         warn(counted(edges.size(), "non-manifold edge") + " separated (the first: vertices " +
              vertex(edges[0].points[0]) + " and " + vertex(edges[0].points[1]) + ")");
     }
-    const auto doubled = separate(soup);
+    const auto doubled = separate_sheets(soup);
     if (doubled.empty()) return;
+    if (options.repair == Repair::none) {
+        throw Error(polygons.file.string() + ": faces meet at vertex " + vertex(doubled[0]) +
+                    " without being joined by an edge of two faces" + advice("gives each a vertex"));
+    }
     warn(counted(doubled.size(), "vertex") +
          " doubled because faces met there without being joined by an edge of two faces (the first: vertex " +
          vertex(doubled[0]) + ")");
@@ -123,12 +151,42 @@ void Reading::make_consistent() {
             "same way; cut it open along a line before it is read");
     }
     if (orientation.turned.empty()) return;
+    if (options.repair == Repair::none) {
+        throw Error(places(orientation.turned) + ": does not point the same way as its neighbours" +
+                    advice("turns such faces over"));
+    }
     warn(counted(orientation.turned.size(), "face") +
          " turned over to point the same way as the neighbours (the first: " + place(orientation.turned[0]) +
          ")");
 }
 
-Mesh Reading::build(std::size_t joined) const {
+void Reading::turn_outward() {
+    const auto found =
+        options.repair == Repair::least ? std::vector<std::size_t>{} : inside_out_triangles(soup);
+    if (found.empty()) return;
+    if (!repairs_all()) {
+        throw Error(places(found) + ": points into the closed surface that it is part of" +
+                    advice("turns such surfaces outward"));
+    }
+    warn(counted(found.size(), "face") +
+         " turned over, of closed parts that were inside out (the first: " + place(found[0]) + ")");
+    for (const std::size_t triangle : found) turn_over(soup, triangle);
+}
+
+void Reading::tell_unused(std::size_t wanted) const {
+    std::vector<bool> is_used(polygons.points.size(), false);
+    for (const auto& polygon : polygons.polygons)
+        for (const std::size_t corner : polygon) is_used[corner] = true;
+    const std::size_t unused = wanted - static_cast<std::size_t>(std::ranges::count(is_used, true));
+    if (unused == 0) return;
+    if (options.repair == Repair::none) {
+        throw Error(polygons.file.string() + ": no face uses " + std::to_string(unused) + " of the vertices" +
+                    advice("drops them"));
+    }
+    warn(counted(unused, "vertex") + " dropped that no face uses");
+}
+
+Mesh Reading::build() const {
     std::vector<bool> is_used(soup.points.size(), false);
     for (const auto& triangle : soup.triangles) {
         for (const auto point : triangle) is_used[point] = true;
@@ -161,9 +219,30 @@ Mesh Reading::build(std::size_t joined) const {
         auto groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
         for (const Face face : mesh.faces()) groups[face] = polygons.groups[soup.polygon[face.idx()]];
     }
-    const std::size_t unused = soup.points.size() - mesh.number_of_vertices() - joined;
-    if (unused > 0) warn(counted(unused, "vertex") + " dropped that no face uses");
     return mesh;
+}
+
+/// Joins points at one place where the options ask for it, or where no two faces share a point and all may be
+/// repaired. Returns the number of points that are no longer used, and a warning, or none.
+std::pair<std::size_t, std::string> join(PolygonSoup& polygons, const ReadMeshOptions& options) {
+    if (options.join_duplicate_points) {
+        const std::size_t joined = join_duplicate_points(polygons);
+        return {joined,
+                joined == 0 ? "" : counted(joined, "vertex") + " joined with another at the same place"};
+    }
+    if (options.repair == Repair::least || !shares_no_point(polygons)) return {0, ""};
+    PolygonSoup joint = polygons;
+    const std::size_t joined = join_duplicate_points(joint);
+    if (joined == 0) return {0, ""};
+    if (options.repair == Repair::none) {
+        throw Error(
+            polygons.file.string() + ": no two faces share a vertex, but " + std::to_string(joined) +
+            " vertices lie where others do" +
+            (options.join_advice.empty() ? "" : "; " + std::string(options.join_advice) + " joins them"));
+    }
+    polygons = std::move(joint);
+    return {joined, counted(joined, "vertex") +
+                        " joined with another at the same place, since no two faces shared one"};
 }
 
 }  // namespace
@@ -172,18 +251,22 @@ Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options
                std::vector<std::string>& warnings) {
     PolygonSoup polygons = read_polygon_soup(file);
     check_polygon_soup(polygons);
-    const std::size_t joined = options.join_duplicate_points ? join_duplicate_points(polygons) : 0;
+    const auto [joined, sentence] = join(polygons, options);
     Reading reading{polygons, triangulate(polygons), options, warnings};
-    if (joined > 0) reading.warn(counted(joined, "vertex") + " joined with another at the same place");
+    const std::size_t in_file = polygons.points.size();
+    if (!sentence.empty()) reading.warn(sentence);
     const auto is_bare = [](const auto& texture) { return texture.empty(); };
     if (const auto bare = std::ranges::count_if(polygons.texture, is_bare); bare > 0) {
         reading.warn(counted(static_cast<std::size_t>(bare), "face") + " given texture coordinates (0, 0)");
     }
+    reading.tell_unused(in_file - joined);
     reading.remove_zero_area();
     reading.remove_repeated();
+    reading.tell_seams();
     reading.make_manifold();
     reading.make_consistent();
-    return reading.build(joined);
+    reading.turn_outward();
+    return reading.build();
 }
 
 }  // namespace sherd

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "meshops/error.h"
-#include "meshops/triangle_soup.h"
+#include "meshops/separate_sheets.h"
 
 namespace sherd {
 namespace {
@@ -66,7 +66,7 @@ void require_manifold(const TriangleSoup& soup) {
                         " and " + std::to_string(edges[0].triangles[1]) + "; a sheet has two at most");
     }
     TriangleSoup separated = soup;
-    if (const auto doubled = separate(separated); !doubled.empty())
+    if (const auto doubled = separate_sheets(separated); !doubled.empty())
         refuse_vertex(doubled[0],
                       "faces meet there that no edge joins; give those on each side a vertex of their own");
 }

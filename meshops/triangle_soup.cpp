@@ -3,121 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
-#include <tuple>
+
+#include "meshops/soup_edges.h"
 
 namespace sherd {
 namespace {
-
-/// A side of a triangle, with its points in ascending order.
-struct Side {
-    std::uint32_t low, high;
-    std::size_t triangle;
-    int corner;      ///< the corner where it starts
-    bool is_rising;  ///< whether it starts at `low`
-
-    auto edge() const { return std::tuple(low, high); }
-    auto key() const { return std::tuple(low, high, triangle, corner); }
-};
-
-/// Calls visit(sides) for each edge, with its sides in the order of the triangles.
-template <typename Visit>
-void for_each_edge(const TriangleSoup& soup, Visit visit) {
-    std::vector<Side> sides;
-    sides.reserve(3 * soup.triangles.size());
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto a = soup.triangles[t][corner], b = soup.triangles[t][(corner + 1) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b), t, corner, a < b});
-        }
-    }
-    std::ranges::sort(sides, {}, &Side::key);
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        while (end < sides.size() && sides[end].edge() == sides[begin].edge()) ++end;
-        visit(std::span<const Side>(sides).subspan(begin, end - begin));
-    }
-}
-
-/// Disjoint sets of numbers; each set is represented by its lowest number.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent(count) {
-        std::iota(parent.begin(), parent.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = find(a), b = find(b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::size_t> parent;
-};
-
-std::uint32_t double_point(TriangleSoup& soup, std::uint32_t point) {
-    soup.points.push_back(Point(soup.points[point]));
-    soup.file_vertex.push_back(std::uint32_t{soup.file_vertex[point]});
-    return static_cast<std::uint32_t>(soup.points.size() - 1);
-}
-
-/// Sets of corners (3 t + corner) at a point that are connected across edges of exactly two triangles.
-DisjointSets fans(const TriangleSoup& soup) {
-    DisjointSets sets(3 * soup.triangles.size());
-    for_each_edge(soup, [&](std::span<const Side> sides) {
-        if (sides.size() != 2) return;
-        const auto corner = [](const Side& side, bool low) {
-            return 3 * side.triangle + static_cast<std::size_t>((side.corner + (side.is_rising != low)) % 3);
-        };
-        sets.join(corner(sides[0], true), corner(sides[1], true));
-        sets.join(corner(sides[0], false), corner(sides[1], false));
-    });
-    return sets;
-}
-
-/// Gives each fan but the first at a point a point of its own. Returns the points that were duplicated.
-std::vector<std::uint32_t> separate_fans(TriangleSoup& soup) {
-    DisjointSets sets = fans(soup);
-    constexpr std::uint32_t none = -1;
-    std::vector<std::uint32_t> point_of_fan(3 * soup.triangles.size(), none);
-    std::vector<bool> is_taken(soup.points.size(), false);
-    std::vector<std::uint32_t> doubled;
-    for (std::size_t corner = 0; corner < point_of_fan.size(); ++corner) {
-        std::uint32_t& point = soup.triangles[corner / 3][corner % 3];
-        std::uint32_t& fan_point = point_of_fan[sets.find(corner)];
-        if (fan_point == none && is_taken[point]) {
-            doubled.push_back(point);
-            fan_point = double_point(soup, point);
-        } else if (fan_point == none) {
-            fan_point = point;
-            is_taken[point] = true;
-        }
-        point = fan_point;
-    }
-    return doubled;
-}
-
-/// Detaches all but the first two triangles of each edge with three or more. Returns the points that were
-/// duplicated.
-std::vector<std::uint32_t> detach_surplus(TriangleSoup& soup) {
-    std::vector<std::size_t> surplus;
-    for (const auto& edge : non_manifold_edges(soup)) {
-        surplus.insert(surplus.end(), edge.triangles.begin() + 2, edge.triangles.end());
-    }
-    std::ranges::sort(surplus);
-    surplus.erase(std::unique(surplus.begin(), surplus.end()), surplus.end());
-    std::vector<std::uint32_t> doubled;
-    for (const std::size_t triangle : surplus) {
-        for (auto& point : soup.triangles[triangle]) {
-            doubled.push_back(point);
-            point = double_point(soup, point);
-        }
-    }
-    return doubled;
-}
 
 /// A neighbour across an edge of two triangles.
 struct Neighbour {
@@ -127,18 +17,13 @@ struct Neighbour {
 
 std::vector<std::vector<Neighbour>> neighbours(const TriangleSoup& soup) {
     std::vector<std::vector<Neighbour>> result(soup.triangles.size());
-    for_each_edge(soup, [&](std::span<const Side> sides) {
+    for_each_soup_edge(soup, [&](std::span<const SoupSide> sides) {
         if (sides.size() != 2) return;
         const bool agrees = sides[0].is_rising != sides[1].is_rising;
         result[sides[0].triangle].push_back({sides[1].triangle, agrees});
         result[sides[1].triangle].push_back({sides[0].triangle, agrees});
     });
     return result;
-}
-
-void turn_over(TriangleSoup& soup, std::size_t triangle) {
-    std::swap(soup.triangles[triangle][1], soup.triangles[triangle][2]);
-    if (!soup.texture.empty()) std::swap(soup.texture[triangle][1], soup.texture[triangle][2]);
 }
 
 }  // namespace
@@ -193,26 +78,17 @@ void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascendi
 
 std::vector<NonManifoldEdge> non_manifold_edges(const TriangleSoup& soup) {
     std::vector<NonManifoldEdge> result;
-    for_each_edge(soup, [&](std::span<const Side> sides) {
+    for_each_soup_edge(soup, [&](std::span<const SoupSide> sides) {
         if (sides.size() < 3) return;
         result.push_back({{sides[0].low, sides[0].high}, {}});
-        for (const Side& side : sides) result.back().triangles.push_back(side.triangle);
+        for (const SoupSide& side : sides) result.back().triangles.push_back(side.triangle);
     });
     return result;
 }
 
-std::vector<std::uint32_t> separate(TriangleSoup& soup) {
-    std::vector<std::uint32_t> doubled;
-    while (true) {
-        auto now = separate_fans(soup);
-        // Triangles that still share such an edge are connected all around both of its ends.
-        if (now.empty()) now = detach_surplus(soup);
-        if (now.empty()) break;
-        doubled.insert(doubled.end(), now.begin(), now.end());
-    }
-    std::ranges::sort(doubled);
-    doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
-    return doubled;
+void turn_over(TriangleSoup& soup, std::size_t triangle) {
+    std::swap(soup.triangles[triangle][1], soup.triangles[triangle][2]);
+    if (!soup.texture.empty()) std::swap(soup.texture[triangle][1], soup.texture[triangle][2]);
 }
 
 Orientation orient(TriangleSoup& soup) {

@@ -37,18 +37,15 @@ struct NonManifoldEdge {
 };
 std::vector<NonManifoldEdge> non_manifold_edges(const TriangleSoup& soup);
 
-/// Duplicates points so that every edge has at most two triangles and every point one fan of them: parts that
-/// share a point or a non-manifold edge, but are not connected by edges of two triangles, get points of their
-/// own. Returns the points that were duplicated, ascending.
-std::vector<std::uint32_t> separate(TriangleSoup& soup);
-
 /// Result of orient(), which flips triangles until neighbours agree. In each component the smaller part is
 /// flipped (of equal parts the one without the first triangle); the first corner of a triangle stays the
-/// first. The soup must be the result of separate().
+/// first. The soup must be the result of separate_sheets().
 struct Orientation {
     std::vector<std::size_t> turned;       ///< flipped triangles, ascending
     std::optional<std::size_t> one_sided;  ///< a triangle of a one-sided component (Moebius strip)
 };
 Orientation orient(TriangleSoup& soup);
+/// Turns a triangle over, about its first corner.
+void turn_over(TriangleSoup& soup, std::size_t triangle);
 
 }  // namespace sherd

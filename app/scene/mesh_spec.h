@@ -22,13 +22,14 @@ struct GeneratedMesh {
     Polygon polygon;                           ///< of the shape of this name
 };
 
-/// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", repair = true }`.
+/// A mesh from a file: `mesh = "bowl.obj"` or `mesh = { file = "bowl.obj", remesh = 0.005 }`.
 struct MeshFile {
     std::filesystem::path path;  ///< as seen from the working directory
-    bool repair = false;
-    bool join = false;  ///< join duplicate points
-    double scale = 1;   ///< metres per unit of the file
-    double remesh = 0;  ///< m, target edge length; 0: as it is
+    bool repair = true;          ///< mend what can only mean one thing; else it is an error
+    bool join = false;           ///< join duplicate points
+    double scale = 1;            ///< metres per unit of the file; with `size` what makes the mesh that large
+    bool has_size = false;       ///< whether the scene says `scale` or `size`
+    double remesh = 0;           ///< m, target edge length; 0: as it is
 };
 
 /// The most faces of a mesh that a scene may ask for. Where there are more, a mistyped edge length is more

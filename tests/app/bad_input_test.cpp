@@ -126,12 +126,14 @@ const std::vector<BadInput> bad_scenes{
     change("negative_friction", "[solver]", "friction = -0.1\n[solver]",
            {"obstacle.floor.friction: must be"}),
     change("sheets_too_near", "[obstacle.floor]",
-           "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
+           "[contact]\nstart = \"error\"\n[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, "
+           "edge_length = 0.03 }\n"
            "place = { translate = [0, 0, 1.003] }\nmaterial = { preset = \"stoneware\" }\n[obstacle.floor]",
            {" of sheet.plate at (", " of sheet.other at (", ") m are 0.003 m apart, less than 0.004 m",
             "pairs more"}),
     change("sheets_that_cross", "[obstacle.floor]",
-           "[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, edge_length = 0.03 }\n"
+           "[contact]\nstart = \"error\"\n[sheet.other]\nmesh = { generate = \"disc\", radius = 0.1, "
+           "edge_length = 0.03 }\n"
            "place = { translate = [0, 0, 1], rotate = { axis = [0, 1, 0], degrees = 80 } }\n"
            "material = { preset = \"stoneware\" }\n[obstacle.floor]",
            {" of sheet.plate at (", " of sheet.other at (", ") m cross or touch"}),
@@ -139,6 +141,7 @@ const std::vector<BadInput> bad_scenes{
            {"contact.friction: must be"}),
     change("contact_of_a_word", "[solver]", "[contact]\nsheets = \"yes\"\n[solver]",
            {"contact.sheets: must be"}),
+    change("contact_start", "[solver]", "[contact]\nstart = \"apart\"\n[solver]", {"contact.start: must be"}),
     change("zero_axis", place, "place = { rotate = { axis = [0, 0, 0], degrees = 3 } }",
            {"must not be zero"}),
     change("zero_interval", step_line, step_line + "\n[output]\nevery = 0",
@@ -188,11 +191,11 @@ const std::vector<BadInput> bad_meshes{
     {"index", with_mesh(mesh_file), {"mesh.obj:4", "out of range"}, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"},
     {"text", with_mesh(mesh_file), {"mesh.obj:1"}, "v 0 zero 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
     {"zero_area",
-     with_mesh(mesh_file),
+     with_mesh("{ file = \"mesh.obj\", repair = false }"),
      {"mesh.obj:6", "zero area", "repair"},
      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n"},
     {"non_manifold_edge",
-     with_mesh(mesh_file),
+     with_mesh("{ file = \"mesh.obj\", repair = false }"),
      {"mesh.obj:8", "non-manifold edge", "repair"},
      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"},
     {"zero_scale",
@@ -332,7 +335,7 @@ TEST(Usage, HelpHasALineToCopy) {
 
 TEST(Usage, WhatIsRepairedOrDroppedIsSaid) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", with_mesh("{ file = \"mesh.obj\", repair = true }"));
+    directory.write("scene.toml", with_mesh("\"mesh.obj\""));
     directory.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 9 9 9\nf 1 2 3\nf 1 2 4\n");
     const ProgramResult result = run_sherd({"check", "scene.toml"}, directory.path);
     EXPECT_EQ(result.exit_code, 0) << result.err;

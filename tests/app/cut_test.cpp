@@ -41,7 +41,7 @@ class Cut : public ::testing::Test {
 
 Mesh read(const std::filesystem::path& file) {
     std::vector<std::string> warnings;
-    return read_mesh(file, {.repair = true}, warnings);
+    return read_mesh(file, {.repair = Repair::all}, warnings);
 }
 
 /// Cuts random edges of `mesh` by the program and holds every corner of the outcome against the rule.
@@ -220,7 +220,7 @@ TEST_F(Cut, NeverReplacesWhatItReads) {
 /// Reads the outcome of a cut for the tests of what it keeps.
 Mesh read_cut(const std::filesystem::path& file) {
     std::vector<std::string> warnings;
-    Mesh mesh = read_mesh(file, {}, warnings);
+    Mesh mesh = read_mesh(file, {.join_advice = ""}, warnings);
     EXPECT_TRUE(warnings.empty()) << warnings[0];
     return mesh;
 }

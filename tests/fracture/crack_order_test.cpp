@@ -122,7 +122,7 @@ TEST(CrackOrder, DoesNotMatterOnRealMeshes) {
         if (entry.path().extension() != ".obj") continue;
         SCOPED_TRACE(entry.path().filename());
         std::vector<std::string> warnings;
-        expect_one_surface_for_all_patterns(read_mesh(entry.path(), {.repair = true}, warnings));
+        expect_one_surface_for_all_patterns(read_mesh(entry.path(), {.repair = Repair::all}, warnings));
     }
 }
 

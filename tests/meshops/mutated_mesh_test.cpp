@@ -119,8 +119,9 @@ TEST(MutatedMesh, IsAnErrorOrAMesh) {
             SCOPED_TRACE(name + " " + std::to_string(i));
             const auto file = directory.write(name, text);
             try {
-                const Mesh mesh =
-                    read_mesh(file, {.join_duplicate_points = i % 3 == 0, .repair = i % 2 == 0}, warnings);
+                const Mesh mesh = read_mesh(
+                    file, {.join_duplicate_points = i % 3 == 0, .repair = Repair{i % 2 == 0 ? 2 : i % 4 / 2}},
+                    warnings);
                 EXPECT_TRUE(mesh.is_valid(false));
                 EXPECT_GT(mesh.number_of_faces(), 0u);
                 ++meshes;

@@ -13,7 +13,8 @@ namespace {
 std::vector<Eigen::Vector3d> axes_in(const std::string& text, bool repair = false) {
     const TemporaryDirectory directory;
     std::vector<std::string> warnings;
-    const Mesh mesh = read_mesh(directory.write("a.ply", text), {.repair = repair}, warnings);
+    const Mesh mesh =
+        read_mesh(directory.write("a.ply", text), {.repair = repair ? Repair::all : Repair::least}, warnings);
     const auto [axis, exists] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
     std::vector<Eigen::Vector3d> found;
     if (exists)

@@ -66,8 +66,8 @@ TEST(ReadGroups, FacesBeforeTheFirstLineAreInNoneAndOtherFilesHaveNone) {
 
 // Turned, dropped and doubled triangles keep the groups of the polygon they come from.
 TEST(ReadGroups, RepairKeepsGroupsWithTheirFaces) {
-    const Mesh mesh =
-        read(points + "g bad\nf 1 2 3\ng low\n" + left + middle + "g high\nf 7 8 4 3\n", {.repair = true});
+    const Mesh mesh = read(points + "g bad\nf 1 2 3\ng low\n" + left + middle + "g high\nf 7 8 4 3\n",
+                           {.repair = Repair::all});
     ASSERT_EQ(mesh.number_of_faces(), 6u);
     EXPECT_EQ(group_names(mesh), (Names{"high", "low"}));
     EXPECT_EQ(extent(mesh, "low"), (Extent{0, 2}));

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <iostream>
 
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/generate.h"
+#include "meshops/self_intersections.h"
 #include "tests/support/mesh_quality.h"
 
 namespace sherd {
@@ -33,7 +35,7 @@ GenerateOptions structured(double edge_length) {
 // Finer and coarser than what comes in, with straight borders that end in corners.
 TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     for (const double edge_length : {0.03, 0.15}) {
-        const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), edge_length);
+        const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), edge_length).mesh;
         const auto quality = test::mesh_quality(mesh);
         std::cout << edge_length << ": " << mesh.number_of_faces() << " faces, angles "
                   << quality.smallest_angle << ", " << quality.mean_smallest_angle << ", edge "
@@ -47,8 +49,57 @@ TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
 }
 
 // A remeshed box whose edges are cut off is no box any more.
+/// A bowl of two walls, 0.3 mm apart.
+Mesh double_bowl(double edge_length) {
+    std::vector<Eigen::Vector2d> profile;
+    for (const auto& [radius, from, to] : {std::array{0.05, 0.0, 1.0}, std::array{0.0497, 1.0, 0.0}})
+        for (int i = 0; i <= 40; ++i) {
+            const double angle = (from + (to - from) * i / 40) * 1.4;
+            profile.emplace_back(radius * std::sin(angle), 0.05 - radius * std::cos(angle));
+        }
+    profile.front().x() = profile.back().x() = 0;
+    return generate_revolution(profile, {edge_length, Layout::delaunay, 1});
+}
+
+// Triangles of 12 mm are flatter than the bowl by more than its walls are apart.
+TEST(Remesh, ThinWallsThatWouldCrossStay) {
+    const Mesh bowl = double_bowl(0.004);
+    ASSERT_TRUE(self_intersections(bowl).empty());
+    const Remeshed result = remesh(bowl, 0.012);
+    EXPECT_TRUE(self_intersections(result.mesh).empty());
+    EXPECT_EQ(result.crossings, 0u);
+    EXPECT_GT(result.kept, 0u);
+    EXPECT_TRUE(result.mesh.is_valid(false));
+}
+
+// Who remeshes must know how far off the result is: a sphere of chords is inside by their rise.
+TEST(Remesh, TellsItsDistance) {
+    const double radius = 0.1, edge = 0.03;
+    const Remeshed coarse = remesh(generate_sphere(radius, {0.005, Layout::delaunay, 1}), edge);
+    const double rise = edge * edge / (6 * radius);  // of the middle of an equilateral triangle
+    EXPECT_GT(coarse.distance, 0.7 * rise);
+    EXPECT_LT(coarse.distance, 3 * rise);
+    EXPECT_EQ(coarse.kept, 0u) << "nothing crosses";
+    EXPECT_LT(remesh(cube(), 0.1).distance, 1e-9) << "a box of planes keeps its shape";
+}
+
+// What crosses comes so from the file: remeshing must neither stop nor keep all of it.
+TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
+    Mesh two = cube();
+    Mesh other = cube();
+    for (const Vertex v : other.vertices()) {
+        const Point& p = other.point(v);
+        other.point(v) = Point(p.x() + 0.5, p.y() + 0.37, p.z() + 0.41);
+    }
+    two += other;
+    const Remeshed result = remesh(two, 0.1);
+    EXPECT_FALSE(self_intersections(result.mesh).empty());
+    EXPECT_EQ(result.kept, 0u);
+    EXPECT_EQ(result.crossings, 0u);
+}
+
 TEST(Remesh, KeepsSharpEdges) {
-    const Mesh mesh = remesh(cube(), 0.1);
+    const Mesh mesh = remesh(cube(), 0.1).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
     EXPECT_GT(mesh.number_of_faces(), 800U);
     for (const Vertex v : mesh.vertices()) {
@@ -61,7 +112,7 @@ TEST(Remesh, KeepsSharpEdges) {
 TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
     Mesh mesh = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
     mesh += generate_disc(0.3, {0.05, Layout::delaunay, 1});
-    const Mesh result = remesh(mesh, 0.1);
+    const Mesh result = remesh(mesh, 0.1).mesh;
     EXPECT_EQ(connected_components(result).count, 2);
     for (const Vertex v : result.vertices()) {
         const Point& p = result.point(v);
@@ -73,7 +124,7 @@ TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
 
 TEST(Remesh, GivesTheSameMeshAgain) {
     const Mesh in = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
-    const Mesh first = remesh(in, 0.07), again = remesh(in, 0.07);
+    const Mesh first = remesh(in, 0.07).mesh, again = remesh(in, 0.07).mesh;
     ASSERT_EQ(first.number_of_faces(), again.number_of_faces());
     for (const Vertex v : first.vertices()) ASSERT_EQ(first.point(v), again.point(v));
     for (const Halfedge h : first.halfedges()) ASSERT_EQ(first.target(h), again.target(h));

@@ -14,7 +14,7 @@ namespace {
 
 Mesh read(const std::filesystem::path& file) {
     std::vector<std::string> warnings;
-    Mesh mesh = read_mesh(file, {}, warnings);
+    Mesh mesh = read_mesh(file, {.join_advice = ""}, warnings);
     EXPECT_TRUE(warnings.empty()) << warnings[0];
     return mesh;
 }

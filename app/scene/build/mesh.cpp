@@ -47,6 +47,26 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
     return generate_revolution(spec.profile, options, spec.angle);
 }
 
+void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result,
+                    std::vector<std::string>& warnings) {
+    constexpr double far = 0.25;  // of the edge length
+    if (result.kept > 0)
+        warnings.push_back(fmt::format(
+            "remesh = {}: {} of {} faces stay as they are in the file, where it is so thin or sharp "
+            "that others would cross; smaller edges may do without",
+            edge_length, result.kept, mesh.number_of_faces()));
+    if (result.crossings > 0)
+        warnings.push_back(fmt::format(
+            "remesh = {}: {} pairs of faces cross where those of the file do not; smaller edges may "
+            "do better",
+            edge_length, result.crossings));
+    if (result.distance > far * edge_length)
+        warnings.push_back(
+            fmt::format("remesh = {}: the remeshed surface is up to {:.2g} m from the file's; smaller edges "
+                        "keep more of its shape",
+                        edge_length, result.distance));
+}
+
 Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
     Mesh mesh = read_mesh(spec, warnings);
     if (spec.remesh == 0) return mesh;
@@ -55,13 +75,31 @@ Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings
         throw Error(
             fmt::format("remesh = {} would make about {:.2g} faces, more than {:.0g}: give a larger one",
                         spec.remesh, faces, most_faces));
-    return remesh(mesh, spec.remesh);
+    Remeshed result = remesh(mesh, spec.remesh);
+    warn_of_remesh(spec.remesh, mesh, result, warnings);
+    return std::move(result.mesh);
+}
+
+/// What is hardly a shell in metres was modelled in other units.
+void warn_of_size(const Mesh& mesh, std::vector<std::string>& warnings) {
+    constexpr double smallest = 1e-3, largest = 20;  // m
+    const MeshMeasures measures = measure(mesh);
+    const double size = (measures.upper - measures.lower).maxCoeff();
+    if (size >= smallest && size <= largest) return;
+    warnings.push_back(fmt::format(
+        "the mesh is {:.4g} m large, as its numbers are taken for metres: say how large it is with size = "
+        "0.2 "
+        "(m, the largest extent), or scale = 0.001 (m per unit of the file) where it is in millimetres",
+        size));
 }
 
 }  // namespace
 
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
-    Mesh mesh = read_mesh(spec.path, {.join_duplicate_points = spec.join, .repair = spec.repair}, warnings);
+    const ReadMeshOptions options{.join_duplicate_points = spec.join,
+                                  .repair = spec.repair ? Repair::all : Repair::none};
+    Mesh mesh = read_mesh(spec.path, options, warnings);
+    if (!spec.has_size) warn_of_size(mesh, warnings);
     if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
     return mesh;
 }

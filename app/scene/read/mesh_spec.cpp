@@ -11,6 +11,8 @@
 #include <numbers>
 
 #include "app/scene/read/profile.h"
+#include "meshops/error.h"
+#include "meshops/polygon_soup.h"
 
 namespace sherd {
 namespace {
@@ -26,6 +28,27 @@ constexpr Range cap_degrees{[](double x) { return x > 0 && x < 180; }, "a number
 
 constexpr Range sector_degrees{[](double x) { return x > 0 && x <= 360; },
                                "a number above 0, and 360 at most"};
+
+/// Largest side of the bounding box of what the file's polygons use, in units of the file; 0 if it cannot be
+/// read: then whoever makes the mesh says why.
+double extent_of(const std::filesystem::path& file) try {
+    const PolygonSoup soup = read_polygon_soup(file);
+    check_polygon_soup(soup);
+    Eigen::AlignedBox3d box;
+    for (const auto& corners : soup.polygons)
+        for (const std::size_t corner : corners)
+            box.extend(Vector3d(soup.points[corner].x(), soup.points[corner].y(), soup.points[corner].z()));
+    return box.sizes().maxCoeff();
+} catch (const Error&) {
+    return 0;
+}
+
+/// Reads `size` and makes a scale of it.
+void read_size(TomlTable& table, MeshFile& mesh) {
+    if (table.has("scale")) table.report("size", "conflicts with scale: give one of them");
+    const double size = table.number("size", "m, the largest extent", positive);
+    if (const double extent = extent_of(mesh.path); extent > 0) mesh.scale = size / extent;
+}
 
 double length_of(TomlTable& table, std::string_view key, std::optional<double> fallback = {}) {
     return table.number(key, "m", positive, fallback);
@@ -147,9 +170,11 @@ MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory
     MeshFile mesh;
     const std::string name = table.string("file", "the name of a mesh file");
     mesh.path = directory / name;
-    mesh.repair = table.flag("repair", false);
+    mesh.repair = table.flag("repair", true);
     mesh.join = table.flag("join", false);
+    mesh.has_size = table.has("scale") || table.has("size");
     mesh.scale = table.number("scale", "m per unit of the file", positive, 1);
+    if (table.has("size")) read_size(table, mesh);
     return mesh;
 }
 

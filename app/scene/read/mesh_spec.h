@@ -11,7 +11,7 @@ namespace sherd {
 /// Reads `mesh = { generate = ... }` and expands plates and bowls to profiles.
 GeneratedMesh read_shape(TomlTable& table);
 
-/// Reads the keys that meshes from files have in common: file, repair, join, scale.
+/// Reads the keys that meshes from files have in common: file, repair, join, scale, size.
 MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory);
 
 }  // namespace sherd

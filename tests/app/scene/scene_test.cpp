@@ -257,6 +257,29 @@ TEST(SceneMesh, FilesAreScaledAndPlaced) {
     EXPECT_NEAR(measure(mesh).area, 0.5, 1e-15);
 }
 
+// Nobody should have to measure a file before they can say how large it is to be. Points that no face uses
+// are no part of it.
+TEST(SceneMesh, FilesAreAsLargeAsTheSceneSays) {
+    const TemporaryDirectory directory;
+    directory.write("tri.obj", "v -300 0 0\nv 100 0 0\nv 0 -40 0\nv 999 0 0\nf 1 2 3\n");
+    const auto mesh_of = [&](const std::string& more, std::vector<std::string>& warnings) {
+        const Scene scene =
+            read_scene(directory.write("scene.toml", "duration = 1\n[sheet.a]\nmesh = { file = \"tri.obj\"" +
+                                                         more + " }\nmaterial.preset = \"paper\"\n"));
+        return measure(make_mesh(scene.sheets[0], scene, warnings));
+    };
+    std::vector<std::string> warnings;
+    const MeshMeasures sized = mesh_of(", size = 0.2", warnings);
+    EXPECT_NEAR(sized.upper.x() - sized.lower.x(), 0.2, 1e-15);
+    EXPECT_NEAR(sized.upper.y() - sized.lower.y(), 0.02, 1e-15);
+    ASSERT_EQ(warnings.size(), 1u) << "only of the point";
+    const MeshMeasures unsized = mesh_of("", warnings);
+    EXPECT_NEAR(unsized.upper.x() - unsized.lower.x(), 400, 1e-12);
+    EXPECT_NE(warnings.back().find("the mesh is 400 m large"), std::string::npos) << warnings.back();
+    EXPECT_THROW(mesh_of(", size = 0.2, scale = 0.001", warnings), Error);
+    EXPECT_THROW(mesh_of(", size = 0", warnings), Error);
+}
+
 std::string error_of(const std::string& text) {
     try {
         scene_of(text);
