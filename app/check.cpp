@@ -170,9 +170,10 @@ void add_check(CLI::App& program, Command& chosen) {
     command->add_flag("--no-try", options->no_try,
                       "Do not do the first steps, by which the time that a run takes is estimated");
     command
-        ->add_option("-o,--output", options->faults,
-                     "PLY file of the sheets with the faces that keep the scene from starting coloured; of "
-                     "variants NAME.ply becomes NAME-VARIANT.ply")
+        ->add_option(
+            "-o,--output", options->faults,
+            "PLY file of the sheets with the faces coloured that are exempt from contact or keep the scene "
+            "from starting; of variants NAME.ply becomes NAME-VARIANT.ply")
         ->option_text("FAULTS.ply");
     command->add_flag("--force", options->force, "Replace FAULTS.ply if it exists");
     command->footer("Example:\n  sherd check plate_drop -o faults.ply");

@@ -131,7 +131,8 @@ void write_fault_picture(const Scene& scene, const std::filesystem::path& file, 
     const Picture picture = picture_of(scene);
     const auto is_fault = [](const std::optional<FaultKind>& fault) { return fault.has_value(); };
     if (std::none_of(picture.faults.begin(), picture.faults.end(), is_fault)) {
-        fmt::print("no face keeps the scene from starting: {} is not written\n", file.string());
+        fmt::print("no face crosses another or keeps the scene from starting: {} is not written\n",
+                   file.string());
         return;
     }
     const OutputLock lock(file);

@@ -105,7 +105,7 @@ void BreakableShell::add_coincident_vertices() {
         for (const Vertex other : others) lips.lie_together(other, vertex);
         others.push_back(vertex);
     }
-    lips.write(mesh(), shell);
+    write_pairs();
 }
 
 TriangleStencil BreakableShell::stencil(Face face) const {
@@ -257,14 +257,29 @@ BreakableShell::Change BreakableShell::fail(std::span<const Edge> edges) {
     renumber(topology.changed);
     share_masses(topology);
     lips.open(topology);
-    lips.write(mesh(), shell);
+    exemptions.follow(topology);
+    write_pairs();
     return change;
 }
 
-bool BreakableShell::release_lips() {
-    if (!lips.release(mesh(), shell, shell.position)) return false;
-    lips.write(mesh(), shell);
+void BreakableShell::exempt(std::span<const StartOverlap> overlaps) {
+    exemptions.add(mesh(), overlaps);
+    write_pairs();
+}
+
+bool BreakableShell::release_apart() {
+    const bool of_lips = lips.release(mesh(), shell, shell.position);
+    const bool of_start = exemptions.release(mesh(), shell);
+    if (!of_lips && !of_start) return false;
+    write_pairs();
     return true;
+}
+
+void BreakableShell::write_pairs() {
+    shell.twins.clear();
+    lips.write(mesh(), shell);
+    exemptions.write(shell);
+    std::ranges::sort(shell.twins);
 }
 
 void BreakableShell::renumber(std::span<const Face> faces) {

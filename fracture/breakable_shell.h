@@ -11,6 +11,7 @@
 #include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
 #include "fracture/rest_ancestry.h"
+#include "fracture/start_exemptions.h"
 #include "fracture/strength.h"
 #include "fracture/toughness.h"
 
@@ -132,8 +133,12 @@ class BreakableShell {
     }  ///< [F] as in SheetInput; zero: of no matter
     double strength_factor(Edge edge) const { return strength_factors[edge]; }  ///< as in Strength
 
-    /// Passes the lips of cracks that have moved apart on to SheetContact. Returns whether there were any.
-    bool release_lips();
+    /// Exempts faces that overlap at the start from contact, until they are apart (StartExemptions).
+    void exempt(std::span<const StartOverlap> overlaps);
+    std::size_t exempt_pairs() const { return exemptions.count(); }  ///< of vertices
+    /// Passes the lips of cracks, and what overlapped at the start, on to SheetContact where they have moved
+    /// apart. Returns whether there were any.
+    bool release_apart();
 
   private:
     void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);
@@ -156,8 +161,10 @@ class BreakableShell {
 
     /// Whether a vertex is held or guided, and otherwise than one of its neighbours.
     bool is_held_alone(Vertex vertex) const;
+    bool overlaps_collider(Vertex vertex) const;  ///< since the start
     AdvanceOptions with_kept(const AdvanceOptions& options) const;
     ShellChange reshape(const TopologyChange& topology);
+    void write_pairs();  ///< sets shell.twins, shell.near and shell.lips
     void inherit_kept(const TopologyChange& topology);
     void inherit_factors(const TopologyChange& topology);
     void reshape_faces(const ShellChange& change);
@@ -171,6 +178,7 @@ class BreakableShell {
     Shell shell;
     RestAncestry rest_ancestry;
     Lips lips;
+    StartExemptions exemptions;
     std::vector<Material> materials;     ///< of each input
     std::vector<Strength> strengths;     ///< of each input, without factors
     std::vector<Toughness> toughnesses;  ///< of each input, without factors

@@ -57,6 +57,11 @@ void BreakableShell::keep_border(std::span<const Index> faces) {
             kept_edges[edge] = 1;
 }
 
+bool BreakableShell::overlaps_collider(Vertex vertex) const {
+    return std::ranges::any_of(shell.start_depths,
+                               [&](const StartDepth& start) { return start.depth[vertex] > 0; });
+}
+
 bool BreakableShell::is_held_alone(Vertex vertex) const {
     if (shell.guide[vertex] == 0 && shell.held[vertex] == 0) return false;
     return std::ranges::any_of(mesh().halfedges_around_target(mesh().halfedge(vertex)), [&](Halfedge h) {
@@ -69,7 +74,7 @@ AdvanceOptions BreakableShell::with_kept(const AdvanceOptions& options) const {
     AdvanceOptions all = options;
     all.kept.keeps_place = [this, given = options.kept.keeps_place](Vertex v) {
         return shell.fixed[v] != 0 || shell.script[v] != 0 || kept_vertices[v] != 0 || lips.has_twin(v) ||
-               is_held_alone(v) || given(v);
+               exemptions.has(v) || overlaps_collider(v) || is_held_alone(v) || given(v);
     };
     all.kept.is_line = [this, given = options.kept.is_line](Edge edge) {
         return kept_edges[edge] != 0 || given(edge);
@@ -104,7 +109,8 @@ ShellChange BreakableShell::reshape(const TopologyChange& topology) {
     reshape_hinges(change);
     add_footprints(elements_of(change.reshaped), nullptr, 1);
     lips.cut(mesh(), topology);
-    lips.write(mesh(), shell);
+    exemptions.follow(topology);
+    write_pairs();
     follow_in_motion(shell, change, position, velocity);
     shell.position = std::move(position);
     shell.velocity = std::move(velocity);

@@ -36,16 +36,10 @@ double distance_to_faces(const Mesh& mesh, const Positions& x, Vertex vertex, Ve
 
 }  // namespace
 
-void Lips::lie_together(Vertex a, Vertex b) {
-    twins[a].push_back(b);
-    twins[b].push_back(a);
-}
-
 void Lips::open(const TopologyChange& change) {
     for (const Born<Vertex>& created : change.vertices) {
         if (!created.is_copy()) continue;
-        const std::vector<Vertex> others = twins[created.parent()];
-        for (const Vertex other : others) lie_together(other, created.element);
+        for (const auto& [other, reach] : twins.of(created.parent())) lie_together(other, created.element);
         lie_together(created.parent(), created.element);
     }
     for (const auto& [edge, created] : change.opened) edges.push_back({edge, created});
@@ -67,19 +61,6 @@ void Lips::cut(const Mesh& mesh, const TopologyChange& change) {
     }
 }
 
-bool Lips::are_twins(Vertex a, Vertex b) const {
-    const auto of_a = twins.find(a);
-    return of_a != twins.end() && std::count(of_a->second.begin(), of_a->second.end(), b) > 0;
-}
-
-std::vector<Lips::Twins> Lips::pairs() const {
-    std::vector<Twins> pairs;
-    for (const auto& [vertex, others] : twins)
-        for (const Vertex other : others)
-            if (vertex < other) pairs.push_back({vertex, other});
-    return pairs;
-}
-
 bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const {
     const auto [v, w] = pair;
     const double thickness = shell.thickness[number(v)];
@@ -89,7 +70,7 @@ bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
-            if (p == q || are_twins(p, q)) continue;  // they share a vertex, or are other twins
+            if (p == q || twins.has(p, q)) continue;  // they share a vertex, or are other twins
             if (distance(PairKind::edge_edge, x, {p, v, q, w}) <= thickness) return false;
         }
     return true;
@@ -97,15 +78,13 @@ bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const
 
 bool Lips::release(const Mesh& mesh, const Shell& shell, const Positions& x) {
     bool any = false;
-    for (const Twins& pair : pairs()) {
+    for (const auto& [pair, reach] : twins.all()) {
         if (!apart(mesh, shell, x, pair)) continue;
         // The pair is erased at once, so that the next pair takes the elements that they share into account.
-        std::erase(twins[pair[0]], pair[1]);
-        std::erase(twins[pair[1]], pair[0]);
+        twins.erase(pair[0], pair[1]);
         any = true;
     }
     if (!any) return false;
-    std::erase_if(twins, [](const auto& entry) { return entry.second.empty(); });
     std::erase_if(edges, [&](const std::array<Edge, 2>& lips) {
         return !has_twin(mesh.vertex(lips[0], 0)) && !has_twin(mesh.vertex(lips[0], 1));
     });
@@ -113,8 +92,7 @@ bool Lips::release(const Mesh& mesh, const Shell& shell, const Positions& x) {
 }
 
 void Lips::write(const Mesh& mesh, Shell& shell) const {
-    shell.twins.clear();
-    for (const auto& [a, b] : pairs()) shell.twins.push_back({number(a), number(b)});
+    for (const auto& [pair, reach] : twins.all()) shell.twins.push_back({number(pair[0]), number(pair[1])});
     shell.lips.clear();
     for (const std::array<Edge, 2>& lips : edges)
         for (const int side : {0, 1}) {
@@ -122,7 +100,7 @@ void Lips::write(const Mesh& mesh, Shell& shell) const {
             const Vertex a = mesh.source(h), b = mesh.target(h), apex = mesh.target(mesh.next(h));
             const double length = (shell.rest.col(number(a)) - shell.rest.col(number(b))).norm();
             for (const auto& [own, other] : {Twins{a, mesh.target(facing)}, Twins{b, mesh.source(facing)}})
-                if (are_twins(own, other) && shell.rest.col(number(own)) == shell.rest.col(number(other)))
+                if (twins.has(own, other) && shell.rest.col(number(own)) == shell.rest.col(number(other)))
                     shell.lips.push_back({{number(other), number(a), number(b), number(apex)},
                                           length * shell.young[number(a)] / 8});
         }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <vector>
 
 #include "core/shell/shell.h"
+#include "fracture/vertex_pairs.h"
 #include "meshops/topology_change.h"
 
 namespace sherd {
@@ -19,7 +19,7 @@ class Lips {
   public:
     /// Registers vertices that coincide from the beginning, as along a seam that is not joined, as twins
     /// without lips.
-    void lie_together(Vertex a, Vertex b);
+    void lie_together(Vertex a, Vertex b) { twins.add(a, b); }
 
     /// Must be called when the mesh was opened.
     void open(const TopologyChange& change);
@@ -32,22 +32,20 @@ class Lips {
     /// elements that still share a vertex or have other twins do not count. Returns whether there were any.
     bool release(const Mesh& mesh, const Shell& shell, const Positions& x);
 
-    /// Sets sheet.twins and sheet.lips. A lip resists overlap like a column of sheet whose cross-section is
-    /// the lip's length times the thickness and whose length is the thickness: the force per metre of crack
-    /// is Y / 2 times the overlap, on any mesh.
+    /// Adds to sheet.twins and sets sheet.lips. A lip resists overlap like a column of sheet whose
+    /// cross-section is the lip's length times the thickness and whose length is the thickness: the force per
+    /// metre of crack is Y / 2 times the overlap, on any mesh.
     void write(const Mesh& mesh, Shell& shell) const;
 
-    bool has_twin(Vertex vertex) const { return twins.count(vertex) > 0; }
+    bool has_twin(Vertex vertex) const { return twins.has(vertex); }
 
   private:
     using Twins = std::array<Vertex, 2>;
 
-    bool are_twins(Vertex a, Vertex b) const;
     bool apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const;
-    std::vector<Twins> pairs() const;  ///< all pairs of twins, each once, ascending
 
-    std::map<Vertex, std::vector<Vertex>> twins;  ///< of each vertex that has any; pairs are stored both ways
-    std::vector<std::array<Edge, 2>> edges;       ///< opened edges: that of one face, and that of the other
+    VertexPairs twins;
+    std::vector<std::array<Edge, 2>> edges;  ///< opened edges: that of one face, and that of the other
 };
 
 }  // namespace sherd

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/contact/colliders/start_depth.h"
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
 #include "fracture/residual_stress.h"
@@ -107,7 +108,7 @@ BreakableShell Simulation::with_cracks(BreakableShell sheets) {
 StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
-    if (options.stepper.contact.sheets) release_lips();
+    release_apart();
     while (!attempt(report)) {
         if (!step_size.halve()) give_up(report);
         ++report.halvings;
@@ -233,9 +234,12 @@ void Simulation::update_fragments() {
         events.births.push_back({0, steps, fragment, fragments.parents()[fragment]});
 }
 
-void Simulation::release_lips() {
+void Simulation::release_apart() {
     const Stopwatch watch(stepper->time_spent(), Task::contact);
-    if (breakable.release_lips()) stepper->topology_changed({});
+    const ContactOptions& contact = options.stepper.contact;
+    const bool of_sheets = contact.sheets && breakable.release_apart();
+    const bool of_colliders = shrink_start_depths(breakable.mechanics(), contact.obstacles, bodies(), time());
+    if (of_sheets || of_colliders) stepper->topology_changed({});
 }
 
 void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
@@ -277,6 +281,7 @@ void Simulation::finish(StepReport& report) {
     add_touch(report);
     read_gauges(report);
     report.lip_overlap = stepper->lip_overlap();
+    report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
     report.fragments = fragments.count();
 }
 

@@ -115,8 +115,8 @@ class Simulation {
     /// it.
     BreakableShell with_cracks(BreakableShell sheets);
     void update_fragments();
-    /// Leaves the lips of cracks that have parted since to the contact of sheets.
-    void release_lips();
+    /// Leaves the lips of cracks that have parted since, and what overlapped at the start, to contact.
+    void release_apart();
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
     void add_touch(StepReport& report);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/contact/sheets/sheet_contact.h"
 #include "meshops/face_with.h"
@@ -29,6 +30,7 @@ bool at_seam(const Shell& shell, const FacePair& faces) {
     return false;
 }
 
+/// The faces of a pair, that of its first element first.
 FacePair faces_of(const Mesh& mesh, const ContactPair& pair) {
     const std::span<const Index> vertices(pair.vertices);
     const std::size_t first = pair.kind == PairKind::edge_edge ? 2 : 1;
@@ -41,27 +43,44 @@ StartOverlap overlap_of(const Mesh& mesh, const ContactPair& pair, const PairPos
     const double distance = apart.norm();
     const Vector3d normal = distance > 0 ? Vector3d(-apart / distance) : Vector3d(Vector3d::Zero());
     const auto [first, second] = faces_of(mesh, pair);
-    if (first < second) return {{first, second}, false, distance, pair.activation_distance, normal};
-    return {{second, first}, false, distance, pair.activation_distance, -normal};
+    const FacePair faces{std::min(first, second), std::max(first, second)};
+    return {faces, false, distance, pair.activation_distance, first < second ? normal : Vector3d(-normal)};
 }
 
 }  // namespace
+
+Mesh placed_mesh(const BreakableShell& shell) {
+    Mesh mesh = shell.mesh();
+    for (const Vertex v : mesh.vertices()) {
+        const auto at = shell.mechanics().position.col(static_cast<Index>(v));
+        mesh.point(v) = Point(at.x(), at.y(), at.z());
+    }
+    return mesh;
+}
 
 std::vector<StartOverlap> start_overlaps(const BreakableShell& shell) {
     std::vector<StartOverlap> overlaps;
     std::map<FacePair, StartOverlap> near;
     const Shell& mechanics = shell.mechanics();
+    std::set<FacePair> crossing;
     const SheetContact contact(mechanics);
-    for (const ContactPair& pair : contact.active_pairs(mechanics.position)) {
+    for (const ContactPair& pair : contact.pairs_nearby(mechanics.position)) {
         const PairPositions x = columns(mechanics.position, pair.vertices);
-        if (distance(pair, x) >= nearest * pair.activation_distance) continue;
+        const double apart = distance(pair, x);
+        if (apart <= touching * half_thicknesses(mechanics, pair.kind, pair.vertices)) {
+            const auto [a, b] = faces_of(shell.mesh(), pair);
+            crossing.insert({std::min(a, b), std::max(a, b)});
+        }
+        if (apart >= nearest * pair.activation_distance) continue;
         const StartOverlap overlap = overlap_of(shell.mesh(), pair, x);
         const auto known = near.emplace(overlap.faces, overlap).first;
         if (overlap.distance < known->second.distance) known->second = overlap;
     }
-    for (const auto& [a, b] : self_intersections(shell.mesh())) {
+    for (const auto& [a, b] : self_intersections(placed_mesh(shell))) {
         const FacePair faces = ascending(a, b);
-        if (at_seam(mechanics, faces)) continue;
+        if (!at_seam(mechanics, faces)) crossing.insert(faces);
+    }
+    for (const FacePair& faces : crossing) {
         overlaps.push_back({faces, true});
         near.erase(faces);
     }

@@ -32,6 +32,7 @@ struct StepReport : EnergyBalance {
     Index contacts = 0;           ///< number of vertices in contact with obstacles or bodies
     double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body
     double lip_overlap = 0;       ///< m, largest overlap of lips of cracks that have not moved apart yet
+    Index exempt_pairs = 0;       ///< pairs of vertices whose faces overlap since the start
     Index fragments = 0;
 
     std::vector<Reaction> reactions;   ///< of the supports, then of the obstacles

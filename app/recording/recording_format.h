@@ -129,6 +129,8 @@ struct Table<StepReport> {
               &R::obstacle_overlap);
         visit("lip_overlap", {"m", "largest of the lips of cracks that have not moved apart yet"},
               &R::lip_overlap);
+        visit("exempt_pairs", {"1", "pairs of vertices whose faces overlap since the start"},
+              &R::exempt_pairs);
         visit("fragments", {"1", "number of pieces"}, &R::fragments);
         visit("peak_strain",
               {"1/m",

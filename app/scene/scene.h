@@ -135,6 +135,7 @@ struct SheetSpec {
 /// `[contact]`: of sheets and fragments with each other and with themselves.
 struct ContactSpec {
     bool sheets = true;   ///< whether they meet at all
+    bool exempt = true;   ///< whether what overlaps at the start may, until it is apart; else it is an error
     double friction = 0;  ///< Coulomb coefficient
 };
 

@@ -11,7 +11,8 @@ Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravi
     if (!options.bodies.empty())
         body_contact = std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity);
     for (const Obstacle& obstacle : obstacles)
-        obstacle_contact.push_back(std::make_unique<ObstacleContact>(shell, obstacle));
+        obstacle_contact.push_back(
+            std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
     const bool surfaces = std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
     if (!options.sheets && !surfaces) return;

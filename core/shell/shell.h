@@ -34,6 +34,20 @@ struct Hold {
     bool operator==(const Hold&) const = default;
 };
 
+/// Two vertices whose elements push each other only below a distance.
+struct NearVertices {
+    std::array<Index, 2> vertices;  ///< ascending
+    double reach;                   ///< m
+
+    auto operator<=>(const NearVertices&) const = default;
+};
+
+/// What of the sheets overlaps one collider since the start.
+struct StartDepth {
+    VectorXd depth;            ///< [V] m, beyond touching, from which on the collider pushes; it only shrinks
+    std::vector<char> unseen;  ///< [V] whether elements with this vertex do not meet the collider's surface
+};
+
 /// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
 /// topology appends or renumbers vertices, edges and faces; nothing here refers to a mesh. Each of their
 /// attributes is also listed in visit_vertices(), visit_edges() or visit_faces(), and nowhere else.
@@ -64,9 +78,13 @@ struct Shell {
     std::vector<HingeStencil> hinges;  ///< [H]
     std::vector<Index> hinge_edge;     ///< [H] edge of each hinge
 
-    /// Pairs of vertices that coincide because a crack between them has just opened: elements that contain
-    /// one each do not collide in SheetContact.
+    /// Pairs of vertices, ascending, elements of which that contain one each do not collide in SheetContact:
+    /// they coincide because a crack between them has just opened, or their faces cross since the start.
     std::vector<std::array<Index, 2>> twins;
+    /// Those that are nearer, since the start, than others may come: ascending.
+    std::vector<NearVertices> near;
+    /// Of each obstacle, then of each free body; empty: none overlaps.
+    std::vector<StartDepth> start_depths;
     std::vector<LipStencil> lips;          ///< lips of these cracks
     std::vector<Matrix3d> guides;          ///< projections to the free directions: a plane, or a line
     std::vector<Motion> motions;           ///< of scripted vertices, from their rest positions
@@ -89,6 +107,10 @@ void visit_vertices(S& shell, Visit visit) {
     visit(shell.guide, Inheritance::common, char(0));
     visit(shell.held, Inheritance::common, Index(0));
     visit(shell.vertex_sheet, Inheritance::first, Index(0));
+    for (auto& start : shell.start_depths) {
+        visit(start.depth);
+        visit(start.unseen, Inheritance::first, char(0));
+    }
 }
 
 /// Visits the attributes of edges in the same way.

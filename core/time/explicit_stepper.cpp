@@ -92,8 +92,10 @@ void ExplicitStepper::choose_substep() {
         changed = false;
         strain_then = strain;
     }
-    const double of_contact =
-        resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, step.length * shell.velocity));
+    // With the fall in the step: what lies at rest, just touching, is in contact in a moment.
+    Positions motion = step.length * shell.velocity;
+    motion.colwise() += step.length * step.length * options.gravity;
+    const double of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, motion));
     const double highest = std::hypot(of_shell, of_contact);
     const double damped = 0.5 * options.shell.damping.stiffness * highest;
     const double stable = safety * 2 / highest * (std::sqrt(1 + damped * damped) - damped);

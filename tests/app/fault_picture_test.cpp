@@ -64,9 +64,11 @@ ProgramResult check(const TemporaryDirectory& directory, const std::string& scen
     return run_sherd(arguments, directory.path);
 }
 
+const std::string strict = "contact.start = \"error\"\n";
+
 TEST(FaultPicture, FacesThatTheMessageNamesAreRedAndWhereItSays) {
     const TemporaryDirectory directory;
-    const ProgramResult result = check(directory, sheet("low", "") + sheet("high", upright));
+    const ProgramResult result = check(directory, strict + sheet("low", "") + sheet("high", upright));
     EXPECT_EQ(result.exit_code, 2) << result.err;
     const std::regex pair(
         R"(face (\d+) of sheet\.low at \(([-0-9.e]+), ([-0-9.e]+), ([-0-9.e]+)\) m and face (\d+) of )"
@@ -88,7 +90,7 @@ TEST(FaultPicture, FacesThatTheMessageNamesAreRedAndWhereItSays) {
 TEST(FaultPicture, EachKindHasItsColour) {
     const TemporaryDirectory directory;
     const auto colours_of = [&](const std::string& scene) {
-        const ProgramResult result = check(directory, scene, {"--force"});
+        const ProgramResult result = check(directory, strict + scene, {"--force"});
         EXPECT_EQ(result.exit_code, 2) << scene << result.err;
         return count(face_colours(directory));
     };
@@ -109,9 +111,18 @@ TEST(FaultPicture, EachKindHasItsColour) {
     EXPECT_GT(near[grey], near[yellow]);
     directory.write("book.obj",
                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 3\nf 1 3 4\nf 1 3 5\n");
-    const auto book = colours_of(sheet("a", "translate = [5, 0, 0]", "\"book.obj\"") + sheet("b", ""));
+    const auto book = colours_of(
+        sheet("a", "translate = [5, 0, 0]", "{ file = \"book.obj\", repair = false }") + sheet("b", ""));
     EXPECT_EQ(book.at(cyan), 3);
     EXPECT_GT(book.at(grey), 0) << "the other sheet is missing";
+}
+
+// What is exempt keeps no scene from starting, but who made the mesh wants to see where it is.
+TEST(FaultPicture, WhatIsExemptIsDrawnToo) {
+    const TemporaryDirectory directory;
+    const ProgramResult result = check(directory, sheet("low", "") + sheet("high", upright));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_GT(count(face_colours(directory))[red], 0);
 }
 
 TEST(FaultPicture, WithoutFaultsNothingIsWritten) {
@@ -128,7 +139,7 @@ TEST(FaultPicture, AnExistingFileIsKeptAndVariantsHaveOneEach) {
     const ProgramResult kept = check(directory, sheet("a", ""));
     EXPECT_EQ(kept.exit_code, 2);
     EXPECT_NE(kept.err.find("'faults.ply' exists"), std::string::npos) << kept.err;
-    const ProgramResult two = check(directory, sheet("a", "") + sheet("b", "translate = [0, 0, 1]") +
+    const ProgramResult two = check(directory, strict + sheet("a", "") + sheet("b", "translate = [0, 0, 1]") +
                                                    "[[variant]]\nname = \"near\"\n"
                                                    "sheet.b.place = { translate = [0, 0, 0.003] }\n"
                                                    "[[variant]]\nname = \"far\"\n");

@@ -225,7 +225,7 @@ struct ImplicitRun {
 TEST(CrackGrowth, CracksTakeTheirEnergyInImplicitStepsToo) {
     for (const double step : {5e-7, 1e-5}) {
         const ImplicitRun run(step);
-        EXPECT_EQ(run.last.fragments, 2);
+        EXPECT_GE(run.last.fragments, 2);
         EXPECT_EQ(run.fading > 0, step < 1e-6);
         const double share = run.last.lost_to_cracks / run.needed;
         EXPECT_LT(share, 1.05) << "in steps of " << step << " s";

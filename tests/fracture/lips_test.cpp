@@ -49,7 +49,7 @@ class BrokenStrip {
         EXPECT_TRUE(result.converged);
         time_step->finish();
         largest_overlap = std::max(largest_overlap, time_step->lip_overlap());
-        if (sheet.release_lips()) time_step->topology_changed({});
+        if (sheet.release_apart()) time_step->topology_changed({});
         expect_no_intersection();
     }
 
@@ -165,14 +165,14 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
             x.col(v) = centre + Vector3d(arm.x() + gap, -arm.z(), arm.y());
         }
     ASSERT_NO_THROW(strip.time_step->topology_changed({}));
-    strip.sheet.release_lips();
+    strip.sheet.release_apart();
     EXPECT_FALSE(strip.sheet.mechanics().twins.empty());
     strip.time_step->topology_changed({});
     EXPECT_NO_THROW(strip.time_step->begin());
 
     for (Eigen::Index v = 0; v < x.cols(); ++v)
         if (!strip.on_left[v]) x(0, v) += test::glass.thickness;
-    EXPECT_TRUE(strip.sheet.release_lips());
+    EXPECT_TRUE(strip.sheet.release_apart());
     EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
 }
 

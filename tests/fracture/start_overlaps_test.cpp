@@ -3,38 +3,26 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <numbers>
-
 #include "core/contact/sheets/sheet_contact.h"
-#include "meshops/generate.h"
 #include "tests/support/mesh_shapes.h"
+#include "tests/support/tilted_square.h"
 
 namespace sherd {
 namespace {
 
-/// A square of side 1 m in two triangles, moved by `shift` after a turn about the x axis.
-SheetInput square(double degrees, const Vector3d& shift) {
-    SheetInput sheet;
-    sheet.mesh = generate_rectangle(1, 1, {1, Layout::structured, 1});
-    sheet.material = {2400, 0.01, 1e9, 0.2};
-    const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, Vector3d::UnitX());
-    for (const Vertex v : sheet.mesh.vertices()) {
-        const Point& p = sheet.mesh.point(v);
-        const Vector3d moved = turn * Vector3d(p.x(), p.y(), p.z()) + shift;
-        sheet.mesh.point(v) = Point(moved.x(), moved.y(), moved.z());
-    }
-    return sheet;
-}
+using test::tilted_square;
 
 TEST(StartOverlaps, NoneWhereSheetsAreAThicknessApart) {
-    EXPECT_TRUE(start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(0, {0.1, 0, 0.0101})})).empty());
+    EXPECT_TRUE(
+        start_overlaps(BreakableShell({tilted_square(0, {0, 0, 0}), tilted_square(0, {0.1, 0, 0.0101})}))
+            .empty());
 }
 
 // A sheet through the middle of large triangles, far from all their vertices and edges: distances alone would
 // not see it.
 TEST(StartOverlaps, FindsFacesThatCrossFarFromTheirVertices) {
-    const auto found = start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(90, {0.1, 0.4, -0.5})}));
+    const auto found =
+        start_overlaps(BreakableShell({tilted_square(0, {0, 0, 0}), tilted_square(90, {0.1, 0.4, -0.5})}));
     ASSERT_FALSE(found.empty());
     for (const StartOverlap& overlap : found) {
         EXPECT_LT(overlap.faces[0], overlap.faces[1]);
@@ -45,7 +33,8 @@ TEST(StartOverlaps, FindsFacesThatCrossFarFromTheirVertices) {
 }
 
 TEST(StartOverlaps, FindsFacesThatAreTooNearWithTheirDistance) {
-    const auto found = start_overlaps(BreakableShell({square(0, {0, 0, 0}), square(0, {0.1, 0.1, 0.004})}));
+    const auto found =
+        start_overlaps(BreakableShell({tilted_square(0, {0, 0, 0}), tilted_square(0, {0.1, 0.1, 0.004})}));
     ASSERT_FALSE(found.empty());
     for (const StartOverlap& overlap : found) {
         EXPECT_FALSE(overlap.crossing);
@@ -58,8 +47,8 @@ TEST(StartOverlaps, FindsFacesThatAreTooNearWithTheirDistance) {
 // Patches of one file that were not joined lie on each other at their seam; that must not keep real meshes
 // from being run.
 TEST(StartOverlaps, NoneAtASeamThatIsNotJoined) {
-    SheetInput both = square(0, {0, 0, 0});
-    both.mesh.join(square(0, {1, 0, 0}).mesh);
+    SheetInput both = tilted_square(0, {0, 0, 0});
+    both.mesh.join(tilted_square(0, {1, 0, 0}).mesh);
     const BreakableShell sheet({both});
     EXPECT_TRUE(start_overlaps(sheet).empty());
     EXPECT_EQ(sheet.mechanics().twins.size(), 2u);

@@ -66,9 +66,13 @@ void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::strin
     contact.obstacles = make_obstacles(scene, scene.obstacles, warnings);
     contact.bodies = make_bodies(scene);
     require_free_bodies(scene, contact.obstacles, contact.bodies);
+    const std::vector<Obstacle> bodies = make_obstacles(scene, scene.bodies, warnings);
     require_free_start(scene, built.inputs, built.sheets, scene.obstacles, contact.obstacles, warnings);
-    require_free_start(scene, built.inputs, built.sheets, scene.bodies,
-                       make_obstacles(scene, scene.bodies, warnings), warnings);
+    require_free_start(scene, built.inputs, built.sheets, scene.bodies, bodies, warnings);
+    if (!scene.contact.exempt) return;
+    const std::size_t first = contact.obstacles.size(), count = first + bodies.size();
+    let_sheets_overlap(built.inputs, contact.obstacles, 0, count, built.sheets);
+    let_sheets_overlap(built.inputs, bodies, first, count, built.sheets);
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 
 #include "app/words/place_words.h"
 #include "core/contact/colliders/contact_colliders.h"
+#include "core/contact/colliders/start_depth.h"
 #include "core/contact/sheets/sheet_contact.h"
+#include "fracture/start_overlaps.h"
 #include "meshops/error.h"
 #include "meshops/face_with.h"
 #include "meshops/mesh_measures.h"
@@ -24,8 +26,9 @@ constexpr double deepest_start = 0.25, noticed = 1e-3;  // of the thickness
 struct InsideObstacle {
     std::size_t count = 0;
     Vertex deepest;
-    double depth = 0;          ///< m, from where they touch on
-    std::vector<Vertex> deep;  ///< those that are too deep
+    double depth = 0;                                   ///< m, from where they touch on
+    std::vector<Vertex> deep;                           ///< those that are too deep
+    std::vector<std::pair<Index, double>> depths = {};  ///< of those that are counted, m
 };
 
 bool is_refused(const InsideObstacle& found) {
@@ -40,7 +43,10 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
             continue;
         const double thickness = input.material.thickness;
         const double depth = overlap(*obstacle.shape, pose, input.starts_at(v), 0.5 * thickness).depth;
-        found.count += depth > noticed * thickness;
+        if (depth > noticed * thickness) {
+            ++found.count;
+            found.depths.emplace_back(static_cast<Index>(v), depth);
+        }
         if (depth > deepest_start * thickness) found.deep.push_back(v);
         if (depth <= found.depth) continue;
         found.depth = depth;
@@ -94,16 +100,6 @@ std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
     return crossing;
 }
 
-/// The mesh of all sheets as they start.
-Mesh starting_mesh(const BreakableShell& all) {
-    Mesh mesh = all.mesh();
-    for (const Vertex v : mesh.vertices()) {
-        const auto at = all.mechanics().position.col(static_cast<Index>(v));
-        mesh.point(v) = Point(at.x(), at.y(), at.z());
-    }
-    return mesh;
-}
-
 /// Of each sheet, how it stands to the obstacle's surface.
 std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::size_t sheets,
                                              const Obstacle& obstacle) {
@@ -112,7 +108,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
     const Shell& mechanics = all.mechanics();
     const Positions& x = mechanics.position;
     for (const Face face :
-         faces_through(starting_mesh(all), obstacle, contact_colliders(mechanics, {obstacle})[0].around)) {
+         faces_through(placed_mesh(all), obstacle, contact_colliders(mechanics, {obstacle})[0].around)) {
         const StartFault fault = start_fault(FaultKind::across_obstacle, face, all);
         found[fault.sheet].crossing.push_back(fault);
     }
@@ -162,19 +158,45 @@ void require_free_start(const Scene& scene, const std::vector<SheetInput>& input
                         const std::vector<ObstacleSpec>& specs, const std::vector<Obstacle>& obstacles,
                         std::vector<std::string>& warnings) {
     std::vector<std::string> mistakes;
+    std::vector<std::string>& refused = scene.contact.exempt ? warnings : mistakes;
+    const std::string then = scene.contact.exempt
+                                 ? "; until it is out it is pushed only where it gets deeper, and "
+                                   "faces there do not meet the surface (contact.start)"
+                                 : "";
     const auto meetings = surface_meetings(all, inputs.size(), obstacles);
     for (std::size_t s = 0; s < inputs.size(); ++s)
         for (std::size_t o = 0; o < obstacles.size(); ++o) {
             const InsideObstacle inside_it = inside(inputs[s], obstacles[o]);
             const bool deep = is_refused(inside_it);
             if (inside_it.count > 0)
-                (deep ? mistakes : warnings)
-                    .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it));
+                (deep ? refused : warnings)
+                    .push_back(message(scene.sheets[s], inputs[s], specs[o], inside_it) + then);
             if (deep) continue;
             const SurfaceMeeting& met = meetings[o][s];
-            if (is_refused(met)) mistakes.push_back(message(scene.sheets[s], inputs[s], specs[o], met));
+            if (is_refused(met)) refused.push_back(message(scene.sheets[s], inputs[s], specs[o], met) + then);
         }
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+void let_sheets_overlap(const std::vector<SheetInput>& inputs, const std::vector<Obstacle>& obstacles,
+                        std::size_t first, std::size_t all_colliders, BreakableShell& all) {
+    const auto meetings = surface_meetings(all, inputs.size(), obstacles);
+    Index first_vertex = 0, first_face = 0;
+    for (std::size_t s = 0; s < inputs.size(); ++s) {
+        for (std::size_t o = 0; o < obstacles.size(); ++o) {
+            const auto let = [&](Index vertex, double depth, bool unseen) {
+                let_overlap(all.mechanics(), all_colliders, first + o, vertex, depth, unseen);
+            };
+            for (const auto& [vertex, depth] : inside(inputs[s], obstacles[o]).depths)
+                let(first_vertex + vertex, depth, obstacles[o].surface != nullptr);
+            for (const auto* faults : {&meetings[o][s].crossing, &meetings[o][s].near})
+                for (const StartFault& fault : *faults)
+                    for (const Index v : all.mechanics().triangles[first_face + fault.face].vertices)
+                        let(v, 0, true);
+        }
+        first_vertex += static_cast<Index>(inputs[s].mesh.number_of_vertices());
+        first_face += static_cast<Index>(inputs[s].mesh.number_of_faces());
+    }
 }
 
 std::vector<StartFault> obstacle_faults(const std::vector<SheetInput>& inputs, const BreakableShell& all,

@@ -40,8 +40,8 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
     if (std::holds_alternative<MeshFile>(sheet.mesh))
         advice =
             large ? "lengths are in m: a mesh modelled in centimetres needs scale = 0.01, one in millimetres "
-                    "scale = 0.001"
-                  : "lengths are in m: is its scale right?";
+                    "scale = 0.001; or say how large it is: size = 0.2"
+                  : "lengths are in m: is its size or scale right?";
     warnings.push_back(fmt::format("{}: sheet.{} is {:.3g} m large and {:.3g} m thick, {}; {}", sheet.where,
                                    sheet.name, size, thickness,
                                    large ? fmt::format("{:.0f} times its thickness", size / thickness)

@@ -31,16 +31,32 @@ std::string sentence(const StartOverlap& overlap, const Scene& scene, const Brea
                        overlap.needed);
 }
 
-Error not_apart(const Scene& scene, const BreakableShell& all, const std::vector<StartOverlap>& overlaps) {
+std::string sentences(const Scene& scene, const BreakableShell& all,
+                      const std::vector<StartOverlap>& overlaps) {
     std::string text;
     for (std::size_t i = 0; i < std::min(most_shown, overlaps.size()); ++i)
         text += "\n  " + sentence(overlaps[i], scene, all);
     if (overlaps.size() > most_shown)
         text += fmt::format("\n  and {} pairs more", overlaps.size() - most_shown);
+    return text;
+}
+
+Error not_apart(const Scene& scene, const BreakableShell& all, const std::vector<StartOverlap>& overlaps) {
     return Error(fmt::format(
         "{}: sheets do not start apart, with half their thickness on either side:{}\nmove the sheets, make "
-        "them thinner, or set contact.sheets = false",
-        scene.file.string(), text));
+        "them thinner, or set contact.start = \"exempt\", with which these do not collide until they are "
+        "apart",
+        scene.file.string(), sentences(scene, all, overlaps)));
+}
+
+std::string exemption(const Scene& scene, const BreakableShell& all,
+                      const std::vector<StartOverlap>& overlaps) {
+    const auto crossing = std::ranges::count_if(overlaps, &StartOverlap::crossing);
+    return fmt::format(
+        "{}: {} pairs of faces cross or touch at the start and {} are too near; they do not collide, or from "
+        "where they are on, until they are apart (contact.start = \"error\" makes this an error):{}",
+        scene.file.string(), crossing, overlaps.size() - static_cast<std::size_t>(crossing),
+        sentences(scene, all, overlaps));
 }
 
 /// A sheet, and how it has to move, m.
@@ -127,7 +143,12 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableS
     const std::vector<StartOverlap> overlaps = start_overlaps(all);
     if (overlaps.empty()) return;
     std::optional<PartedSheets> parted = part(scene, inputs, all, overlaps);
-    if (!parted) throw not_apart(scene, all, overlaps);
+    if (!parted && !scene.contact.exempt) throw not_apart(scene, all, overlaps);
+    if (!parted) {
+        warnings.push_back(exemption(scene, all, overlaps));
+        all.exempt(overlaps);
+        return;
+    }
     inputs = std::move(parted->inputs);
     all = std::move(parted->all);
     for (std::size_t s = 0; s < inputs.size(); ++s)

@@ -59,6 +59,10 @@ BendingOptions read_bending(TomlTable& table) {
 ContactSpec read_contact(TomlTable& table) {
     ContactSpec contact;
     contact.sheets = table.flag("sheets", contact.sheets);
+    if (table.has("start")) {
+        constexpr std::array<std::string_view, 2> starts{"exempt", "error"};
+        contact.exempt = table.choice("start", starts) == "exempt";
+    }
     contact.friction = table.number("friction", "", not_negative, contact.friction);
     table.finish();
     return contact;

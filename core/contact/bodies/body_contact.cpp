@@ -20,8 +20,12 @@ constexpr double round_off_of_value = 1e-12;
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
                          const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
     : shell(shell), obstacles(obstacles), gravity(gravity), started(std::move(bodies)), finished(started) {
-    for (const RigidBody& body : started)
-        pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(shell, body)) : nullptr);
+    for (std::size_t b = 0; b < started.size(); ++b)
+        pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
+}
+
+ContactSurface BodyContact::with_surface(std::size_t body) const {
+    return surface_with(shell, started[body], obstacles.size() + body);
 }
 
 void BodyContact::begin(const StepContext& step) {
@@ -32,14 +36,15 @@ void BodyContact::begin(const StepContext& step) {
 
 void BodyContact::topology_changed(const ShellChange& change, const StepContext& step) {
     for (std::size_t b = 0; b < pairs.size(); ++b)
-        if (pairs[b]) pairs[b]->surface_changed(change, surface_with(shell, started[b]));
+        if (pairs[b]) pairs[b]->surface_changed(change, with_surface(b));
     make_steps(step);
 }
 
 void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
-        steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get());
+        steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(),
+                           obstacles.size() + b);
     lag = step.lag;
     last.resize(3, 0);
     points = point_contacts(started, obstacles.size());

@@ -71,6 +71,7 @@ class BodyContact : public Energy {
     };
 
     /// Makes the bodies' potentials for the step from their poses at its beginning.
+    ContactSurface with_surface(std::size_t body) const;
     void make_steps(const StepContext& step);
     void place_obstacles(double time);
     void find_sliding(const StepContext& step);

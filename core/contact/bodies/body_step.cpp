@@ -20,19 +20,21 @@ PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
 
 }  // namespace
 
-ContactSurface surface_with(const Shell& shell, const RigidBody& body, bool springs) {
-    return ContactSurface(shell, {{body.surface.get(), body.young, body.friction, {}}}, false, springs);
+ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size_t number, bool springs) {
+    return ContactSurface(shell, {{body.surface.get(), body.young, body.friction, {}, number}}, false,
+                          springs);
 }
 
 BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity,
-                   const StepContext& step, const BodyOrigin& origin, const NearPairs* near)
+                   const StepContext& step, const BodyOrigin& origin, const NearPairs* near,
+                   std::size_t number)
     : shell(shell),
       body(body),
       near(near),
       lag(step.lag),
       origin(origin),
       inertia(body.inertia_in_space()),
-      vertices(shell, body) {
+      vertices(shell, body, number) {
     predicted = origin.pose + lag * origin.velocity;
     predicted.head<3>() += lag * lag * gravity;
     find_sliding();

@@ -14,8 +14,9 @@ namespace sherd {
 constexpr double ahead_of_contact = 0.1;
 
 /// The contact surface of the shell and of a body that has a surface, for NearPairs. springs: see
-/// ContactSurface.
-ContactSurface surface_with(const Shell& shell, const RigidBody& body, bool springs = false);
+/// ContactSurface. number: of the body in Shell::start_depths.
+ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size_t number,
+                            bool springs = false);
 
 /// The incremental potential P(x, q) of one free rigid body in one step, as a function of the positions x of
 /// the shell and the motion q of the body at its end. It consists of the body's inertia and weight (as for
@@ -26,9 +27,10 @@ class BodyStep {
   public:
     /// shell, body: as they are at the beginning of the step; origin: the body's origins in the step;
     /// gravity: m/s^2. near: pairs of the shell and the body's surface, which rests in the body's frame; null
-    /// if it has none. Shell, body and near must outlive this object.
+    /// if it has none. Shell, body and near must outlive this object. number: of the body in
+    /// Shell::start_depths.
     BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
-             const BodyOrigin& origin, const NearPairs* near = nullptr);
+             const BodyOrigin& origin, const NearPairs* near = nullptr, std::size_t number = 0);
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
     BodyPose pose(const Vector6d& q) const;

@@ -18,10 +18,10 @@ std::vector<Index> held_inside(const Shell& shell, const Obstacle& obstacle) {
 
 std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::vector<Obstacle>& obstacles) {
     std::vector<ContactCollider> colliders;
-    for (const Obstacle& obstacle : obstacles)
-        if (obstacle.surface)
+    for (std::size_t o = 0; o < obstacles.size(); ++o)
+        if (const Obstacle& obstacle = obstacles[o]; obstacle.surface)
             colliders.push_back(
-                {obstacle.surface.get(), obstacle.young, obstacle.friction, held_inside(shell, obstacle)});
+                {obstacle.surface.get(), obstacle.young, obstacle.friction, held_inside(shell, obstacle), o});
     return colliders;
 }
 

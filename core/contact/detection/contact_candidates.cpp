@@ -67,7 +67,7 @@ Vector3d between_middles(PairKind kind, const PairPositions& x) {
 }
 
 /// Vertices that became or ceased to be corners of triangles, that have another place on the sheet, or whose
-/// twins changed.
+/// twins, or those near since the start, changed.
 std::vector<char> changed_vertices(const ShellChange& change, const ContactSurface& before,
                                    const ContactSurface& after) {
     std::vector<char> changed(after.vertices(), 0);
@@ -81,9 +81,15 @@ std::vector<char> changed_vertices(const ShellChange& change, const ContactSurfa
     for (const auto& [face, parents] : change.reshaped)
         for (const Index v : after.triangles()[face]) changed[v] = 1;
     std::vector<std::array<Index, 2>> twins;
-    std::set_symmetric_difference(before.twins().begin(), before.twins().end(), after.twins().begin(),
-                                  after.twins().end(), std::back_inserter(twins));
+    std::ranges::set_symmetric_difference(before.twins(), after.twins(), std::back_inserter(twins));
     for (const auto& [a, b] : twins) changed[a] = changed[b] = 1;
+    std::vector<NearVertices> near;
+    std::ranges::set_symmetric_difference(before.near_vertices(), after.near_vertices(),
+                                          std::back_inserter(near));
+    for (const auto& [vertices, reach] : near) changed[vertices[0]] = changed[vertices[1]] = 1;
+    for (std::size_t c = 0; c < after.collider_count(); ++c)
+        for (Index v = before.collider_vertices(); v < before.vertices(); ++v)
+            if (before.is_unseen(c, v) != after.is_unseen(c, v)) changed[v] = 1;
     return changed;
 }
 

@@ -24,7 +24,7 @@ class ContactCandidates {
     /// neighbourhood. They are ascending, vertex-triangle pairs first.
     std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller);
     /// Searches pairs again where triangles have other vertices or another place on the sheet, or where
-    /// vertices gained or lost twins.
+    /// vertices gained or lost twins or others that are near since the start.
     void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
                 ColliderTrees& colliders);
 

@@ -2,6 +2,7 @@
 #include "core/contact/detection/contact_surface.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "core/contact/geometry/surface_edges.h"
@@ -29,13 +30,29 @@ double width_of(const std::vector<std::array<Index, 2>>& edges, const std::vecto
 
 }  // namespace
 
+double half_thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices) {
+    return 0.5 * (shell.thickness[vertices[0]] + shell.thickness[vertices[vertices_of_first(kind)]]);
+}
+
+double activation_distance_of_sheets(const Shell& shell, PairKind kind,
+                                     const std::array<Index, 4>& vertices) {
+    const double together = half_thicknesses(shell, kind, vertices);
+    if (shell.vertex_sheet[vertices[0]] != shell.vertex_sheet[vertices[vertices_of_first(kind)]])
+        return together;
+    const PairPositions rest = columns(shell.rest, vertices);
+    const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
+    // Lips of a crack have distance zero at rest; whoever opened the crack has passed them on to the barrier.
+    return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
+}
+
 ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactCollider>& colliders,
                                bool sheets_meet, bool springs)
     : shell(&shell),
       colliders(colliders),
       sheets(sheets_meet),
       springs(springs),
-      has_twin(shell.rest.cols(), 0) {
+      has_twin(shell.rest.cols(), 0),
+      is_near(shell.rest.cols(), 0) {
     add_colliders();
     const Index start = collider_vertices();
     for (const TriangleStencil& stencil : shell.triangles)
@@ -47,6 +64,15 @@ ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactColl
         has_twin[a] = has_twin[b] = 1;
     }
     std::sort(twin.begin(), twin.end());
+    for (const auto& [vertices, reach] : shell.near) {
+        const auto [a, b] = vertices;
+        near.push_back({shifted(std::array{a, b}, start), reach});
+        near.push_back({shifted(std::array{b, a}, start), reach});
+        is_near[a] = is_near[b] = 1;
+    }
+    std::sort(near.begin(), near.end());
+    for (const ContactCollider& met : colliders)
+        if (!shell.start_depths.empty()) unseen.push_back(shell.start_depths[met.number].unseen);
 }
 
 void ContactSurface::add_colliders() {
@@ -83,11 +109,19 @@ bool ContactSurface::joined(Index a, Index b) const {
                       std::binary_search(twin.begin(), twin.end(), std::array{a, b}));
 }
 
+double ContactSurface::reach(Index a, Index b) const {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    if (!is_near[of_sheet(a)] || !is_near[of_sheet(b)]) return unlimited;
+    const auto found = std::ranges::lower_bound(near, std::array{a, b}, {}, &NearVertices::vertices);
+    return found != near.end() && found->vertices == std::array{a, b} ? found->reach : unlimited;
+}
+
 bool ContactSurface::apart(PairKind kind, const std::array<Index, 4>& vertices) const {
     if (const ContactCollider* met = collider_of(kind, vertices))
         return std::any_of(vertices.begin(), vertices.end(), [&](Index vertex) {
             return !of_collider(vertex) &&
-                   std::binary_search(met->around.begin(), met->around.end(), of_sheet(vertex));
+                   (is_unseen(met - colliders.data(), vertex) ||
+                    std::binary_search(met->around.begin(), met->around.end(), of_sheet(vertex)));
         });
     const int first = vertices_of_first(kind);
     for (int i = 0; i < first; ++i)
@@ -108,14 +142,12 @@ double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vert
 }
 
 double ContactSurface::activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const {
-    const double together = thickness(kind, vertices);
-    if (collider_of(kind, vertices)) return share_of_collider * together;
-    const std::array<Index, 4> mine = shifted(vertices, -collider_vertices());
-    if (shell->vertex_sheet[mine[0]] != shell->vertex_sheet[mine[vertices_of_first(kind)]]) return together;
-    const PairPositions rest = columns(shell->rest, mine);
-    const double at_rest = std::sqrt(squared_distance(closest_points(kind, rest), rest));
-    // Lips of a crack have distance zero at rest; whoever opened the crack has passed them on to the barrier.
-    return at_rest > 0 ? std::min(together, share_of_rest * at_rest) : together;
+    if (collider_of(kind, vertices)) return share_of_collider * thickness(kind, vertices);
+    double least = activation_distance_of_sheets(*shell, kind, shifted(vertices, -collider_vertices()));
+    const int first = vertices_of_first(kind);
+    for (int i = 0; i < first && !near.empty(); ++i)
+        for (int j = first; j < 4; ++j) least = std::min(least, reach(vertices[i], vertices[j]));
+    return least;
 }
 
 double ContactSurface::footprint(Index vertex) const {

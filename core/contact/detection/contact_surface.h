@@ -16,7 +16,13 @@ struct ContactCollider {
     double friction = 0;  ///< Coulomb coefficient
     std::vector<Index> around =
         {};  ///< ascending, vertices of sheets that are held inside it and do not collide with it
+    std::size_t number = 0;  ///< in Shell::start_depths
 };
+
+/// Half the sum of the thicknesses, and the activation distance, m, of two elements of sheets that are given
+/// by their vertices in the order of PairPositions, as ContactSurface says.
+double half_thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices);
+double activation_distance_of_sheets(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices);
 
 /// The triangles and edges of sheets and of colliders between which contact acts, with their stiffness and
 /// thickness. Vertices are numbered consecutively, those of the colliders first, then those of the sheets.
@@ -57,6 +63,13 @@ class ContactSurface {
     const std::vector<std::array<Index, 2>>& edges() const { return edge; }  ///< ascending
     /// Pairs of twins in both orders, ascending.
     const std::vector<std::array<Index, 2>>& twins() const { return twin; }
+    /// Whether elements with this vertex of sheets do not meet a collider's surface since the start.
+    bool is_unseen(std::size_t of_collider, Index vertex) const {
+        return !unseen.empty() && unseen[of_collider][of_sheet(vertex)] != 0;
+    }
+    std::size_t collider_count() const { return colliders.size(); }
+    /// Pairs of vertices that are near since the start, in both orders, ascending.
+    const std::vector<NearVertices>& near_vertices() const { return near; }
     // These describe the colliders, one collider after the other:
     const std::vector<std::array<Index, 3>>& collider_triangles() const { return collider_triangle; }
     const std::vector<std::array<Index, 2>>& collider_edges() const { return collider_edge; }  ///< ascending
@@ -77,7 +90,8 @@ class ContactSurface {
     bool apart(PairKind kind, const std::array<Index, 4>& vertices) const;
     /// Half the sum of their thicknesses, m.
     double thickness(PairKind kind, const std::array<Index, 4>& vertices) const;
-    /// The activation distance, m.
+    /// The activation distance, m; of elements with vertices that are near since the start at most their
+    /// reach.
     double activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const;
     ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double activation_distance) const;
     /// The collider that one of the elements belongs to; null if none does.
@@ -85,7 +99,8 @@ class ContactSurface {
 
   private:
     Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }
-    bool joined(Index a, Index b) const;  ///< whether they are the same vertex or twins
+    bool joined(Index a, Index b) const;   ///< whether they are the same vertex or twins
+    double reach(Index a, Index b) const;  ///< m, of NearVertices; infinite if they are none
     double edge_width(Index a, Index b) const;
     double rest_length(Index a, Index b) const;
     double footprint(Index vertex) const;
@@ -105,7 +120,9 @@ class ContactSurface {
     std::vector<std::array<Index, 3>> triangle, collider_triangle;
     std::vector<std::array<Index, 2>> edge, collider_edge, twin;
     std::vector<double> width, collider_width;  ///< m, of each edge
-    std::vector<char> has_twin;                 ///< of each vertex of sheets
+    std::vector<std::vector<char>> unseen;  ///< by each collider, each vertex of sheets; empty: all are seen
+    std::vector<NearVertices> near;
+    std::vector<char> has_twin, is_near;  ///< of each vertex of sheets
 };
 
 }  // namespace sherd

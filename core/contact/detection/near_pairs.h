@@ -21,7 +21,8 @@ class NearPairs {
     const std::vector<ContactPair>& active_pairs(const Positions& x) const;
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance.
     double safe_fraction(const Positions& x, const Positions& motion) const;
-    /// A superset of the pairs that are active somewhere between x and x + motion, valid until the next call.
+    /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
+    /// nearer there than a tenth of the thinnest sheet's thickness; valid until the next call.
     const std::vector<ContactPair>& candidates(const Positions& x, const Positions& motion) const;
     /// The pairs that may be active somewhere in a straight motion from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;

@@ -16,16 +16,19 @@ namespace sherd {
 ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies,
                                const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
     : shell(shell), obstacles(obstacles), gravity(gravity), all(std::move(bodies)), started(all) {
-    for (const RigidBody& body : all) {
-        at_vertices.emplace_back(shell, body);
-        pairs.push_back(body.surface ? std::make_unique<NearPairs>(surface_with(shell, body, true))
-                                     : nullptr);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        at_vertices.emplace_back(shell, all[b], obstacles.size() + b);
+        pairs.push_back(all[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
     }
     points = point_contacts(all, obstacles.size());
     forces.resize(all.size());
     friction.resize(all.size());
     moved.resize(all.size());
     measure_triangles();
+}
+
+ContactSurface ExplicitBodies::with_surface(std::size_t body) const {
+    return surface_with(shell, all[body], obstacles.size() + body, true);
 }
 
 void ExplicitBodies::measure_triangles() {
@@ -35,7 +38,7 @@ void ExplicitBodies::measure_triangles() {
 
 void ExplicitBodies::shell_changed(const ShellChange& change) {
     for (std::size_t b = 0; b < all.size(); ++b)
-        if (pairs[b]) pairs[b]->surface_changed(change, surface_with(shell, all[b], true));
+        if (pairs[b]) pairs[b]->surface_changed(change, with_surface(b));
     measure_triangles();
 }
 

@@ -73,6 +73,7 @@ class ExplicitBodies {
     /// an obstacle, numbered after the bodies.
     template <class Add>
     void each_point(std::span<const Eigen::Isometry3d> places, Add add) const;
+    ContactSurface with_surface(std::size_t body) const;
     void measure_triangles();
     /// The share of a body in the mobility of pair_friction(), 1/kg; force: those along the slip, on it.
     double mobility(std::size_t body, const Force& force) const;

@@ -17,7 +17,7 @@ ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const
       bodies(shell, options.bodies, options.obstacles, gravity),
       lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
-    for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle);
+    for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());
     place(0, 0);
     const bool surfaces =
         std::ranges::any_of(obstacles, [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });

@@ -10,9 +10,9 @@ namespace sherd {
 /// VertexContact of the shell and an obstacle in one step, with the obstacle where it is at the step's end.
 class ObstacleContact : public Energy {
   public:
-    /// Shell and obstacle must outlive this object.
-    ObstacleContact(const Shell& shell, const Obstacle& obstacle)
-        : shell(shell), obstacle(obstacle), contact(shell, obstacle) {}
+    /// Shell and obstacle must outlive this object. number: of the obstacle.
+    ObstacleContact(const Shell& shell, const Obstacle& obstacle, std::size_t number = 0)
+        : shell(shell), obstacle(obstacle), contact(shell, obstacle, number) {}
     void begin(const StepContext& step) override;
     double value(const Positions& x) const override;  ///< J, with the friction potential
     void add_gradient(const Positions& x, Positions& gradient) const override;

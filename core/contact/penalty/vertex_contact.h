@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/contact/colliders/start_depth.h"
 #include "core/contact/colliders/touch.h"
 #include "core/contact/penalty/point_force.h"
 #include "core/shell/shell.h"
@@ -22,8 +23,9 @@ namespace sherd {
 /// that Newton's method sees one function).
 class VertexContact {
   public:
-    /// Shell and collider must outlive this object.
-    VertexContact(const Shell& shell, const Collider& collider) : shell(shell), collider(collider) {}
+    /// Shell and collider must outlive this object. number: of the collider in shell.start_depths.
+    VertexContact(const Shell& shell, const Collider& collider, std::size_t number)
+        : shell(shell), collider(collider), number(number) {}
 
     /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
     /// anchor(vertex, x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in
@@ -67,10 +69,12 @@ class VertexContact {
                 largest = std::max(largest, stiffness(v) / shell.mass[v]);
         return largest;
     }
-    /// Overlap of a vertex with the collider; margin: m, added to half the thickness.
+    /// Overlap of a vertex with the collider beyond what there is since the start; margin: m, added to half
+    /// the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
                     double margin = 0) const {
-        return sherd::overlap(*collider.shape, pose, x.col(vertex), 0.5 * shell.thickness[vertex] + margin);
+        const double reach = 0.5 * shell.thickness[vertex] + margin - start_depth(shell, number, vertex);
+        return sherd::overlap(*collider.shape, pose, x.col(vertex), reach);
     }
 
   private:
@@ -85,6 +89,7 @@ class VertexContact {
 
     const Shell& shell;
     const Collider& collider;
+    std::size_t number;
     std::vector<Sliding> sliding;
 };
 

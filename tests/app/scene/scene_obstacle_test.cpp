@@ -232,7 +232,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     const auto outcome = [&](const std::string& command, double height) {
         directory.write("scene.toml",
                         resting_plate + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
-        return run_sherd({command, "scene.toml"}, directory.path);
+        return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
         const ProgramResult deep = outcome(command, 0.9995);
@@ -250,13 +250,23 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     EXPECT_EQ(outcome("check", 0.998).out.find("start inside"), std::string::npos) << "it lies on the plane";
 }
 
+// Unless proof is asked for, it runs, and is neither flung out nor falls through.
+TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", resting_plate + "plane = { point = [0, 0, 0.9995] }\n");
+    const ProgramResult run = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("the deepest, 0.0015 m beyond touching"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("it is pushed only where it gets deeper"), std::string::npos) << run.err;
+}
+
 // The corner of a box between the vertices of a face: none of them is inside, and yet nothing good could
 // come.
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
         directory.write("scene.toml", resting_plate + "box = " + box + "\n");
-        return run_sherd({command, "scene.toml"}, directory.path);
+        return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
         const ProgramResult across =
@@ -282,7 +292,7 @@ TEST(SceneObstacle, OfSeveralSheetsTheOneThatIsInTheWayIsNamed) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n");
     const auto scene_with = [&](const std::string& box) {
-        std::string text = "duration = 0.002\n";
+        std::string text = "duration = 0.002\ncontact.start = \"error\"\n";
         for (const char* x : {"0", "1", "2"})
             text += "[sheet.at" + std::string(x) + "]\nmesh = \"square.obj\"\nplace.translate = [" + x +
                     ", 0, 1]\nmaterial = { preset = \"stoneware\" }\n";

@@ -38,9 +38,12 @@ struct Parted {
     bool apart = false;
 };
 
-Parted parted(const std::string& sheets, const std::string& head = "") {
+const std::string strict = "contact.start = \"error\"\n";
+
+Parted parted(const std::string& sheets, const std::string& head = "", const std::string& contact = strict) {
     const TemporaryDirectory directory;
-    const Scene scene = read_scene(directory.write("scene.toml", "duration = 0.1\n" + head + sheets));
+    const Scene scene =
+        read_scene(directory.write("scene.toml", "duration = 0.1\n" + head + contact + sheets));
     Parted result;
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) inputs.push_back(make_sheet(sheet, scene, result.warnings));
@@ -128,6 +131,20 @@ TEST(SheetParting, AWedgedSheetIsRefused) {
                                 square("c", at_height(1.96 * thickness), pin));
     EXPECT_NE(three.error.find("do not start apart"), std::string::npos) << three.error;
     EXPECT_EQ(three.moved, (std::vector<double>{0, 0, 0}));
+}
+
+// Unless a scene asks for proof, the same sheets run, with a warning that says which do not see each other.
+TEST(SheetParting, WhatCannotBePartedIsExemptByDefault) {
+    const Parted crossing =
+        parted(square("a", at_height(0)) +
+                   square("b", "translate = [0, 0.3, -0.5], rotate = { axis = [1, 0, 0], degrees = 90 }"),
+               "", "");
+    EXPECT_EQ(crossing.error, "");
+    EXPECT_TRUE(crossing.apart) << "what is exempt still overlaps";
+    EXPECT_EQ(crossing.moved, (std::vector<double>{0, 0}));
+    ASSERT_EQ(crossing.warnings.size(), 1u);
+    EXPECT_NE(crossing.warnings[0].find("they do not collide"), std::string::npos) << crossing.warnings[0];
+    EXPECT_NE(crossing.warnings[0].find("cross or touch"), std::string::npos);
 }
 
 // The axes of a run whose sheets were moved are made from the scene again, in which they are not.

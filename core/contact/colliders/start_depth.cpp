@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/colliders/start_depth.h"
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+/// m, of each vertex: the longest edge of its triangles.
+VectorXd longest_edges(const Shell& shell) {
+    VectorXd longest = VectorXd::Zero(shell.position.cols());
+    for (const TriangleStencil& triangle : shell.triangles)
+        for (int i = 0; i < 3; ++i) {
+            const Index a = triangle.vertices[i], b = triangle.vertices[(i + 1) % 3];
+            const double length = (shell.position.col(a) - shell.position.col(b)).norm();
+            longest[a] = std::max(longest[a], length);
+            longest[b] = std::max(longest[b], length);
+        }
+    return longest;
+}
+
+/// Depth, m, of a vertex in a shape at a pose, beyond touching, of a sheet that is thicker by twice `margin`.
+double depth(const Shell& shell, const Collider& collider, const Eigen::Isometry3d& pose, Index vertex,
+             double margin = 0) {
+    return overlap(*collider.shape, pose, shell.position.col(vertex), 0.5 * shell.thickness[vertex] + margin)
+        .depth;
+}
+
+bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eigen::Isometry3d& pose) {
+    for (Index v = 0; v < static_cast<Index>(start.depth.size()); ++v)
+        if (start.depth[v] > 0) start.depth[v] = std::min(start.depth[v], depth(shell, collider, pose, v));
+    if (std::ranges::find(start.unseen, char(1)) == start.unseen.end()) return false;
+    bool any = false;
+    const VectorXd reach = longest_edges(shell);
+    for (Index v = 0; v < static_cast<Index>(start.unseen.size()); ++v)
+        if (start.unseen[v] && depth(shell, collider, pose, v, reach[v]) <= 0) {
+            start.unseen[v] = 0;
+            any = true;
+        }
+    return any;
+}
+
+bool is_over(const StartDepth& start) {
+    return start.depth.maxCoeff() <= 0 && std::ranges::find(start.unseen, char(1)) == start.unseen.end();
+}
+
+}  // namespace
+
+void let_overlap(Shell& shell, std::size_t colliders, std::size_t collider, Index vertex, double depth,
+                 bool unseen) {
+    if (shell.start_depths.empty())
+        shell.start_depths.assign(
+            colliders, {VectorXd::Zero(shell.position.cols()), std::vector<char>(shell.position.cols(), 0)});
+    StartDepth& start = shell.start_depths[collider];
+    start.depth[vertex] = std::max(start.depth[vertex], depth);
+    if (unseen) start.unseen[vertex] = 1;
+}
+
+bool shrink_start_depths(Shell& shell, const std::vector<Obstacle>& obstacles,
+                         std::span<const RigidBody> bodies, double time) {
+    if (shell.start_depths.empty()) return false;
+    bool any = false;
+    for (std::size_t c = 0; c < shell.start_depths.size(); ++c) {
+        const bool is_free = c >= obstacles.size();
+        const Collider& collider = is_free ? static_cast<const Collider&>(bodies[c - obstacles.size()])
+                                           : static_cast<const Collider&>(obstacles[c]);
+        const Eigen::Isometry3d pose =
+            is_free ? bodies[c - obstacles.size()].pose() : obstacles[c].motion.at(time);
+        any |= shrink(shell, shell.start_depths[c], collider, pose);
+    }
+    if (std::ranges::all_of(shell.start_depths, is_over)) shell.start_depths.clear();
+    return any;
+}
+
+}  // namespace sherd
