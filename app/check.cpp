@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "app/commands.h"
@@ -72,7 +73,8 @@ void print_toughness(const Toughness& toughness) {
 }
 
 SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
-    SheetInput input = make_sheet(sheet, scene, warnings);
+    std::string remeshed;
+    SheetInput input = make_sheet(sheet, scene, warnings, &remeshed);
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
     fmt::print("sheet {}\n", sheet.name);
@@ -84,8 +86,9 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
                m.area * sheet.material.thickness * sheet.material.density);
     fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
                m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
-    fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m\n", m.mean_edge, m.smallest_edge,
-               m.largest_edge);
+    fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
+               m.mean_edge, m.smallest_edge, m.largest_edge, m.smallest_angle * 180 / std::numbers::pi);
+    if (!remeshed.empty()) fmt::print("  {}\n", remeshed);
     print_strength(sheet, input.strength);
     print_toughness(input.toughness);
     return input;

@@ -53,7 +53,9 @@ std::vector<const SheetSpec*> chosen_sheets(const Scene& scene, const std::strin
 
 TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     std::vector<std::string> warnings;
-    TriangleSheet mesh = triangle_sheet(make_unplaced_mesh(sheet, scene, warnings));
+    std::string remeshed;
+    TriangleSheet mesh = triangle_sheet(make_unplaced_mesh(sheet, scene, warnings, &remeshed));
+    if (!remeshed.empty()) fmt::print(stderr, "sherd: sheet.{}: {}\n", sheet.name, remeshed);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     if (!placed) return mesh;
     for (Vector3d& point : mesh.points) point = sheet.place * point;

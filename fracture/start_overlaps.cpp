@@ -7,6 +7,7 @@
 
 #include "core/contact/sheets/sheet_contact.h"
 #include "meshops/face_with.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/self_intersections.h"
 
 namespace sherd {
@@ -53,7 +54,7 @@ Mesh placed_mesh(const BreakableShell& shell) {
     Mesh mesh = shell.mesh();
     for (const Vertex v : mesh.vertices()) {
         const auto at = shell.mechanics().position.col(static_cast<Index>(v));
-        mesh.point(v) = Point(at.x(), at.y(), at.z());
+        mesh.point(v) = point_at(at);
     }
     return mesh;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include "meshops/mesh_measures.h"
 #include "meshops/self_intersections.h"
 
 namespace sherd {
@@ -13,7 +14,7 @@ namespace {
 
 /// Fills the mesh. Returns false if the triangles do not form a manifold.
 bool fill(Mesh& mesh, const TriangleSheet& body) {
-    for (const auto& p : body.points) mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+    for (const auto& p : body.points) mesh.add_vertex(point_at(p));
     for (const auto& [a, b, c] : body.triangles)
         if (mesh.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face()) return false;
     return CGAL::is_valid_polygon_mesh(mesh);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/random.h"
 #include "meshops/revolution.h"
 #include "meshops/spacing.h"
@@ -96,7 +97,7 @@ Mesh grid(std::size_t nx, std::size_t ny, bool is_closed, Position position) {
     for (std::size_t j = 0; j <= ny; ++j) {
         for (std::size_t i = 0; i < columns; ++i) {
             const Vector3d p = position(double(i) / double(nx), double(j) / double(ny));
-            mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+            mesh.add_vertex(point_at(p));
         }
     }
     const auto vertex = [&](std::size_t i, std::size_t j) {

@@ -86,7 +86,11 @@ MeshMeasures measure(const Mesh& mesh) {
         measures.largest_edge = std::max(measures.largest_edge, length);
         measures.mean_edge += length / static_cast<double>(mesh.number_of_edges());
     }
-    for (const Face f : mesh.faces()) measures.area += face_area(mesh, f);
+    measures.smallest_angle = infinity;
+    for (const Face f : mesh.faces()) {
+        measures.area += face_area(mesh, f);
+        measures.smallest_angle = std::min(measures.smallest_angle, smallest_angle(face_points(mesh, f)));
+    }
     measures.boundary_loops = count_boundary_loops(mesh);
     return measures;
 }

@@ -14,6 +14,10 @@ inline Eigen::Vector3d position(const Mesh& mesh, Vertex v) {
     return {p.x(), p.y(), p.z()};
 }
 
+inline Point point_at(const Eigen::Vector3d& place) {
+    return {place.x(), place.y(), place.z()};
+}
+
 Eigen::Vector3d centroid(const Mesh& mesh, Face face);  ///< m
 double face_area(const Mesh& mesh, Face face);          ///< m^2
 /// The corners of a face, in the order of mesh.vertices_around_face(mesh.halfedge(face)).
@@ -33,6 +37,7 @@ double mean_edge_at(const Mesh& mesh, Vertex vertex);  ///< mean length of the v
 struct MeshMeasures {
     double area = 0;
     double smallest_edge = 0, mean_edge = 0, largest_edge = 0;
+    double smallest_angle = 0;     ///< rad
     Eigen::Vector3d lower, upper;  ///< corners of the bounding box
     int boundary_loops = 0;
 };

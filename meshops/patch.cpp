@@ -7,36 +7,13 @@
 #include <numbers>
 #include <set>
 
-#include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/property_border.h"
 
 namespace sherd {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Texture coordinates of the face at h at both ends of h.
-std::array<Eigen::Vector2d, 2> texture_along(const Mesh& mesh, Halfedge h, const FaceTexture& texture) {
-    const std::array<Vertex, 3> corners = face_corners(mesh, mesh.face(h));
-    const auto at = [&](Vertex v) { return texture[corner_number(corners, v)]; };
-    return {at(mesh.source(h)), at(mesh.target(h))};
-}
-
-bool is_seam(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
-    if (!exists) return false;
-    const auto here = texture_along(mesh, h, texture[mesh.face(h)]);
-    const auto there = texture_along(mesh, other, texture[mesh.face(other)]);
-    return here[0] != there[1] || here[1] != there[0];
-}
-
-bool separates_groups(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
-    if (!exists) return false;
-    const GroupNames &here = groups[mesh.face(h)], &there = groups[mesh.face(other)];
-    if (!here || !there) return here != there;
-    return *here != *there;
-}
 
 std::set<Vertex> with_neighbours(const Mesh& mesh, const std::set<Vertex>& vertices) {
     std::set<Vertex> all = vertices;
@@ -93,8 +70,7 @@ bool is_kept_line(const Mesh& mesh, Edge edge, const KeptLines& lines) {
     const Halfedge h = mesh.halfedge(edge), other = mesh.opposite(h);
     const Vector3d normal = triangle_normal(face_points(mesh, mesh.face(h))).normalized();
     const Vector3d next = triangle_normal(face_points(mesh, mesh.face(other))).normalized();
-    return normal.dot(next) < std::cos(lines.crease * std::numbers::pi / 180) || is_seam(mesh, h, other) ||
-           separates_groups(mesh, h, other);
+    return normal.dot(next) < std::cos(lines.crease * std::numbers::pi / 180) || is_property_border(mesh, h);
 }
 
 Vertex Patch::local(Vertex vertex) const {

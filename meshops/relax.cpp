@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "meshops/error.h"
+#include "meshops/mesh_measures.h"
 #include "meshops/surface.h"
 
 namespace sherd {
@@ -155,7 +156,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
 
 Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& triangles) {
     Mesh mesh;
-    for (const Vector3d& p : place) mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+    for (const Vector3d& p : place) mesh.add_vertex(point_at(p));
     for (const Corners& corners : triangles) {
         std::array<Vertex, 3> face;
         std::ranges::transform(corners, face.begin(),

@@ -18,10 +18,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Point to_point(const Vector3d& p) {
-    return {p.x(), p.y(), p.z()};
-}
-
 bool has_corner(const Mesh& mesh, Face face, Vertex vertex) {
     return corner_number(face_corners(mesh, face), vertex) < 3;
 }
@@ -99,7 +95,7 @@ void Retriangulation::put(Vertex vertex, const VertexWeights& weights) {
     Vector3d place = Vector3d::Zero();
     for (const auto& [parent, weight] : weights) place += weight * old_position(parent);
     if (vertex.idx() < old_vertices) origin.try_emplace(vertex, position(mesh, vertex));
-    mesh.point(vertex) = to_point(place);
+    mesh.point(vertex) = point_at(place);
     places[vertex] = weights;
 }
 

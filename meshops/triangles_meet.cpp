@@ -3,16 +3,12 @@
 
 #include <CGAL/intersections.h>
 
-#include "meshops/mesh.h"
+#include "meshops/mesh_measures.h"
 
 namespace sherd {
 namespace {
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
-
-Point point_at(const Eigen::Vector3d& at) {
-    return {at.x(), at.y(), at.z()};
-}
 
 /// Whether there is a gap between their bounding boxes, as between most.
 bool boxes_part(const TriangleCorners& a, const TriangleCorners& b) {

@@ -72,11 +72,11 @@ Scene with_edges(Scene scene, double times) {
             generated->edge_length *= times;
             continue;
         }
-        double& remesh = std::get<MeshFile>(sheet.mesh).remesh;
-        if (remesh == 0)
+        std::optional<RemeshOptions>& remesh = std::get<MeshFile>(sheet.mesh).remesh;
+        if (!remesh)
             throw Error(
                 fmt::format("{}: a mesh from a file has no other edges: give it a remesh", sheet.where));
-        remesh *= times;
+        remesh->edge_length *= times;
     }
     return scene;
 }

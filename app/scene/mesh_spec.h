@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/vector.h"
 #include "meshops/polygon.h"
+#include "meshops/remesh.h"
 
 namespace sherd {
 
@@ -29,7 +31,7 @@ struct MeshFile {
     bool join = false;           ///< join duplicate points
     double scale = 1;            ///< metres per unit of the file; with `size` what makes the mesh that large
     bool has_size = false;       ///< whether the scene says `scale` or `size`
-    double remesh = 0;           ///< m, target edge length; 0: as it is
+    std::optional<RemeshOptions> remesh;  ///< none: as it is
 };
 
 /// The most faces of a mesh that a scene may ask for. Where there are more, a mistyped edge length is more

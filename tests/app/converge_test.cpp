@@ -68,7 +68,7 @@ TEST(Outcome, StepsAndMeshesThatCannotBeCoarserSaySo) {
     EXPECT_EQ(with_steps(scene, 2).solver.step, 0.5);
     EXPECT_NE(thrown_by([&] { with_steps(scene, 8); }).find("longer than the run"), std::string::npos);
     Scene from_file = scene;
-    from_file.sheets[0].mesh = MeshFile{"strip.obj"};
+    from_file.sheets[0].mesh = MeshFile{.path = "strip.obj", .remesh = {}};
     EXPECT_NE(thrown_by([&] { with_edges(from_file, 2); }).find("remesh"), std::string::npos);
 }
 

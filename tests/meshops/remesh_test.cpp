@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/generate.h"
+#include "meshops/random.h"
 #include "meshops/self_intersections.h"
 #include "tests/support/mesh_quality.h"
 
@@ -35,7 +39,7 @@ GenerateOptions structured(double edge_length) {
 // Finer and coarser than what comes in, with straight borders that end in corners.
 TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     for (const double edge_length : {0.03, 0.15}) {
-        const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), edge_length).mesh;
+        const Mesh mesh = remesh(generate_rectangle(1, 1, structured(0.07)), {edge_length}).mesh;
         const auto quality = test::mesh_quality(mesh);
         std::cout << edge_length << ": " << mesh.number_of_faces() << " faces, angles "
                   << quality.smallest_angle << ", " << quality.mean_smallest_angle << ", edge "
@@ -48,7 +52,6 @@ TEST(Remesh, KeepsAreaAndCornersOfARectangle) {
     }
 }
 
-// A remeshed box whose edges are cut off is no box any more.
 /// A bowl of two walls, 0.3 mm apart.
 Mesh double_bowl(double edge_length) {
     std::vector<Eigen::Vector2d> profile;
@@ -65,22 +68,94 @@ Mesh double_bowl(double edge_length) {
 TEST(Remesh, ThinWallsThatWouldCrossStay) {
     const Mesh bowl = double_bowl(0.004);
     ASSERT_TRUE(self_intersections(bowl).empty());
-    const Remeshed result = remesh(bowl, 0.012);
+    const Remeshed result = remesh(bowl, {0.012, 30, false});
     EXPECT_TRUE(self_intersections(result.mesh).empty());
     EXPECT_EQ(result.crossings, 0u);
     EXPECT_GT(result.kept, 0u);
     EXPECT_TRUE(result.mesh.is_valid(false));
 }
 
+// Solvers take more iterations, and explicit steps more steps, on flat triangles: nothing here forces any.
+TEST(Remesh, MakesNoSmallAngles) {
+    for (const double edge_length : {0.02, 0.05, 0.12}) {
+        const Mesh ball = generate_sphere(0.3, {0.04, Layout::delaunay, 1});
+        const Mesh square = generate_rectangle(1, 1, structured(0.1));
+        EXPECT_GT(test::mesh_quality(remesh(ball, {edge_length}).mesh).smallest_angle, 20) << edge_length;
+        EXPECT_GT(test::mesh_quality(remesh(square, {edge_length}).mesh).smallest_angle, 20) << edge_length;
+    }
+}
+
+// A crack prefers the directions of a lattice: what came as a grid must not stay one.
+TEST(Remesh, TakesTheOrderFromAGrid) {
+    const Mesh in = generate_rectangle(1, 1, structured(0.04));
+    EXPECT_GT(test::mesh_quality(in).order, 0.3);
+    EXPECT_LT(test::mesh_quality(remesh(in, {0.04}).mesh).order, 0.1);
+}
+
+/// A plate of 0.4 x 0.1 m that ends in a quarter of a tube of this radius (m).
+Mesh hook(double radius) {
+    Mesh mesh = generate_rectangle(0.4, 0.1, structured(0.005));
+    const double bent = radius * std::numbers::pi / 2;
+    for (const Vertex v : mesh.vertices()) {
+        const Point& p = mesh.point(v);
+        const double angle = std::clamp((p.x() - 0.2) / radius, 0.0, std::numbers::pi / 2);
+        const double beyond = std::max(0.0, p.x() - 0.2 - bent);
+        mesh.point(v) = Point(std::min(p.x(), 0.2) + radius * std::sin(angle), p.y(),
+                              radius * (1 - std::cos(angle)) + beyond);
+    }
+    return mesh;
+}
+
+// Where a plate is bent on the scale of an edge, long edges would cut the corner.
+TEST(Remesh, EdgesAreShorterWhereItIsCurved) {
+    const Mesh in = hook(0.02);
+    const Remeshed fixed = remesh(in, {0.04, 30, false}), adaptive = remesh(in, {0.04, 30, true});
+    EXPECT_LT(adaptive.distance, 0.75 * fixed.distance);
+    EXPECT_GT(adaptive.mesh.number_of_faces(), fixed.mesh.number_of_faces());
+    EXPECT_LT(adaptive.mesh.number_of_faces(), in.number_of_faces() / 4) << "the flat has long edges";
+    EXPECT_GT(test::mesh_quality(adaptive.mesh).smallest_angle, 20);
+}
+
+// Scanners' noise bends edges, but is no crease that has to be kept.
+TEST(Remesh, NoiseIsNoFeature) {
+    Mesh ball = generate_sphere(0.1, {0.004, Layout::delaunay, 1});
+    Random random(1);
+    for (const Vertex v : ball.vertices()) {
+        const double swell = 1 + 0.016 * (random.uniform() - 0.5);
+        const Point& p = ball.point(v);
+        ball.point(v) = Point(swell * p.x(), swell * p.y(), swell * p.z());
+    }
+    const Mesh result = remesh(ball, {0.016}).mesh;
+    EXPECT_LT(result.number_of_faces(), ball.number_of_faces() / 6);
+    EXPECT_GT(test::mesh_quality(result).smallest_angle, 20);
+}
+
+// The hole of a thin handle is a hole still.
+TEST(Remesh, KeepsHandles) {
+    const auto euler = [](const Mesh& mesh) {
+        return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
+    };
+    std::vector<Eigen::Vector2d> profile;
+    for (int i = 0; i <= 24; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 24;
+        profile.emplace_back(0.05 + 0.002 * std::cos(angle), 0.002 * std::sin(angle));
+    }
+    const Mesh ring = generate_revolution(profile, {0.002, Layout::delaunay, 1});
+    const Remeshed result = remesh(ring, {0.02});
+    EXPECT_EQ(euler(result.mesh), euler(ring));
+    EXPECT_TRUE(self_intersections(result.mesh).empty());
+    EXPECT_LT(result.mesh.number_of_faces(), ring.number_of_faces());
+}
+
 // Who remeshes must know how far off the result is: a sphere of chords is inside by their rise.
 TEST(Remesh, TellsItsDistance) {
     const double radius = 0.1, edge = 0.03;
-    const Remeshed coarse = remesh(generate_sphere(radius, {0.005, Layout::delaunay, 1}), edge);
+    const Remeshed coarse = remesh(generate_sphere(radius, {0.005, Layout::delaunay, 1}), {edge});
     const double rise = edge * edge / (6 * radius);  // of the middle of an equilateral triangle
     EXPECT_GT(coarse.distance, 0.7 * rise);
     EXPECT_LT(coarse.distance, 3 * rise);
     EXPECT_EQ(coarse.kept, 0u) << "nothing crosses";
-    EXPECT_LT(remesh(cube(), 0.1).distance, 1e-9) << "a box of planes keeps its shape";
+    EXPECT_LT(remesh(cube(), {0.1}).distance, 1e-9) << "a box of planes keeps its shape";
 }
 
 // What crosses comes so from the file: remeshing must neither stop nor keep all of it.
@@ -92,14 +167,15 @@ TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
         other.point(v) = Point(p.x() + 0.5, p.y() + 0.37, p.z() + 0.41);
     }
     two += other;
-    const Remeshed result = remesh(two, 0.1);
+    const Remeshed result = remesh(two, {0.1});
     EXPECT_FALSE(self_intersections(result.mesh).empty());
     EXPECT_EQ(result.kept, 0u);
     EXPECT_EQ(result.crossings, 0u);
 }
 
+// A remeshed box whose edges are cut off is no box any more.
 TEST(Remesh, KeepsSharpEdges) {
-    const Mesh mesh = remesh(cube(), 0.1).mesh;
+    const Mesh mesh = remesh(cube(), {0.1}).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
     EXPECT_GT(mesh.number_of_faces(), 800U);
     for (const Vertex v : mesh.vertices()) {
@@ -112,7 +188,7 @@ TEST(Remesh, KeepsSharpEdges) {
 TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
     Mesh mesh = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
     mesh += generate_disc(0.3, {0.05, Layout::delaunay, 1});
-    const Mesh result = remesh(mesh, 0.1).mesh;
+    const Mesh result = remesh(mesh, {0.1}).mesh;
     EXPECT_EQ(connected_components(result).count, 2);
     for (const Vertex v : result.vertices()) {
         const Point& p = result.point(v);
@@ -124,16 +200,16 @@ TEST(Remesh, KeepsComponentsAndStaysOnTheSurface) {
 
 TEST(Remesh, GivesTheSameMeshAgain) {
     const Mesh in = generate_sphere(0.5, {0.05, Layout::delaunay, 1});
-    const Mesh first = remesh(in, 0.07).mesh, again = remesh(in, 0.07).mesh;
+    const Mesh first = remesh(in, {0.07}).mesh, again = remesh(in, {0.07}).mesh;
     ASSERT_EQ(first.number_of_faces(), again.number_of_faces());
     for (const Vertex v : first.vertices()) ASSERT_EQ(first.point(v), again.point(v));
     for (const Halfedge h : first.halfedges()) ASSERT_EQ(first.target(h), again.target(h));
 }
 
 TEST(Remesh, RefusesAnEdgeLengthThatIsNotPositive) {
-    EXPECT_THROW(remesh(cube(), 0), Error);
-    EXPECT_THROW(remesh(cube(), -1), Error);
-    EXPECT_THROW(remesh(cube(), std::nan("")), Error);
+    EXPECT_THROW(remesh(cube(), {0}), Error);
+    EXPECT_THROW(remesh(cube(), {-1}), Error);
+    EXPECT_THROW(remesh(cube(), {std::nan("")}), Error);
 }
 
 TEST(Components, AreNumberedByTheirFirstFace) {

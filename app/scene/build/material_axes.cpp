@@ -124,7 +124,7 @@ std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::I
     if (!exists)
         throw Error(
             "the mesh has no axes: give a PLY file with face properties axis_x, axis_y and axis_z of type "
-            "float or double, without remesh");
+            "float or double");
     std::vector<Vector3d> axes;
     for (const Face face : mesh.faces()) {
         const Vector3d given = field[face];

@@ -16,7 +16,7 @@ namespace {
 void transform(Mesh& mesh, const Eigen::Affine3d& map) {
     for (const Vertex v : mesh.vertices()) {
         const Vector3d p = map * position(mesh, v);
-        mesh.point(v) = Point(p.x(), p.y(), p.z());
+        mesh.point(v) = point_at(p);
     }
 }
 
@@ -34,7 +34,7 @@ void cut_cracks(Mesh& mesh, const SheetSpec& sheet) {
     }
 }
 
-Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string>&) {
+Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string>&, std::string*) {
     GenerateOptions options;
     options.edge_length = spec.edge_length;
     options.layout = spec.structured ? Layout::structured : Layout::delaunay;
@@ -50,6 +50,10 @@ Mesh make(const GeneratedMesh& spec, const Scene& scene, std::vector<std::string
 void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result,
                     std::vector<std::string>& warnings) {
     constexpr double far = 0.25;  // of the edge length
+    if (result.texture_lost)
+        warnings.push_back(fmt::format(
+            "remesh = {}: the texture coordinates are lost, since most edges of the file are seams of them",
+            edge_length));
     if (result.kept > 0)
         warnings.push_back(fmt::format(
             "remesh = {}: {} of {} faces stay as they are in the file, where it is so thin or sharp "
@@ -67,16 +71,20 @@ void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result
                         edge_length, result.distance));
 }
 
-Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings) {
+Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings, std::string* remeshed) {
     Mesh mesh = read_mesh(spec, warnings);
-    if (spec.remesh == 0) return mesh;
-    const double faces = expected_faces(measure(mesh).area, spec.remesh);
+    if (!spec.remesh) return mesh;
+    const double edge_length = spec.remesh->edge_length;
+    const double faces = expected_faces(measure(mesh).area, edge_length);
     if (faces > most_faces)
         throw Error(
             fmt::format("remesh = {} would make about {:.2g} faces, more than {:.0g}: give a larger one",
-                        spec.remesh, faces, most_faces));
-    Remeshed result = remesh(mesh, spec.remesh);
-    warn_of_remesh(spec.remesh, mesh, result, warnings);
+                        edge_length, faces, most_faces));
+    Remeshed result = remesh(mesh, *spec.remesh);
+    warn_of_remesh(edge_length, mesh, result, warnings);
+    if (remeshed != nullptr)
+        *remeshed = fmt::format("remeshed from {} faces, at most {:.2g} m from the file's surface",
+                                mesh.number_of_faces(), result.distance);
     return std::move(result.mesh);
 }
 
@@ -104,18 +112,20 @@ Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
     return mesh;
 }
 
-Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
+                        std::string* remeshed) {
     std::vector<std::string> found;
     Mesh mesh = with_context(sheet.where, [&] {
-        return std::visit([&](const auto& spec) { return make(spec, scene, found); }, sheet.mesh);
+        return std::visit([&](const auto& spec) { return make(spec, scene, found, remeshed); }, sheet.mesh);
     });
     for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
     cut_cracks(mesh, sheet);
     return mesh;
 }
 
-Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
-    Mesh mesh = make_unplaced_mesh(sheet, scene, warnings);
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
+               std::string* remeshed) {
+    Mesh mesh = make_unplaced_mesh(sheet, scene, warnings, remeshed);
     transform(mesh, Eigen::Affine3d(sheet.place));
     return mesh;
 }

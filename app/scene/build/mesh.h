@@ -15,10 +15,12 @@ Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
 
 /// Makes the mesh of a sheet before it is placed: it is generated (with the scene's seed), or read, scaled
 /// and remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's
-/// mesh.
-Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+/// mesh. `remeshed` gets words of how far the remeshed surface is from the file's; none otherwise.
+Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
+                        std::string* remeshed = nullptr);
 
 /// Makes the same mesh where the scene places it.
-Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings);
+Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
+               std::string* remeshed = nullptr);
 
 }  // namespace sherd

@@ -26,10 +26,8 @@ void check_group(const Selection& selection, const std::vector<std::string>& kno
     if (selection.group.empty() || std::find(known.begin(), known.end(), selection.group) != known.end())
         return;
     if (known.empty())
-        throw Error(
-            fmt::format("{}: the mesh has no groups; they are `g` or `o` lines of an OBJ file, and remeshing "
-                        "loses them",
-                        selection.where));
+        throw Error(fmt::format("{}: the mesh has no groups; they are `g` or `o` lines of an OBJ file",
+                                selection.where));
     const std::string nearest = nearest_name(selection.group, known);
     const std::string hint = nearest.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
                                              : fmt::format("did you mean '{}'?", nearest);

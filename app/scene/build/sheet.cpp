@@ -36,9 +36,10 @@ bool has_directions(const SheetSpec& sheet) {
 
 }  // namespace
 
-SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings) {
+SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<std::string>& warnings,
+                      std::string* remeshed) {
     SheetInput input;
-    input.mesh = make_mesh(sheet, scene, warnings);
+    input.mesh = make_mesh(sheet, scene, warnings, remeshed);
     if (sheet.bend) input.start = bent_start(*sheet.bend, input.mesh, sheet.place);
     input.pinned = pinned_vertices(sheet, input.mesh);
     input.moving_pins = moving_pins(sheet, input.mesh);

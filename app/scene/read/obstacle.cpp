@@ -70,7 +70,7 @@ bool read_file_name(TomlTable& table, std::string_view kind, const std::filesyst
                     ObstacleSpec& obstacle) {
     if (!table.is_string(kind) || (kind != "mesh" && kind != "vdb")) return false;
     const std::filesystem::path path = directory / table.string(kind, "the name of a file");
-    if (kind == "mesh") obstacle.shape = ObstacleMesh{.file = {.path = path}};
+    if (kind == "mesh") obstacle.shape = ObstacleMesh{.file = {.path = path, .remesh = {}}};
     if (kind == "vdb") obstacle.shape = ObstacleLevelSet{.path = path, .name = ""};
     return true;
 }

@@ -10,6 +10,24 @@
 namespace sherd {
 namespace {
 
+constexpr Range feature_degrees{[](double x) { return x > 0 && x <= 180; },
+                                "a number above 0, and 180 at most"};
+
+/// Reads `remesh = 0.006` or `remesh = { edge_length = 0.006, ... }` of a mesh from a file.
+RemeshOptions read_remesh(TomlTable& mesh) {
+    RemeshOptions options;
+    if (!mesh.is_table("remesh")) {
+        options.edge_length = mesh.number("remesh", "m, target edge length", positive);
+        return options;
+    }
+    TomlTable table = *mesh.table("remesh");
+    options.edge_length = table.number("edge_length", "m", positive);
+    options.features = table.number("features", "degrees", feature_degrees, options.features);
+    options.adaptive = table.flag("adaptive", options.adaptive);
+    table.finish();
+    return options;
+}
+
 std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
                                                      const std::filesystem::path& directory) {
     if (sheet.is_string("mesh")) {
@@ -29,7 +47,7 @@ std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
     if (generated == from_file) return GeneratedMesh{};
     if (generated) return read_shape(*table);
     MeshFile mesh = read_mesh_file(*table, directory);
-    if (table->has("remesh")) mesh.remesh = table->number("remesh", "m, target edge length", positive);
+    if (table->has("remesh")) mesh.remesh = read_remesh(*table);
     table->finish();
     return mesh;
 }

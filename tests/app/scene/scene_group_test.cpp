@@ -63,10 +63,19 @@ TEST(SceneGroup, AnUnknownGroupIsNamedWithTheNearest) {
     }
 }
 
-TEST(SceneGroup, RemeshingLosesGroupsAndSaysSo) {
-    expect_refused(
-        outcome("check", "pin = { group = \"handle\" }", "", "{ file = \"strip.obj\", remesh = 0.3 }"),
-        "sheet.strip.pin.group: the mesh has no groups");
+// The border between groups stays where it is, whatever triangles there are.
+TEST(SceneGroup, RemeshingKeepsGroups) {
+    const auto pinned = [](const std::string& group) {
+        const ProgramResult result = outcome("check", "pin = { group = \"" + group + "\" }", "",
+                                             "{ file = \"strip.obj\", remesh = { edge_length = 0.3 } }");
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return std::stoi(result.out.substr(result.out.find("pinned vertices ") + 16));
+    };
+    const int all = pinned("strip"), handle = pinned("handle"), blade = pinned("blade");
+    EXPECT_GT(handle, 9);
+    const int shared = handle + blade - all;
+    EXPECT_GE(shared, 3) << "of the line between them";
+    EXPECT_LE(shared, 6);
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ every = 0.25
     const auto& file = std::get<MeshFile>(sheet.mesh);
     EXPECT_EQ(file.path, scene.file.parent_path() / "a/bowl.obj");
     EXPECT_EQ(file.scale, 0.01);
-    EXPECT_EQ(file.remesh, 0.02);
+    ASSERT_TRUE(file.remesh.has_value());
+    EXPECT_EQ(file.remesh->edge_length, 0.02);
     EXPECT_TRUE(file.repair && file.join);
     EXPECT_EQ(sheet.velocity, Vector3d(1, 2, 3));
     EXPECT_EQ(sheet.spin, Vector3d(4, 5, 6));

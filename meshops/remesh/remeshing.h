@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+#include <vector>
+
+#include "meshops/mesh.h"
+#include "meshops/random.h"
+#include "meshops/remesh/input_surface.h"
+#include "meshops/remesh/size_field.h"
+
+namespace sherd {
+
+/// A mesh while it is remeshed: the faces of a surface at first, then improved edge by edge, as Botsch and
+/// Kobbelt (2004) do, with lengths that vary. Its vertices stay on the surface, and on their lines; nothing
+/// is done that turns a face away from the surface.
+class Remeshing {
+  public:
+    /// The surface and the sizes have to outlive this.
+    Remeshing(const InputSurface& surface, const SizeField& sizes);
+    Remeshing(const Remeshing&) = delete;
+    Remeshing& operator=(const Remeshing&) = delete;
+
+    /// Looks up what lengths of edges are wanted now.
+    void update_sizes();
+    /// Splits, collapses and flips edges and moves vertices along the surface, so many times; then mends
+    /// small angles.
+    void improve(int rounds);
+
+    const Mesh& mesh() const { return work; }
+    /// The face of the surface that the vertex lies in.
+    Face face_below(Vertex v) const { return site[v].face; }
+    double size_at(Vertex v) const { return site[v].size; }  ///< m, wanted there
+
+  private:
+    static constexpr double degree = std::numbers::pi / 180;
+    using Triangle = std::array<Eigen::Vector3d, 3>;
+    /// Where a vertex is on the surface.
+    struct Site {
+        Face face;
+        double size = 0;        ///< m, wanted length of edges
+        bool is_fixed = false;  ///< a corner of lines
+        bool is_on_line = false;
+    };
+    /// An edge of a line from a vertex, and how far along the line both ends are.
+    struct LineEnd {
+        Vertex other;
+        std::int32_t line;
+        double at_vertex, at_other;
+    };
+
+    void split_long();
+    void split(Edge edge);
+    InputSurface::Site below_edge(Vertex a, Vertex b, const Eigen::Vector3d& near) const;
+    void flip_edges();
+    bool flip(Edge edge);
+    void move_vertices(double stir = 0);
+    bool move(Vertex v, const Eigen::Vector3d& to, double least_angle);
+    bool slide(Vertex v, double part, double least_angle);
+    bool fits(Vertex v, const Eigen::Vector3d& place, double least_angle) const;
+
+    void collapse_short();
+    bool may_collapse(Halfedge h, double slack, double least_angle) const;
+    bool keeps_lines(Halfedge h) const;
+    void collapse(Halfedge h);
+    void mend_angles();
+    bool mend(Face face);
+
+    std::vector<Edge> edges_by_length(bool longest_first) const;
+    double length(Edge edge) const;
+    double wanted(Vertex a, Vertex b) const { return (site[a].size + site[b].size) / 2; }
+    bool is_line(Edge edge) const { return stretch[edge].line != LineStretch::none; }
+    std::vector<LineEnd> line_ends(Vertex v) const;
+    void set_line(Edge edge, Vertex v, const LineEnd& end);
+    double angle_at(Vertex v) const;
+    bool is_faithful(const std::array<Vertex, 3>& corners, const Triangle& places) const;
+    void settle(Vertex v, const InputSurface::Site& at);
+
+    const InputSurface& surface;
+    const SizeField& sizes;
+    Mesh work;
+    Mesh::Property_map<Vertex, Site> site;
+    Mesh::Property_map<Edge, LineStretch> stretch;
+    Random random{1};
+};
+
+}  // namespace sherd

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fall_table [--short] SHERD [FILE | NAME]...: rough meshes (tests/support/rough_meshes.py, or files), 0.2 m long and 1 mm
+thick, as they are and remeshed to 12 mm, fall onto a floor and break: 50 steps of those with 5,000 faces at most, 3 of
+others and with --short. Exit code 1: one was refused, something passed through something that had been apart, or energy
+came from nowhere."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import rough_meshes  # noqa: E402
+
+MOST_FACES, STEPS, FEW_STEPS, STEP = 5000, 50, 3, 1e-4
+BOUND = 1e-6  # of the largest energy, of what is unexplained
+
+
+def scene(mesh, remesh, steps):
+    more = f", remesh = {remesh}" if remesh else ""
+    return (f'duration = {steps * STEP}\n[sheet.a]\nmesh = {{ file = "{mesh}", size = 0.2{more} }}\n'
+            f'material = {{ preset = "porcelain", thickness = 0.001 }}\nfracture = {{ strain = 0.2 }}\n'
+            f'velocity = [0, 0, -4]\n[solver]\nstep = {STEP}\n[output]\nevery = {STEP}\n'
+            f'[obstacle.floor]\nplane = {{ point = [0, 0, BOTTOM] }}\n')
+
+
+def lowest(sherd, folder, text):
+    """Where the sheet's lowest vertex is, m."""
+    file = folder / "lowest.toml"
+    file.write_text(text.replace("BOTTOM", "-9"))
+    out = folder / "lowest.obj"
+    done = subprocess.run([sherd, "mesh", str(file), "-o", str(out), "--force"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(done.stderr)
+    rows = [line.split() for line in out.read_text().splitlines() if line.startswith(("v ", "f "))]
+    return min(float(row[3]) for row in rows if row[0] == "v"), sum(row[0] == "f" for row in rows)
+
+
+def balance(recording):
+    """Of all steps the largest that is unexplained, over the largest energy."""
+    with h5py.File(recording) as file:
+        steps = file["steps"]
+        names = [name for name in ("kinetic", "bending", "membrane") if name in steps]
+        energy = sum(numpy.abs(steps[name][:]) for name in names)
+        return numpy.abs(steps["unexplained"][:]).max() / energy.max(), int(steps["fragments"][-1])
+
+
+def fall(sherd, counter, name, mesh, remesh, short):
+    with tempfile.TemporaryDirectory() as name_of_folder:
+        folder = pathlib.Path(name_of_folder)
+        try:
+            bottom, faces = lowest(sherd, folder, scene(mesh, remesh, FEW_STEPS))
+        except RuntimeError as error:
+            print(f"{name}: {error}", file=sys.stderr)
+            return False
+        steps = FEW_STEPS if short or faces > MOST_FACES else STEPS
+        run, out = folder / "run.toml", folder / "run.h5"
+        run.write_text(scene(mesh, remesh, steps).replace("BOTTOM", f"{bottom - 0.0007:.6g}"))
+        done = subprocess.run([sherd, "run", str(run), "-o", str(out)], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            print(f"{name}: {done.stderr}", file=sys.stderr)
+            return False
+        unexplained, fragments = balance(out)
+        counted = subprocess.run([counter, str(out)], capture_output=True, text=True, check=True).stdout.split("|")
+        passing, through = int(counted[5]), int(counted[6])
+        is_sound = unexplained < BOUND and passing == 0 and through == 0
+        print(f"| {name} | {f'{1000 * remesh:g} mm' if remesh else 'as it is'} | {faces} | {steps} | {fragments} | "
+              f"{unexplained:.1e} | {passing} | {through} |", flush=True)
+        return is_sound
+
+
+def main():
+    arguments = sys.argv[1:]
+    short = "--short" in arguments
+    arguments = [argument for argument in arguments if argument != "--short"]
+    sherd, chosen = str(pathlib.Path(arguments[0]).resolve()), arguments[1:]
+    build = pathlib.Path(sherd).parent.parent
+    counter = str(build / "tests" / "benchmarks" / "frame_intersections")
+    files = [pathlib.Path(name).resolve() for name in chosen if pathlib.Path(name).is_file()]
+    names = [name for name in chosen if not pathlib.Path(name).is_file()]
+    with tempfile.TemporaryDirectory() as folder:
+        meshes = rough_meshes.write(folder, names) if names or not chosen else {}
+        meshes |= {file.stem: file for file in files}
+        print("| mesh | remeshed | faces | steps | fragments | unexplained | through each other | through the floor |")
+        print("| --- " * 8 + "|")
+        sound = [fall(sherd, counter, name, mesh, remesh, short)
+                 for name, mesh in meshes.items() for remesh in (None, 0.012)]
+    sys.exit(0 if all(sound) else 1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""mesh_table SHERD [FILE | NAME]...: what `sherd check` says of rough meshes, 0.2 m long, as they are and remeshed, at
+three thicknesses. FILE is a mesh file, NAME one of tests/support/rough_meshes.py; without any, all of these."""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+import rough_meshes  # noqa: E402
+
+THICKNESSES = [0.0002, 0.001, 0.005]
+REMESHES = [None, 0.012, 0.006]
+
+
+def scene(mesh, remesh, thickness):
+    more = f", remesh = {remesh}" if remesh else ""
+    return (f'duration = 1e-3\n[sheet.a]\nmesh = {{ file = "{mesh}", size = 0.2{more} }}\n'
+            f'material = {{ preset = "porcelain", thickness = {thickness} }}\nfracture = {{ strain = 0.2 }}\n')
+
+
+def number(pattern, text, fallback="0"):
+    found = re.search(pattern, text)
+    return found.group(1) if found else fallback
+
+
+def row(sherd, name, mesh, remesh):
+    """One row of the table, and how many of the thicknesses are refused."""
+    refused, text, seconds = 0, "", 0
+    with tempfile.TemporaryDirectory() as folder:
+        for thickness in THICKNESSES:
+            file = pathlib.Path(folder) / "scene.toml"
+            file.write_text(scene(mesh, remesh, thickness))
+            begin = time.monotonic()
+            done = subprocess.run([sherd, "check", "--no-try", str(file)], capture_output=True, text=True, check=False)
+            if thickness == THICKNESSES[0]:
+                text, seconds = done.stdout + done.stderr, time.monotonic() - begin
+            if done.returncode != 0:
+                refused += 1
+                print(f"{name} {remesh} {thickness}: {done.stderr}", file=sys.stderr)
+    edges = re.search(r"edges \S+ m on the mean, (\S+) to (\S+) m; smallest angle (\S+)", text)
+    shortest, longest, angle = edges.groups() if edges else ("nan", "nan", "?")
+    cells = [name, f"{1000 * remesh:g} mm" if remesh else "as it is", number(r"remeshed from ([0-9]+) faces", text, ""),
+             number(r"faces ([0-9]+)", text, "?"), f"{1000 * float(shortest):.2g} to {1000 * float(longest):.2g}", angle,
+             number(r"at most (\S+) m from", text, ""), number(r"([0-9]+) pairs of faces cross or touch", text),
+             f"{seconds:.1f}", f"{refused} of {len(THICKNESSES)}"]
+    print(f"| {' | '.join(cells)} |", flush=True)
+    return refused
+
+
+def main():
+    sherd, chosen = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
+    files = [pathlib.Path(name).resolve() for name in chosen if pathlib.Path(name).is_file()]
+    names = [name for name in chosen if not pathlib.Path(name).is_file()]
+    with tempfile.TemporaryDirectory() as folder:
+        meshes = rough_meshes.write(folder, names) if names or not chosen else {}
+        meshes |= {file.stem: file for file in files}
+        print("| mesh | remeshed | faces before | faces | edges (mm) | smallest angle | distance (m) | pairs that cross | seconds "
+              "| refused |")
+        print("| --- " * 10 + "|")
+        refused = sum(row(sherd, name, mesh, remesh) for name, mesh in meshes.items() for remesh in REMESHES)
+    print(f"refused: {refused} of {len(meshes) * len(REMESHES) * len(THICKNESSES)}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What remeshing carries over: if one of these fails, pins, textures and fibres are elsewhere on a remeshed
+// mesh.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "meshops/face_groups.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/read_mesh.h"
+#include "meshops/remesh.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A square of 20 x 20 cells of 1 m, half of it in group `left`, whose texture coordinates are those of its
+/// place over 20, from x = 10 on moved aside by 5: a seam.
+Mesh two_halves(const std::string& name) {
+    const test::TemporaryDirectory directory;
+    std::ofstream file(directory.path / name);
+    constexpr int n = 20;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) file << "v " << i << " " << j << " 0\n";
+    for (const int aside : {0, 5})
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) file << "vt " << i / 20.0 + aside << " " << j / 20.0 << "\n";
+    for (int i = 0; i < n; ++i) {
+        file << "g " << (i < n / 2 ? "left" : "right") << "\n";
+        const int island = i < n / 2 ? 0 : (n + 1) * (n + 1);
+        for (int j = 0; j < n; ++j) {
+            const int a = j * (n + 1) + i + 1, b = a + 1, c = b + n + 1, d = a + n + 1;
+            file << "f " << a << "/" << a + island << " " << b << "/" << b + island << " " << c << "/"
+                 << c + island << " " << d << "/" << d + island << "\n";
+        }
+    }
+    file.close();
+    std::vector<std::string> warnings;
+    return read_mesh(directory.path / name, {}, warnings);
+}
+
+TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
+    for (const double edge_length : {0.7, 2.3}) {
+        const Remeshed result = remesh(two_halves("halves.obj"), {edge_length});
+        EXPECT_FALSE(result.texture_lost);
+        const auto [texture, has_texture] = result.mesh.property_map<Face, FaceTexture>(property::texture);
+        const auto [groups, has_groups] = result.mesh.property_map<Face, GroupNames>(property::groups);
+        ASSERT_TRUE(has_texture && has_groups);
+        for (const Face face : result.mesh.faces()) {
+            const bool is_left = centroid(result.mesh, face).x() < 10;
+            EXPECT_EQ(groups[face]->front(), is_left ? "left" : "right");
+            const auto corners = face_points(result.mesh, face);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vector2d expected = corners[i].head<2>() / 20 + Vector2d(is_left ? 0 : 5, 0);
+                EXPECT_LT((texture[face][i] - expected).norm(), 1e-9) << corners[i].transpose();
+                EXPECT_TRUE(is_left ? corners[i].x() < 10 + 1e-9 : corners[i].x() > 10 - 1e-9)
+                    << "the line moved";
+            }
+        }
+    }
+}
+
+TEST(CarriedProperties, AxesAreThoseBelow) {
+    Mesh mesh = two_halves("halves.obj");
+    auto axis = mesh.add_property_map<Face, Vector3d>(property::axis).first;
+    for (const Face face : mesh.faces())
+        axis[face] = centroid(mesh, face).y() < 10 ? Vector3d::UnitX() : Vector3d::UnitY();
+    const Mesh result = remesh(mesh, {1.3}).mesh;
+    const auto [carried, exists] = result.property_map<Face, Vector3d>(property::axis);
+    ASSERT_TRUE(exists);
+    for (const Face face : result.faces())
+        if (const double y = centroid(result, face).y(); std::abs(y - 10) > 0.5) {
+            EXPECT_EQ(carried[face], y < 10 ? Vector3d::UnitX() : Vector3d::UnitY());
+        }
+}
+
+// Were all seams kept, nothing could be remeshed.
+TEST(CarriedProperties, ATextureInShredsIsLostAndItSaysSo) {
+    Mesh mesh = two_halves("halves.obj");
+    auto texture = mesh.property_map<Face, FaceTexture>(property::texture).first;
+    for (const Face face : mesh.faces())
+        for (Vector2d& at : texture[face]) at.x() += 2.0 * face.idx();
+    const Remeshed result = remesh(mesh, {2.3});
+    EXPECT_TRUE(result.texture_lost);
+    EXPECT_LT(result.mesh.number_of_faces(), 300u);
+    EXPECT_FALSE((result.mesh.property_map<Face, FaceTexture>(property::texture).second));
+}
+
+}  // namespace
+}  // namespace sherd
