@@ -32,6 +32,7 @@ std::string format_words() {
 void add_form_options(CLI::App& command, ExportOptions& options) {
     command.add_flag("--fragments", options.fragments,
                      "One object (obj) or file (ply, stl) for each fragment; glb always has a node for each");
+    command.add_flag("--sheets-only", options.sheets_only, "Without obstacles and free bodies");
     command.add_flag("--solid", options.solid,
                      "Closed bodies of the sheets' thickness, one a fragment (obj, ply, stl, pc2, mdd, glb); "
                      "vdb always has the thickness");

@@ -63,34 +63,6 @@ TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     return mesh;
 }
 
-/// Only a name of one word is a group in OBJ; others would be objects, and are needed for the sheets.
-GroupNames as_groups(const GroupNames& names) {
-    if (!names) return names;
-    std::vector<std::string> words = *names;
-    for (std::string& word : words) std::ranges::replace(word, ' ', '_');
-    return std::make_shared<const std::vector<std::string>>(std::move(words));
-}
-
-/// Adds a mesh to `all` as an object of its own; texture coordinates and groups come from all meshes that
-/// have some.
-void append_object(TriangleSheet& all, const TriangleSheet& sheet, const std::string& name) {
-    const auto first = static_cast<std::int32_t>(all.points.size());
-    const std::size_t before = all.triangles.size(), count = sheet.triangles.size();
-    all.points.insert(all.points.end(), sheet.points.begin(), sheet.points.end());
-    for (const auto& [a, b, c] : sheet.triangles) all.triangles.push_back({first + a, first + b, first + c});
-    all.group.resize(before + count, static_cast<std::int32_t>(all.group_names.size()));
-    all.group_names.push_back(name);
-    if (!sheet.texture.empty() || !all.texture.empty()) {
-        all.texture.resize(before + count, {Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero()});
-        std::ranges::copy(sheet.texture, all.texture.begin() + static_cast<std::ptrdiff_t>(before));
-    }
-    if (!sheet.named_groups.empty() || !all.named_groups.empty()) {
-        all.named_groups.resize(before + count);
-        for (std::size_t i = 0; i < sheet.named_groups.size(); ++i)
-            all.named_groups[before + i] = as_groups(sheet.named_groups[i]);
-    }
-}
-
 /// One file, with an object for each sheet where the format has objects; else a file for each.
 std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
     const std::vector<const SheetSpec*> sheets = chosen_sheets(scene, options.sheet);
@@ -102,7 +74,7 @@ std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
         if (sheets.size() == 1)
             jobs.push_back({std::move(mesh), file});
         else if (is_kind(file, ".obj"))
-            append_object(all, mesh, sheet->name);
+            add_group(all, mesh, sheet->name);
         else
             jobs.push_back({std::move(mesh), part_file(file, sheet->name)});
     }

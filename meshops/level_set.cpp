@@ -55,14 +55,43 @@ void replace_random_name(const std::filesystem::path& file) {
 }
 
 /// Reads the file to check that it is complete, since OpenVDB does not notice a full disk.
-void check_complete(const std::filesystem::path& file) {
+void check_complete(const std::filesystem::path& file, const std::string& last_grid) {
     try {
-        sample_float_grid(file, grid_name, {});
+        sample_float_grid(file, last_grid, {});
     } catch (const Error&) {
         throw Error(
             file.string() + ": cannot be written: no room on the disk, or a limit on the size of files",
             Fault::run);
     }
+}
+
+std::vector<openvdb::Vec3s> points_of(const TriangleSheet& sheet) {
+    std::vector<openvdb::Vec3s> points;
+    for (const auto& p : sheet.points)
+        points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    return points;
+}
+
+openvdb::FloatGrid::Ptr thickened_grid(const TriangleSheet& sheet, std::span<const double> thickness,
+                                       double voxel) {
+    const std::vector<openvdb::Vec3s> points = points_of(sheet);
+    openvdb::FloatGrid::Ptr whole;
+    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness)) {
+        const openvdb::FloatGrid::Ptr part = level_set_of(points, triangles, value, voxel);
+        if (whole)
+            openvdb::tools::csgUnion(*whole, *part);
+        else
+            whole = part;
+    }
+    return whole;
+}
+
+openvdb::FloatGrid::Ptr body_grid(const LevelSetBody& body) {
+    Triangles triangles;
+    for (const auto& [a, b, c] : body.surface.triangles) triangles.emplace_back(a, b, c);
+    return openvdb::tools::meshToLevelSet<openvdb::FloatGrid>(
+        *openvdb::math::Transform::createLinearTransform(body.voxel), points_of(body.surface), triangles,
+        band);
 }
 
 }  // namespace
@@ -78,25 +107,20 @@ double expected_voxels(const TriangleSheet& sheet, std::span<const double> thick
 }
 
 void write_level_set(const TriangleSheet& sheet, std::span<const double> thickness, double voxel,
-                     const std::filesystem::path& file) try {
+                     std::span<const LevelSetBody> bodies, const std::filesystem::path& file) try {
     openvdb::initialize();
-    std::vector<openvdb::Vec3s> points;
-    for (const auto& p : sheet.points)
-        points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
-    openvdb::FloatGrid::Ptr whole;
-    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness)) {
-        const openvdb::FloatGrid::Ptr part = level_set_of(points, triangles, value, voxel);
-        if (whole)
-            openvdb::tools::csgUnion(*whole, *part);
-        else
-            whole = part;
-    }
-    whole->setName(grid_name);
-    whole->setGridClass(openvdb::GRID_LEVEL_SET);
-    whole->setSaveFloatAsHalf(false);
-    openvdb::io::File(file.string()).write({whole});
+    openvdb::GridPtrVec grids;
+    const auto add = [&](const openvdb::FloatGrid::Ptr& grid, const std::string& name) {
+        grid->setName(name);
+        grid->setGridClass(openvdb::GRID_LEVEL_SET);
+        grid->setSaveFloatAsHalf(false);
+        grids.push_back(grid);
+    };
+    add(thickened_grid(sheet, thickness, voxel), grid_name);
+    for (const LevelSetBody& body : bodies) add(body_grid(body), body.name);
+    openvdb::io::File(file.string()).write(grids);
     replace_random_name(file);
-    check_complete(file);
+    check_complete(file, grids.back()->getName());
 } catch (const openvdb::Exception& error) {
     throw Error(file.string() + ": cannot be written: " + error.what(), Fault::run);
 }

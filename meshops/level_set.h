@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "meshops/write_mesh.h"
 
@@ -11,11 +12,19 @@ namespace sherd {
 /// Approximate number of voxels that write_level_set() fills.
 double expected_voxels(const TriangleSheet& sheet, std::span<const double> thickness, double voxel);
 
+/// A body with a closed surface, which faces outward.
+struct LevelSetBody {
+    std::string name;  ///< of its grid
+    TriangleSheet surface;
+    double voxel = 0;  ///< m
+};
+
 /// Writes an OpenVDB file with the thickened sheet as a level set named `surface`: the distance from the
 /// sheet less half the thickness, negative inside, out to three voxels (a level set of the sheet itself would
 /// have no inside). thickness: [T] m, each at least twice the voxel's edge length `voxel` (m), or there would
-/// be holes. The same sheet gives the same bytes. Throws Error (Fault::run) when the file cannot be written.
+/// be holes. Each body is another grid, whose distances go three voxels inside, too. The same meshes give the
+/// same bytes. Throws Error (Fault::run) when the file cannot be written.
 void write_level_set(const TriangleSheet& sheet, std::span<const double> thickness, double voxel,
-                     const std::filesystem::path& file);
+                     std::span<const LevelSetBody> bodies, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "meshops/error.h"
 #include "meshops/raw_bytes.h"
@@ -224,6 +226,14 @@ std::string lower_extension(const fs::path& file) {
     return extension;
 }
 
+/// Only a name of one word is a group in OBJ; others would be objects.
+GroupNames as_groups(const GroupNames& names) {
+    if (!names) return names;
+    std::vector<std::string> words = *names;
+    for (std::string& word : words) std::ranges::replace(word, ' ', '_');
+    return std::make_shared<const std::vector<std::string>>(std::move(words));
+}
+
 }  // namespace
 
 TriangleSheet triangle_sheet(const Mesh& mesh) {
@@ -247,6 +257,25 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         if (has_axis) sheet.axis.push_back(axis[face]);
     }
     return sheet;
+}
+
+void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name) {
+    const auto first = static_cast<std::int32_t>(all.points.size());
+    const std::size_t before = all.triangles.size(), count = mesh.triangles.size();
+    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+    for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
+    all.group.resize(before + count, static_cast<std::int32_t>(all.group_names.size()));
+    all.group_names.push_back(name);
+    if (!mesh.texture.empty() || !all.texture.empty()) {
+        all.texture.resize(before + count,
+                           {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()});
+        std::ranges::copy(mesh.texture, all.texture.begin() + static_cast<std::ptrdiff_t>(before));
+    }
+    if (!mesh.named_groups.empty() || !all.named_groups.empty()) {
+        all.named_groups.resize(before + count);
+        for (std::size_t i = 0; i < mesh.named_groups.size(); ++i)
+            all.named_groups[before + i] = as_groups(mesh.named_groups[i]);
+    }
 }
 
 bool can_write_mesh(const fs::path& file) {

@@ -30,6 +30,11 @@ struct TriangleSheet {
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
+/// Adds a mesh to others, which have groups, as a group of its own. Its own groups are dropped; texture
+/// coordinates and named groups come from all meshes that have some, spaces in these names as underscores:
+/// in OBJ a name of several words is an object's.
+void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name);
+
 /// Whether write_mesh() supports the file's extension: .obj, .ply or .off, in any case.
 bool can_write_mesh(const std::filesystem::path& file);
 

@@ -16,6 +16,7 @@ struct ExportOptions {
     std::filesystem::path output;  ///< file (NAME.obj) or folder; empty: beside the recording, named like it
     std::string frames;            ///< last, all, numbers, ranges START:STOP:STEP; empty: the format's own
     bool fragments = false;        ///< one object (obj) or one file (ply, stl) for each fragment
+    bool sheets_only = false;      ///< without obstacles and free bodies
     bool solid = false;            ///< bodies of the sheets' thickness (obj, ply, stl, glb)
     std::optional<double> thickness;  ///< m, instead of the recording's
     std::string quality = "strain";   ///< main scalar of ply: a name of face_quality()

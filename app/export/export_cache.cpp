@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Point caches, for a mesh whose topology is that of the last frame, at an even rate: pc2 and mdd.
+// Point caches at an even rate, pc2 and mdd: of the sheets, whose topology is that of the last frame, and of
+// each obstacle that moves.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 #include <memory>
 
 #include "app/export/export_clip.h"
@@ -22,58 +24,96 @@ void append(std::string& bytes, T value, std::endian order) {
     bytes.append(part, sizeof value);
 }
 
-void append_points(std::string& bytes, Clip& clip, std::endian order) {
-    for (std::size_t i = 0; i < clip.size(); ++i)
-        for (const Vector3d& point : clip.points(i))
-            for (const double coordinate : point) append(bytes, static_cast<float>(coordinate), order);
-}
+/// What a cache holds: the places of the same points at several moments.
+struct PointTrack {
+    std::vector<std::array<Index, 3>> triangles;               ///< of the mesh that the cache goes with
+    std::vector<double> times;                                 ///< s, of the samples, as they are shown
+    std::function<std::vector<Vector3d>(std::size_t)> points;  ///< [P] m, of a sample
+};
 
-std::int32_t point_count(const Clip& clip) {
-    return static_cast<std::int32_t>(clip.topology().points.size());
+void append_points(std::string& bytes, const std::vector<Vector3d>& points, std::endian order) {
+    for (const Vector3d& point : points)
+        for (const double coordinate : point) append(bytes, static_cast<float>(coordinate), order);
 }
 
 /// A head of name, version, points, start, frames a sample and samples; little endian.
-std::string pc2_bytes(Clip& clip, double) {
+std::string pc2_bytes(const PointTrack& track) {
     std::string bytes("POINTCACHE2\0", 12);
     append(bytes, std::int32_t{1}, std::endian::little);
-    append(bytes, point_count(clip), std::endian::little);
+    append(bytes, static_cast<std::int32_t>(track.points(0).size()), std::endian::little);
     append(bytes, 0.0F, std::endian::little);
     append(bytes, 1.0F, std::endian::little);
-    append(bytes, static_cast<std::int32_t>(clip.size()), std::endian::little);
-    append_points(bytes, clip, std::endian::little);
+    append(bytes, static_cast<std::int32_t>(track.times.size()), std::endian::little);
+    for (std::size_t i = 0; i < track.times.size(); ++i)
+        append_points(bytes, track.points(i), std::endian::little);
     return bytes;
 }
 
 /// A head of samples, points and the samples' times in s, as they are shown; big endian.
-std::string mdd_bytes(Clip& clip, double slowdown) {
+std::string mdd_bytes(const PointTrack& track) {
     std::string bytes;
-    append(bytes, static_cast<std::int32_t>(clip.size()), std::endian::big);
-    append(bytes, point_count(clip), std::endian::big);
-    for (std::size_t i = 0; i < clip.size(); ++i)
-        append(bytes, static_cast<float>(slowdown * (clip.time(i) - clip.time(0))), std::endian::big);
-    append_points(bytes, clip, std::endian::big);
+    append(bytes, static_cast<std::int32_t>(track.times.size()), std::endian::big);
+    append(bytes, static_cast<std::int32_t>(track.points(0).size()), std::endian::big);
+    for (const double time : track.times) append(bytes, static_cast<float>(time), std::endian::big);
+    for (std::size_t i = 0; i < track.times.size(); ++i)
+        append_points(bytes, track.points(i), std::endian::big);
     return bytes;
 }
 
-/// The mesh that the cache goes with: the topology of the last frame in the shape of the first.
-std::string mesh_of_clip(Clip& clip, const std::filesystem::path& file) {
+/// The mesh that the cache goes with, in the shape of the first sample.
+std::string mesh_of(const PointTrack& track, const std::filesystem::path& file) {
     TriangleSheet sheet;
-    sheet.points = clip.points(0);
-    sheet.triangles = clip.topology().triangles;
+    sheet.points = track.points(0);
+    sheet.triangles = track.triangles;
     return mesh_bytes(sheet, file);
 }
 
+/// Plans caches of one format.
+struct CachePlan {
+    ExportSource& source;
+    const char* extension;
+    std::string (*content)(const PointTrack& track);
+    std::vector<ExportJob> jobs = {};
+
+    /// A mesh, and its cache unless it rests.
+    void add(const PointTrack& track, const std::string& suffix, bool moves) {
+        const std::filesystem::path mesh = source.clip_file(suffix + ".obj");
+        jobs.push_back({mesh, [track, mesh] { return mesh_of(track, mesh); }});
+        if (!moves) return;
+        jobs.push_back(
+            {source.clip_file(suffix + extension), [track, content = content] { return content(track); }});
+    }
+};
+
+/// The last frame's topology.
+PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<double>& times) {
+    return {clip->topology().triangles, times, [clip](std::size_t i) { return clip->points(i); }};
+}
+
+PointTrack obstacle_track(const ExportSource& source, std::size_t number, const std::vector<Moment>& moments,
+                          const std::vector<double>& times) {
+    const GridSurface& surface = source.obstacles()[number].surface;
+    return {surface.triangles, times, [&source, &surface, number, moments](std::size_t i) {
+                return placed(surface, source.poses(moments[i])[number]).points;
+            }};
+}
+
 std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,
-                                  std::string (*content)(Clip& clip, double slowdown)) {
+                                  std::string (*content)(const PointTrack& track)) {
     const Pace pace = source.pace();
-    const auto clip =
-        std::make_shared<Clip>(source, even_moments(source.frames(), source.times(), pace.step()));
+    const std::vector<Moment> moments = even_moments(source.frames(), source.times(), pace.step());
     if (source.frames().size() > 1)
         source.pace_words =
-            fmt::format("{}, {} samples at {:g} a second", pace.words(), clip->size(), pace.rate);
-    const std::filesystem::path mesh = source.clip_file(".obj");
-    return {{mesh, [clip, mesh] { return mesh_of_clip(*clip, mesh); }},
-            {source.clip_file(extension), [=] { return content(*clip, pace.slowdown); }}};
+            fmt::format("{}, {} samples at {:g} a second", pace.words(), moments.size(), pace.rate);
+    std::vector<double> times;
+    for (const Moment& moment : moments)
+        times.push_back(pace.slowdown * (moment.time - moments.front().time));
+    CachePlan plan{source, extension, content};
+    plan.add(sheet_track(std::make_shared<Clip>(source, moments), times), "", true);
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+        plan.add(obstacle_track(source, i, moments, times), source.obstacle_suffix(i, ""),
+                 source.obstacles()[i].moves);
+    return plan.jobs;
 }
 
 }  // namespace

@@ -76,6 +76,15 @@ void check_use(const ExportOptions& options, const ExportOptions& standard) {
 
 }  // namespace
 
+void add_obstacle_files(ExportSource& source, std::size_t frame, const std::string& extension,
+                        MeshContent content, std::vector<ExportJob>& jobs) {
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i) {
+        const std::filesystem::path file = source.frame_file(frame, source.obstacle_suffix(i, extension));
+        jobs.push_back(
+            {file, [&source, i, frame, file, content] { return content(source.obstacle(i, frame), file); }});
+    }
+}
+
 std::string export_format_names() {
     return names_where(nullptr);
 }

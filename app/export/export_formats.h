@@ -21,6 +21,13 @@ struct ExportFormat {
 const ExportFormat& export_format(const ExportOptions& options);
 std::string export_format_names();  ///< "obj, ply, ..."
 
+/// Makes the content of the file of a mesh, whose extension may say how.
+using MeshContent = std::string (*)(const TriangleSheet& sheet, const std::filesystem::path& file);
+
+/// Adds a file for each obstacle as it stands in a frame: NAME_000007_obstacle_ram.ply.
+void add_obstacle_files(ExportSource& source, std::size_t frame, const std::string& extension,
+                        MeshContent content, std::vector<ExportJob>& jobs);
+
 std::vector<ExportJob> plan_obj(ExportSource& source);
 std::vector<ExportJob> plan_ply(ExportSource& source);
 std::vector<ExportJob> plan_stl(ExportSource& source);

@@ -49,7 +49,8 @@ std::string json_content(ExportSource& source, std::size_t number) {
                     {"velocity", "m/s"},
                     {"spin", "rad/s"},
                     {"inertia", "kg m^2, about the centre, along the axes of space"}}},
-                  {"fragments", Json::array()}};
+                  {"fragments", Json::array()},
+                  {"obstacles", Json::array()}};
     const std::vector<FragmentMotion> all = fragment_motions(frame);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const FragmentMotion& one = all[i];
@@ -64,6 +65,11 @@ std::string json_content(ExportSource& source, std::size_t number) {
                                       {"inertia", rows},
                                       {"body", body_file(source, number, i).filename().string()}});
     }
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+        table["obstacles"].push_back(
+            {{"obstacle", source.obstacles()[i].name},
+             {"plane", source.obstacles()[i].plane},
+             {"body", source.frame_file(number, source.obstacle_suffix(i, ".obj")).filename().string()}});
     return table.dump(2) + "\n";
 }
 
@@ -82,6 +88,7 @@ std::vector<ExportJob> plan_fragments(ExportSource& source) {
                                 return mesh_bytes(body, file);
                             }});
         }
+        add_obstacle_files(source, number, ".obj", mesh_bytes, jobs);
         jobs.push_back(
             {source.frame_file(number, ".json"), [&source, number] { return json_content(source, number); }});
         jobs.push_back(

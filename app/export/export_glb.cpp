@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// glb: the fragments of the last frame as nodes, moved rigidly or by morph targets.
+// glb: the fragments of the last frame as nodes, moved rigidly or by morph targets, and obstacles as others.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
 #include "app/export/glb_file.h"
+#include "app/playback/playback.h"
+#include "app/render/creased_surface.h"
 
 namespace sherd {
 
@@ -70,6 +72,7 @@ class Animation {
     void add_bodies(GlbScene& scene);
     void add_motions(GlbScene& scene);
     void add_shapes(GlbScene& scene);
+    void add_obstacles(GlbScene& scene);
     void warn_of_deviation(double deviation);
 
     ExportSource& source;
@@ -91,6 +94,7 @@ GlbScene Animation::scene() {
         add_bodies(scene);
         add_motions(scene);
     }
+    add_obstacles(scene);
     return scene;
 }
 
@@ -162,6 +166,28 @@ void Animation::add_shapes(GlbScene& scene) {
             shape.normals = normals(shape.points, node.triangles, source.options.solid);
             node.shapes.push_back(shape);
         }
+    }
+}
+
+/// Each is a node about its middle, about which it turns between frames.
+void Animation::add_obstacles(GlbScene& scene) {
+    const std::vector<ExportObstacle>& obstacles = source.obstacles();
+    const std::size_t first = scene.nodes.size();
+    for (const ExportObstacle& obstacle : obstacles) {
+        const CreasedSurface surface = creased(obstacle.surface);
+        const Eigen::Isometry3d to_middle(Eigen::Translation3d(-middle(obstacle.surface)));
+        scene.nodes.push_back({obstacle.name,
+                               true,
+                               surface.triangles,
+                               {{moved(surface.points, to_middle), surface.normals}},
+                               {}});
+    }
+    for (std::size_t k = 0; k < clip.size(); ++k) {
+        const std::vector<Eigen::Isometry3d> poses = source.poses(source.frames()[k]);
+        for (std::size_t i = 0; i < obstacles.size(); ++i)
+            if (k == 0 || obstacles[i].moves)
+                scene.nodes[first + i].motions.push_back(poses[i] *
+                                                         Eigen::Translation3d(middle(obstacles[i].surface)));
     }
 }
 

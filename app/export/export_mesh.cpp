@@ -8,15 +8,12 @@ namespace sherd {
 
 namespace {
 
-using Content = std::string (*)(const TriangleSheet& sheet, const std::filesystem::path& file);
-
 std::string stl_content(const TriangleSheet& sheet, const std::filesystem::path&) {
     return stl_bytes(sheet);
 }
 
-/// A file for each frame, or for each fragment of each frame.
-std::vector<ExportJob> plan_files(ExportSource& source, const std::string& extension, bool by_fragment,
-                                  Content content) {
+/// A file for each frame, or for each fragment of each frame, and for each obstacle there.
+std::vector<ExportJob> plan_files(ExportSource& source, const std::string& extension, MeshContent content) {
     std::vector<ExportJob> jobs;
     const auto add = [&](std::size_t number, const std::filesystem::path& file,
                          std::optional<Index> fragment) {
@@ -26,35 +23,47 @@ std::vector<ExportJob> plan_files(ExportSource& source, const std::string& exten
                         }});
     };
     for (const std::size_t number : source.frames()) {
-        if (!by_fragment) {
-            add(number, source.frame_file(number, extension), {});
-            continue;
-        }
-        const std::size_t count = fragment_count(source.frame(number));
+        if (!source.options.fragments) add(number, source.frame_file(number, extension), {});
+        const std::size_t count = source.options.fragments ? fragment_count(source.frame(number)) : 0;
         for (std::size_t i = 0; i < count; ++i)
             add(number, source.frame_file(number, "_" + fragment_name(i) + extension), static_cast<Index>(i));
+        add_obstacle_files(source, number, extension, content, jobs);
     }
     return jobs;
 }
 
-std::string obj_of_one_object(const TriangleSheet& sheet, const std::filesystem::path& file) {
-    TriangleSheet one = sheet;
-    one.group.clear();
-    return mesh_bytes(one, file);
+/// The sheets as one object, or as one for each fragment, and each obstacle as another one.
+std::string obj_content(ExportSource& source, std::size_t number, const std::filesystem::path& file) {
+    TriangleSheet all = source.sheet(number);
+    all.quality.clear();
+    if (!source.options.fragments) {
+        all.group.clear();
+        if (source.obstacles().empty()) return mesh_bytes(all, file);
+        all.group.assign(all.triangles.size(), 0);
+        all.group_names = {"sheets"};
+    }
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+        add_group(all, source.obstacle(i, number), source.obstacles()[i].name);
+    return mesh_bytes(all, file);
 }
 
 }  // namespace
 
 std::vector<ExportJob> plan_obj(ExportSource& source) {
-    return plan_files(source, ".obj", false, source.options.fragments ? mesh_bytes : obj_of_one_object);
+    std::vector<ExportJob> jobs;
+    for (const std::size_t number : source.frames()) {
+        const std::filesystem::path file = source.frame_file(number, ".obj");
+        jobs.push_back({file, [&source, number, file] { return obj_content(source, number, file); }});
+    }
+    return jobs;
 }
 
 std::vector<ExportJob> plan_ply(ExportSource& source) {
-    return plan_files(source, ".ply", source.options.fragments, mesh_bytes);
+    return plan_files(source, ".ply", mesh_bytes);
 }
 
 std::vector<ExportJob> plan_stl(ExportSource& source) {
-    return plan_files(source, ".stl", source.options.fragments, stl_content);
+    return plan_files(source, ".stl", stl_content);
 }
 
 }  // namespace sherd

@@ -20,9 +20,10 @@ namespace fs = std::filesystem;
 }  // namespace
 
 ExportSource::ExportSource(const ExportOptions& options_, const std::string& extension, bool all_frames)
-    : options(options_), recording(options.recording) {
+    : options(options_), recording(options.recording), playback(recording) {
     const std::string wanted = !options.frames.empty() ? options.frames : all_frames ? "all" : "last";
     chosen = selected_frames(wanted, recording.frame_count());
+    if (!options.sheets_only) solids = export_obstacles(recording, chosen);
     fs::path output = options.output;
     if (output.empty()) output = fs::path(options.recording).replace_extension(extension);
     const std::string given = output.extension().string();
@@ -87,6 +88,23 @@ void ExportSource::check_bodies(std::size_t number) {
                                                                   check.intersections.size())
                                                     : "is not closed"));
     }
+}
+
+std::vector<Eigen::Isometry3d> ExportSource::poses(const Moment& moment) const {
+    if (interrupted()) throw Error("interrupted", Fault::run);
+    return playback.at(moment);
+}
+
+std::vector<Eigen::Isometry3d> ExportSource::poses(std::size_t frame) const {
+    return poses(Moment{frame, frame, 0, recording.time(frame)});
+}
+
+TriangleSheet ExportSource::obstacle(std::size_t i, std::size_t frame) const {
+    return placed(obstacles()[i].surface, poses(frame)[i]);
+}
+
+std::string ExportSource::obstacle_suffix(std::size_t i, const std::string& extension) const {
+    return "_" + solids[i].name + extension;
 }
 
 fs::path ExportSource::clip_file(const std::string& extension) const {

@@ -4,6 +4,8 @@
 #include <functional>
 
 #include "app/export/export.h"
+#include "app/export/export_obstacles.h"
+#include "app/playback/playback.h"
 #include "app/recording/recording.h"
 #include "meshops/write_mesh.h"
 
@@ -37,6 +39,17 @@ class ExportSource {
     /// fragment whose body intersects itself. The groups are the fragments. It is kept, too.
     const TriangleSheet& sheet(std::size_t number);
 
+    /// Returns the obstacles and free bodies that are to be written; none with ExportOptions::sheets_only.
+    const std::vector<ExportObstacle>& obstacles() const { return solids; }
+    /// Returns the motions from the frame of each of obstacles() to space, in a frame or between two. Throws
+    /// Error (run) when interrupted().
+    std::vector<Eigen::Isometry3d> poses(const Moment& moment) const;
+    std::vector<Eigen::Isometry3d> poses(std::size_t frame) const;
+    /// Returns one of obstacles() as it stands in a frame.
+    TriangleSheet obstacle(std::size_t i, std::size_t frame) const;
+    /// Returns the end of the name of its files: "_obstacle_ram.ply".
+    std::string obstacle_suffix(std::size_t i, const std::string& extension) const;
+
     /// Returns NAME, for what holds all frames.
     std::filesystem::path clip_file(const std::string& extension) const;
     /// Returns NAME_000007, or NAME when only one frame is asked for by a file's name.
@@ -52,6 +65,8 @@ class ExportSource {
 
     Recording recording;
     std::vector<std::size_t> chosen;
+    std::vector<ExportObstacle> solids;
+    ObstaclePlayback playback;
     std::filesystem::path stem;  ///< without number and extension
     bool single = false;
     std::optional<std::size_t> loaded, made;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <set>
 
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
@@ -34,16 +36,52 @@ double voxel_size(ExportSource& source) {
     return voxel;
 }
 
+/// Of the diagonal of an obstacle that is large beside the sheets' voxels.
+constexpr double voxels_along = 200;
+
+bool is_closed(const GridSurface& surface) {
+    std::set<std::array<std::int32_t, 2>> sides;
+    for (const auto& [a, b, c] : surface.triangles) sides.insert({{a, b}, {b, c}, {c, a}});
+    return std::ranges::all_of(sides, [&](const auto& side) { return sides.contains({side[1], side[0]}); });
+}
+
+/// Whether an obstacle has an inside that a grid can hold; why not is a warning, but of planes.
+bool has_inside(ExportSource& source, const ExportObstacle& obstacle) {
+    const bool closed = is_closed(obstacle.surface);
+    if (!closed && !obstacle.plane)
+        source.warnings.push_back(
+            fmt::format("{} is not closed, so it has no level set in the .vdb", obstacle.name));
+    return closed && !obstacle.plane;
+}
+
+/// Obstacles where a frame shows them. chosen: their numbers.
+std::vector<LevelSetBody> bodies_in(const ExportSource& source, std::size_t frame,
+                                    const std::vector<std::size_t>& chosen, double voxel) {
+    std::vector<LevelSetBody> bodies;
+    for (const std::size_t i : chosen) {
+        const ExportObstacle& obstacle = source.obstacles()[i];
+        Eigen::AlignedBox3d box;
+        for (const Vector3d& point : obstacle.surface.points) box.extend(point);
+        bodies.push_back({obstacle.name, source.obstacle(i, frame),
+                          std::max(voxel, box.diagonal().norm() / voxels_along)});
+    }
+    return bodies;
+}
+
 }  // namespace
 
 std::vector<ExportJob> plan_vdb(ExportSource& source) {
     const double voxel = voxel_size(source);
+    std::vector<std::size_t> solids;
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+        if (has_inside(source, source.obstacles()[i])) solids.push_back(i);
     std::vector<ExportJob> jobs;
     for (const std::size_t number : source.frames())
         jobs.push_back({source.frame_file(number, ".vdb"), nullptr,
-                        [&source, number, voxel](const std::filesystem::path& file) {
+                        [&source, number, voxel, solids](const std::filesystem::path& file) {
                             const Snapshot& frame = source.frame(number);
-                            write_level_set(frame_sheet(frame), source.thickness(frame), voxel, file);
+                            write_level_set(frame_sheet(frame), source.thickness(frame), voxel,
+                                            bodies_in(source, number, solids, voxel), file);
                         }});
     return jobs;
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory>
 #include <new>
 #include <vector>
 
@@ -18,6 +17,8 @@
 namespace sherd {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little, "the header says little endian");
 
@@ -54,12 +55,16 @@ std::string array(const char* type, const char* name, int width, const T* values
         type, name, width, encoded({reinterpret_cast<const std::uint8_t*>(values), count * sizeof(T)}));
 }
 
+std::string point_array(const double* values, std::size_t points) {
+    return "<Points>\n" + array("Float64", "Points", 3, values, 3 * points) + "</Points>\n";
+}
+
 std::string vertex_arrays(const Snapshot& frame) {
     const VectorXd speed = frame.velocity.colwise().norm();
     const auto vertices = static_cast<std::size_t>(frame.position.cols());
     return "<PointData Scalars=\"speed\">\n" + array("Float64", "speed", 1, speed.data(), vertices) +
-           array("Float64", "velocity", 3, frame.velocity.data(), 3 * vertices) + "</PointData>\n<Points>\n" +
-           array("Float64", "Points", 3, frame.position.data(), 3 * vertices) + "</Points>\n";
+           array("Float64", "velocity", 3, frame.velocity.data(), 3 * vertices) + "</PointData>\n" +
+           point_array(frame.position.data(), vertices);
 }
 
 /// Each field, and its principal values, the larger ones first.
@@ -84,50 +89,82 @@ std::string face_arrays(const Snapshot& frame) {
            field_arrays(frame.fields) + "</CellData>\n";
 }
 
-std::string triangles(const Snapshot& frame) {
+std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
     std::vector<std::int64_t> ends;
-    for (std::size_t f = 1; f <= frame.faces.size(); ++f) ends.push_back(static_cast<std::int64_t>(3 * f));
+    for (std::size_t f = 1; f <= faces.size(); ++f) ends.push_back(static_cast<std::int64_t>(3 * f));
     return "<Polys>\n" +
-           array("Int32", "connectivity", 1, frame.faces.empty() ? nullptr : frame.faces[0].data(),
-                 3 * frame.faces.size()) +
+           array("Int32", "connectivity", 1, faces.empty() ? nullptr : faces[0].data(), 3 * faces.size()) +
            array("Int64", "offsets", 1, ends.data(), ends.size()) + "</Polys>\n";
 }
 
-}  // namespace
-
-std::string vtp_bytes(const Snapshot& frame) {
+/// arrays: of points and faces.
+std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>& faces,
+                     const std::string& arrays) {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n" +
            fmt::format(
                "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
                "NumberOfPolys=\"{}\">\n",
-               frame.position.cols(), frame.faces.size()) +
-           vertex_arrays(frame) + face_arrays(frame) + triangles(frame) +
-           "</Piece>\n</PolyData>\n</VTKFile>\n";
+               points, faces.size()) +
+           arrays + triangles(faces) + "</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+/// One that rests has one file for all frames.
+fs::path obstacle_file(const ExportSource& source, std::size_t i, std::size_t frame) {
+    const std::string suffix = source.obstacle_suffix(i, ".vtp");
+    return source.obstacles()[i].moves ? source.numbered_file(frame, suffix) : source.clip_file(suffix);
+}
+
+/// Adds the files of the obstacles in a frame that no frame before has.
+void add_obstacles(ExportSource& source, std::size_t frame, std::vector<ExportJob>& jobs) {
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+        if (source.obstacles()[i].moves || frame == source.frames().front())
+            jobs.push_back({obstacle_file(source, i, frame),
+                            [&source, i, frame] { return vtp_bytes(source.obstacle(i, frame)); }});
+}
+
+std::string index_of(const ExportSource& source) {
+    std::vector<TimedFile> files;
+    const std::vector<double> times = source.times();
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const std::size_t frame = source.frames()[k];
+        files.push_back({source.numbered_file(frame, ".vtp"), times[k], 0, "sheets"});
+        for (std::size_t i = 0; i < source.obstacles().size(); ++i)
+            files.push_back({obstacle_file(source, i, frame), times[k], i + 1, source.obstacles()[i].name});
+    }
+    return pvd_text(files);
+}
+
+}  // namespace
+
+std::string vtp_bytes(const Snapshot& frame) {
+    return vtp_text(static_cast<std::size_t>(frame.position.cols()), frame.faces,
+                    vertex_arrays(frame) + face_arrays(frame));
+}
+
+std::string vtp_bytes(const TriangleSheet& mesh) {
+    const double* values = mesh.points.empty() ? nullptr : mesh.points[0].data();
+    return vtp_text(mesh.points.size(), mesh.triangles, point_array(values, mesh.points.size()));
 }
 
 std::string pvd_text(std::span<const TimedFile> files) {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
         "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (const auto& [file, time] : files)
-        text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", time,
-                            xml_escaped(file.filename().string()));
+    for (const auto& [file, time, part, name] : files)
+        text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", time,
+                            part, xml_escaped(name), xml_escaped(file.filename().string()));
     return text + "</Collection>\n</VTKFile>\n";
 }
 
 std::vector<ExportJob> plan_pvd(ExportSource& source) {
-    const auto index = std::make_shared<std::vector<TimedFile>>();
     std::vector<ExportJob> jobs;
     for (const std::size_t number : source.frames()) {
-        const auto file = source.numbered_file(number, ".vtp");
-        jobs.push_back({file, [&source, index, number, file] {
-                            const Snapshot& frame = source.frame(number);
-                            index->push_back({file, frame.time});
-                            return vtp_bytes(frame);
-                        }});
+        jobs.push_back({source.numbered_file(number, ".vtp"),
+                        [&source, number] { return vtp_bytes(source.frame(number)); }});
+        add_obstacles(source, number, jobs);
     }
-    jobs.push_back({source.clip_file(".pvd"), [index] { return pvd_text(*index); }});
+    jobs.push_back({source.clip_file(".pvd"), [&source] { return index_of(source); }});
     return jobs;
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <sstream>
 
+#include "app/render/render_light.h"
+#include "app/render/render_obstacle.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -28,6 +30,8 @@ class Model {
                      int target);
     int add_rows(const Rows& rows, int type, bool bounds, int target);
     int add_vectors(const std::vector<Vector3d>& vectors, bool bounds);
+    int add_material(const std::string& name, bool double_sided, const Eigen::Vector3f& colour);
+    int obstacle_material();
     int add_mesh(const GlbNode& node);
     void animate(int node, const char* path, int output);
     void animate_motion(int number, const GlbNode& node);
@@ -35,7 +39,7 @@ class Model {
 
     tinygltf::Model model;
     std::vector<unsigned char> data;
-    int times = -1, weights = -1;
+    int times = -1, weights = -1, grey = -1;
     std::size_t time_count;
 };
 
@@ -48,12 +52,7 @@ Rows rows_of(const std::vector<double>& values) {
 Model::Model(const GlbScene& scene) : time_count(scene.times.size()) {
     model.asset.version = "2.0";
     model.asset.generator = "sherd " SHERD_VERSION;
-    tinygltf::Material material;
-    material.name = "sheet";
-    material.doubleSided = scene.double_sided;
-    material.pbrMetallicRoughness.metallicFactor = 0;
-    material.pbrMetallicRoughness.roughnessFactor = 0.6;
-    model.materials.push_back(material);
+    add_material("sheet", scene.double_sided, Eigen::Vector3f::Ones());
     tinygltf::Node root;
     root.name = scene.name;
     root.rotation = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
@@ -65,6 +64,22 @@ Model::Model(const GlbScene& scene) : time_count(scene.times.size()) {
     if (time_count < 2) return;
     model.animations.emplace_back().name = scene.name;
     times = add_rows(rows_of(scene.times), TINYGLTF_TYPE_SCALAR, true, 0);
+}
+
+int Model::add_material(const std::string& name, bool double_sided, const Eigen::Vector3f& colour) {
+    tinygltf::Material material;
+    material.name = name;
+    material.doubleSided = double_sided;
+    material.pbrMetallicRoughness.baseColorFactor = {colour[0], colour[1], colour[2], 1};
+    material.pbrMetallicRoughness.metallicFactor = 0;
+    material.pbrMetallicRoughness.roughnessFactor = 0.6;
+    model.materials.push_back(material);
+    return static_cast<int>(model.materials.size()) - 1;
+}
+
+int Model::obstacle_material() {
+    if (grey < 0) grey = add_material("obstacle", false, linear_colour(obstacle_grey));
+    return grey;
 }
 
 int Model::add_accessor(const void* values, std::size_t bytes, std::size_t count, int component, int type,
@@ -122,7 +137,7 @@ std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::ve
 int Model::add_mesh(const GlbNode& node) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = 0;
+    primitive.material = node.obstacle ? obstacle_material() : 0;
     primitive.indices = add_accessor(node.triangles.data(), node.triangles.size() * sizeof node.triangles[0],
                                      3 * node.triangles.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                                      TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);

@@ -17,6 +17,7 @@ struct GlbShape {
 /// A node with a mesh of its own, that moves, or changes its shape, or does neither.
 struct GlbNode {
     std::string name;
+    bool obstacle = false;  ///< has the material of obstacles instead of that of sheets
     std::vector<std::array<Index, 3>> triangles;
     std::vector<GlbShape> shapes;            ///< [1] or one for each time
     std::vector<Eigen::Isometry3d> motions;  ///< [1] or one for each time
@@ -26,7 +27,7 @@ struct GlbNode {
 /// them).
 struct GlbScene {
     std::string name;
-    bool double_sided = true;
+    bool double_sided = true;   ///< its sheets, seen from both sides
     std::vector<double> times;  ///< s, rising, from 0
     std::vector<GlbNode> nodes;
 };

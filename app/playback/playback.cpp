@@ -23,12 +23,15 @@ Snapshot Playback::at(const Moment& moment) {
     return moment.share > 0 ? interpolated(earlier, frame(moment.later), moment.share) : earlier;
 }
 
+Vector3d middle(const GridSurface& surface) {
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& point : surface.points) sum += point;
+    return sum / std::max<double>(1, static_cast<double>(surface.points.size()));
+}
+
 ObstaclePlayback::ObstaclePlayback(const Recording& recording) : recording(recording) {
-    for (const RecordedObstacle& obstacle : recording.obstacles()) {
-        Vector3d sum = Vector3d::Zero();
-        for (const Vector3d& point : obstacle.surface.points) sum += point;
-        middles.push_back(sum / std::max<double>(1, static_cast<double>(obstacle.surface.points.size())));
-    }
+    for (const RecordedObstacle& obstacle : recording.obstacles())
+        middles.push_back(middle(obstacle.surface));
 }
 
 std::vector<Eigen::Isometry3d> ObstaclePlayback::at(const Moment& moment) const {

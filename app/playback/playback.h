@@ -28,6 +28,9 @@ class Playback {
     std::map<std::size_t, Snapshot> kept;  ///< by number
 };
 
+/// m, of the points of an obstacle's surface: what it turns about between frames.
+Vector3d middle(const GridSurface& surface);
+
 /// The obstacles of a recording at moments.
 class ObstaclePlayback {
   public:

@@ -66,6 +66,7 @@ struct RecordedMode {
 struct RecordedObstacle {
     std::string name;
     GridSurface surface;  ///< in the obstacle's own frame
+    bool plane = false;   ///< infinite; the surface is a square of it, which faces to the side of the sheets
 };
 
 /// Holds the names of a recording and of its index, locked for this program as long as this lives.

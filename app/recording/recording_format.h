@@ -328,6 +328,9 @@ std::string member_name(std::string name);
 /// Returns the name of the group of a frame.
 std::string frame_group(std::size_t number);
 
+/// What has RecordedObstacle::plane; recordings of before planes were in them lack it.
+inline constexpr const char* obstacle_planes = "obstacles/plane";
+
 /// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
 

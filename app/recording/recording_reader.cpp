@@ -197,6 +197,16 @@ std::vector<RecordedObstacle> Recording::obstacles() const {
             read_array(group, "face", obstacles.back().surface.triangles);
             if (const std::string what = inconsistency(obstacles.back()); !what.empty()) throw Error(what);
         }
+        if (!hdf5::contains(opened, obstacle_planes)) return obstacles;
+        const auto planes = hdf5::read<std::uint8_t>(opened, obstacle_planes);
+        if (planes.size() != obstacles.size())
+            throw Error(fmt::format("{} has {} rows of {} obstacles", obstacle_planes, planes.size(),
+                                    obstacles.size()));
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            obstacles[i].plane = planes[i] != 0;
+            if (obstacles[i].plane && obstacles[i].surface.triangles.empty())
+                throw Error(fmt::format("the plane '{}' has no face", obstacles[i].name));
+        }
         return obstacles;
     });
 }

@@ -100,14 +100,17 @@ void write_head(hid_t file, const RecordingHeader& header) {
 void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
     if (obstacles.empty()) return;
     std::vector<std::string> names;
+    std::vector<std::uint8_t> planes;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
         names.push_back(obstacles[i].name);
+        planes.push_back(obstacles[i].plane);
         const hdf5::Handle group = hdf5::create_group(file, obstacle_group(i));
         write_array(group, "position", {"m", "in the obstacle's own frame"}, obstacles[i].surface.points);
         write_array(group, "face", {"1", "the three corners, as rows of position"},
                     obstacles[i].surface.triangles);
     }
     hdf5::write_texts(file, "obstacles/names", names);
+    write_array(file, obstacle_planes, {"1", "1: a plane, whose surface here is a square of it"}, planes);
 }
 
 void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {

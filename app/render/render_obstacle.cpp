@@ -1,50 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/render_obstacle.h"
 
+#include "app/render/creased_surface.h"
 #include "app/render/render_light.h"
 
 namespace sherd {
-namespace {
 
-using Eigen::Vector3d;
-
-constexpr std::uint32_t obstacle_grey = 0x8c8f93;
-constexpr double smooth_cosine = 0.87;  // of a face with the mean of its neighbours: 30 degrees
-
-/// As long as twice the area.
-Vector3d face_normal(const GridSurface& surface, const std::array<std::int32_t, 3>& face) {
-    const Vector3d& a = surface.points[face[0]];
-    return (surface.points[face[1]] - a).cross(surface.points[face[2]] - a);
+RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose,
+                          const Eigen::Vector3d& origin) {
+    const CreasedSurface shown = creased(surface);
+    RenderMesh mesh;
+    for (std::size_t i = 0; i < shown.points.size(); ++i) {
+        RenderVertex vertex;
+        vertex.position = (pose * shown.points[i] - origin).cast<float>();
+        vertex.normal = Eigen::Vector3d(pose.linear() * shown.normals[i]).cast<float>();
+        vertex.colour = linear_colour(obstacle_grey);
+        vertex.material = shown.points[i].cast<float>();
+        mesh.vertices.push_back(vertex);
+    }
+    for (const auto& [a, b, c] : shown.triangles)
+        mesh.triangles.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    return mesh;
 }
 
-}  // namespace
-
-RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose, const Vector3d& origin) {
-    std::vector<Vector3d> mean(surface.points.size(), Vector3d::Zero());
-    for (const auto& face : surface.triangles)
-        for (const std::int32_t corner : face) mean[corner] += face_normal(surface, face);
-    RenderMesh mesh;
-    for (const auto& face : surface.triangles) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        const Vector3d flat = face_normal(surface, face).stableNormalized();
-        for (const std::int32_t corner : face) {
-            const Vector3d around = mean[corner].stableNormalized();
-            const Vector3d normal = pose.linear() * (around.dot(flat) > smooth_cosine ? around : flat);
-            RenderVertex vertex;
-            vertex.position = (pose * surface.points[corner] - origin).cast<float>();
-            vertex.normal = normal.cast<float>();
-            vertex.colour = linear_colour(obstacle_grey);
-            vertex.material = surface.points[corner].cast<float>();
-            mesh.vertices.push_back(vertex);
-        }
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
+RenderPlane plane_of(const GridSurface& surface, const Eigen::Isometry3d& pose,
+                     const Eigen::Vector3d& origin) {
+    const std::array<std::int32_t, 3>& face = surface.triangles.front();
+    const Eigen::Vector3d normal = pose.linear() * face_normal(surface, face).stableNormalized();
+    return {(pose * surface.points[face[0]] - origin).cast<float>(), normal.cast<float>()};
 }
 
 Eigen::AlignedBox3d box_of(const GridSurface& surface, const Eigen::Isometry3d& pose) {
     Eigen::AlignedBox3d box;
-    for (const Vector3d& point : surface.points) box.extend(pose * point);
+    for (const Eigen::Vector3d& point : surface.points) box.extend(pose * point);
     return box;
 }
 

@@ -8,10 +8,17 @@
 
 namespace sherd {
 
+/// sRGB, 0xRRGGBB.
+inline constexpr std::uint32_t obstacle_grey = 0x8c8f93;
+
 /// An obstacle as it is drawn: grey, with sharp edges where its triangles meet at more than some 30 degrees.
 /// pose: from its own frame to space; origin: m, subtracted from all positions.
 RenderMesh obstacle_solid(const GridSurface& surface, const Eigen::Isometry3d& pose,
                           const Eigen::Vector3d& origin);
+
+/// The plane in which a surface lies. pose, origin: as above.
+RenderPlane plane_of(const GridSurface& surface, const Eigen::Isometry3d& pose,
+                     const Eigen::Vector3d& origin);
 
 /// m, around its points as they stand in space.
 Eigen::AlignedBox3d box_of(const GridSurface& surface, const Eigen::Isometry3d& pose);

@@ -71,9 +71,9 @@ void RenderStage::read_scene(std::vector<std::string>& warnings) {
     } catch (const Error& error) {
         if (options.colour == RenderColour::axis) throw;
         scene_spec.reset();
-        warnings.push_back(fmt::format(
-            "the scene in the recording cannot be read, so the picture is without the scene's planes: {}",
-            error.what()));
+        warnings.push_back(
+            fmt::format("the scene in the recording cannot be read, so the picture has z up{}: {}",
+                        has_planes() ? "" : " and is without the scene's planes", error.what()));
     }
 }
 
@@ -143,7 +143,8 @@ void RenderStage::measure_obstacles(const Recording& recording) {
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const std::vector<Eigen::Isometry3d> poses = recording.poses(i);
         for (std::size_t k = 0; k < obstacles.size(); ++k)
-            if (poses[k].matrix().allFinite()) around[k].extend(box_of(obstacles[k].surface, poses[k]));
+            if (!obstacles[k].plane && poses[k].matrix().allFinite())
+                around[k].extend(box_of(obstacles[k].surface, poses[k]));
     }
     for (const Eigen::AlignedBox3d& obstacle : around) {
         // One that would make the sheets small is cut off by the picture instead.
@@ -160,7 +161,8 @@ void RenderStage::add_ground() {
     const auto add = [&](const Vector3d& point, const Vector3d& normal) {
         planes.push_back({(point - centre()).cast<float>(), normal.cast<float>()});
     };
-    if (scene_spec)
+    if (has_planes()) return;
+    if (scene_spec)  // of an earlier version's recording
         for (const ObstacleSpec& obstacle : scene_spec->obstacles)
             if (const auto* plane = std::get_if<PlaneShape>(&obstacle.shape))
                 add(plane->point, plane->normal.normalized());
@@ -207,14 +209,26 @@ RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Iso
     RenderScene scene;
     scene.meshes.push_back(sheet_solid(frame, thickness_of(frame), paint(frame), centre()));
     for (std::size_t i = 0; i < poses.size(); ++i)
-        if (poses[i].matrix().allFinite())
+        if (!obstacles[i].plane && poses[i].matrix().allFinite())
             scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], centre()));
     if (tips) scene.meshes.push_back(tips_of(frame));
-    scene.planes = planes;
+    scene.planes = ground(poses);
     scene.centre = Eigen::Vector3f::Zero();
     scene.up = up.cast<float>();
     scene.radius = static_cast<float>(radius());
     return scene;
+}
+
+std::vector<RenderPlane> RenderStage::ground(std::span<const Eigen::Isometry3d> poses) const {
+    std::vector<RenderPlane> all = planes;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (options.ground && obstacles[i].plane)
+            all.push_back(plane_of(obstacles[i].surface, poses[i], centre()));
+    return all;
+}
+
+bool RenderStage::has_planes() const {
+    return std::ranges::any_of(obstacles, &RecordedObstacle::plane);
 }
 
 double RenderStage::radius() const {

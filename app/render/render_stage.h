@@ -37,7 +37,8 @@ class RenderStage {
     RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const;
     Vector3d centre() const { return focus.center(); }  ///< m, of the action, from which the rest is seen
     const Camera& camera() const { return placed; }
-    const std::vector<RenderPlane>& ground() const { return planes; }
+    /// Planes, from poses of the recording's obstacles; one below everything when the scene has none.
+    std::vector<RenderPlane> ground(std::span<const Eigen::Isometry3d> poses) const;
     const Vector3d& upward() const { return up; }
     const Eigen::AlignedBox3d& everything() const { return box; }  ///< m, strays of the action, too
     double radius() const;                                         ///< m, of the action
@@ -58,6 +59,7 @@ class RenderStage {
     void measure_tips(const Recording& recording);
     void measure_obstacles(const Recording& recording);
     void add_ground();
+    bool has_planes() const;  ///< whether the recording has the scene's planes, if there are any
     SheetPaint paint(const Snapshot& frame) const;
     std::uint32_t scalar_colour(double value) const;  ///< 0xRRGGBB
     RenderMesh tips_of(const Snapshot& frame) const;
@@ -77,9 +79,9 @@ class RenderStage {
     double end = 0;                                       ///< s, time of the last frame
     std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
     std::string scalar_name, scalar_unit;
-    std::optional<TipHistory> tips;  ///< that are drawn
-    Eigen::Matrix3Xd stripes;        ///< [3, F0] of the material's axes, at corners of the unbroken mesh
-    std::vector<RenderPlane> planes;
+    std::optional<TipHistory> tips;   ///< that are drawn
+    Eigen::Matrix3Xd stripes;         ///< [3, F0] of the material's axes, at corners of the unbroken mesh
+    std::vector<RenderPlane> planes;  ///< that are no recorded obstacles
     Camera placed;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run/obstacle_track.h"
 
+#include "core/contact/geometry/basic_shapes.h"
+
 namespace sherd {
 namespace {
 
@@ -11,15 +13,44 @@ GridSurface recorded_surface(const ColliderSurface& whole) {
     return surface;
 }
 
+void extend(Eigen::AlignedBox3d& box, const ColliderSurface& surface, const Eigen::Isometry3d& pose) {
+    for (const auto& point : surface.points.colwise()) box.extend(pose * Vector3d(point));
+}
+
+/// Around sheets, bodies and obstacles but planes.
+Eigen::AlignedBox3d box_of(const Simulation& simulation) {
+    const Positions& sheets = simulation.shell().mechanics().position;
+    Eigen::AlignedBox3d box(sheets.rowwise().minCoeff(), sheets.rowwise().maxCoeff());
+    for (const Obstacle& obstacle : simulation.obstacles())
+        if (obstacle.surface) extend(box, *obstacle.surface, obstacle.motion.at(simulation.time()));
+    for (const RigidBody& body : simulation.bodies()) extend(box, *body.surface, body.pose());
+    return box;
+}
+
+/// The square of a plane that lies nearest to a box, in the plane's own frame.
+GridSurface square(const PlaneShape& plane, const Eigen::Isometry3d& pose, const Eigen::AlignedBox3d& box) {
+    const Vector3d way = pose.inverse() * box.center() - plane.point;
+    const Vector3d middle = plane.point + (way - plane.normal.dot(way) * plane.normal);
+    const Vector3d u = box.diagonal().norm() * plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
+    return {{middle - u - v, middle + u - v, middle + u + v, middle - u + v}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
 }  // namespace
 
 ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
     const std::vector<Obstacle>& obstacles = simulation.obstacles();
-    for (std::size_t i = 0; i < obstacles.size(); ++i)
-        if (obstacles[i].surface) {
-            recorded.push_back({scene.obstacles[i].name, recorded_surface(*obstacles[i].surface)});
-            motions.push_back(obstacles[i].motion);
-        }
+    const Eigen::AlignedBox3d box = box_of(simulation);
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        const std::string& name = scene.obstacles[i].name;
+        const Motion& motion = obstacles[i].motion;
+        if (obstacles[i].surface)
+            recorded.push_back({name, recorded_surface(*obstacles[i].surface)});
+        else if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacles[i].shape.get()))
+            recorded.push_back({name, square(*plane, motion.at(simulation.time()), box), true});
+        else
+            continue;
+        motions.push_back(motion);
+    }
     const std::vector<RigidBody>& bodies = simulation.bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i)
         recorded.push_back({scene.bodies[i].name, recorded_surface(*bodies[i].surface)});

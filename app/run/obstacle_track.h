@@ -7,10 +7,11 @@
 
 namespace sherd {
 
-/// Holds what a recording shows of a scene's obstacles: those with a surface, the free ones last.
+/// Holds what a recording shows of a scene's obstacles, the free ones last. Of a plane it shows a square
+/// around where everything else starts: its half side is as long as the diagonal of the box around that.
 class ObstacleTrack {
   public:
-    /// The simulation has to be that of the scene.
+    /// The simulation has to be that of the scene, and not to have made a step yet.
     ObstacleTrack(const Scene& scene, const Simulation& simulation);
 
     const std::vector<RecordedObstacle>& obstacles() const { return recorded; }

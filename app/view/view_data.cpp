@@ -22,10 +22,6 @@ std::string base64_of(const std::vector<Number>& numbers) {
     return base64({reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size() * sizeof(Number)});
 }
 
-std::string base64_of(const Eigen::MatrixXf& numbers) {
-    return base64_of(std::vector<float>(numbers.data(), numbers.data() + numbers.size()));
-}
-
 /// States of a vertex and of a line on the page.
 enum ViewState : std::uint8_t { unbroken, failed_closed, cracked_open };
 
@@ -166,10 +162,11 @@ class Packer {
     Snapshot before;
 };
 
-/// Their shapes, each in its own frame.
+/// Their shapes, each in its own frame, but those of planes, which are the ground.
 PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     PageJson list = PageJson::array();
     for (const RecordedObstacle& obstacle : obstacles) {
+        if (obstacle.plane) continue;
         std::vector<float> points;
         std::vector<std::uint32_t> faces;
         for (const Vector3d& point : obstacle.surface.points)
@@ -181,13 +178,16 @@ PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
     return list;
 }
 
-/// 4 x 4 matrices, column by column, from the obstacles' frames to places seen from `origin`.
-std::string packed_poses(std::vector<Eigen::Isometry3d> poses, const Vector3d& origin) {
-    Eigen::MatrixXf matrices(4, 4 * poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        matrices.middleCols<4>(4 * static_cast<Eigen::Index>(i)) =
-            poses[i].pretranslate(-origin).matrix().cast<float>();
-    return base64_of(matrices);
+/// Of each of these 4 x 4 numbers, column by column, from its frame to places seen from `origin`.
+std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::vector<Eigen::Isometry3d> poses,
+                         const Vector3d& origin) {
+    std::vector<float> numbers;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        if (obstacles[i].plane) continue;
+        const Eigen::Matrix4f matrix = poses[i].pretranslate(-origin).matrix().cast<float>();
+        numbers.insert(numbers.end(), matrix.data(), matrix.data() + matrix.size());
+    }
+    return base64_of(numbers);
 }
 
 /// Of each tip: its number, place (m) seen from `origin`, direction, speed, G / G_c, K_I, K_II, k_1 and k_2.
@@ -208,9 +208,10 @@ PageJson bar_json(const ColourBar& bar) {
     return {{"title", bar.title}, {"ticks", ticks}, {"below", bar.below}, {"above", bar.above}};
 }
 
-PageJson stage_json(const RenderStage& stage) {
+/// poses: of the obstacles in the first frame, in which the ground stands.
+PageJson stage_json(const RenderStage& stage, std::span<const Eigen::Isometry3d> poses) {
     PageJson planes = PageJson::array();
-    for (const RenderPlane& plane : stage.ground())
+    for (const RenderPlane& plane : stage.ground(poses))
         planes.push_back({vector_json<PageJson>(plane.point.cast<double>()),
                           vector_json<PageJson>(plane.normal.cast<double>())});
     PageJson palette = PageJson::array(), map = PageJson::array();
@@ -242,13 +243,14 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
                    const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning) {
     Packer packer(stage);
     const TipHistory tips(recording);
-    PageJson data = stage_json(stage), packed = PageJson::array(), times = PageJson::array(),
-             captions = PageJson::array();
+    const std::vector<RecordedObstacle> obstacles = recording.obstacles();
+    PageJson data = stage_json(stage, recording.poses(frames.front())), packed = PageJson::array(),
+             times = PageJson::array(), captions = PageJson::array();
     for (const std::size_t number : frames) {
         const Snapshot snapshot =
             thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
-        packed.back()["poses"] = packed_poses(recording.poses(number), stage.centre());
+        packed.back()["poses"] = packed_poses(obstacles, recording.poses(number), stage.centre());
         if (!tips.empty())
             packed.back()["tips"] = packed_tips(tips.at(snapshot.step, snapshot.time), stage.centre());
         times.push_back(snapshot.time);
@@ -259,7 +261,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
     }
     const std::vector<double>& thickness = packer.before.rest.thickness;
     data["thickness"] = base64_of(std::vector<float>(thickness.begin(), thickness.end()));
-    data["obstacles"] = obstacles_json(recording.obstacles());
+    data["obstacles"] = obstacles_json(obstacles);
     data["low"] = vector_json<PageJson>(packer.low - stage.centre());
     data["step"] = vector_json<PageJson>(packer.step);
     data["scalar"] = render_scalar(packer.before, packer.colour).name;

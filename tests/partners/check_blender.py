@@ -53,12 +53,22 @@ def check_near(found, expected, what, tolerance=NEAR):
     assert off < tolerance, f"{what}: {off} m off"
 
 
+def obstacles(frame):
+    """The points of each where they stand, by the names of their objects."""
+    poses = frame["obstacle/pose"][:].reshape(-1, 3, 4)
+    names = frame.file["obstacles/names"].asstr()[:]
+    surfaces = [frame.file[f"obstacles/{i}/position"][:] for i in range(len(names))]
+    return {f"obstacle_{name}": points @ pose[:, :3].T + pose[:, 3] for name, points, pose in zip(names, surfaces, poses)}
+
+
 def check_obj(last):
     clear()
     bpy.ops.wm.obj_import(filepath=exported("run.obj"), forward_axis="Y", up_axis="Z")
-    points, faces = world_points(bpy.context.selected_objects[0])
+    points, faces = world_points(bpy.data.objects["sheets"])
     check_near(points, last["vertex/position"][:], "obj")
     assert np.array_equal(faces, last["face/vertices"][:]), "obj: faces"
+    for name, places in obstacles(last).items():
+        check_near(world_points(bpy.data.objects[name])[0], places, f"obj: {name}")
 
 
 def check_ply(last):
@@ -108,10 +118,13 @@ def check_glb(name, all_frames):
     bpy.ops.import_scene.gltf(filepath=exported(name + ".glb"), import_shading="SMOOTH")
     last = all_frames[-1]
     fragments = last["face/fragment"][:]
-    nodes = [target for target in bpy.data.objects if target.type == "MESH"]
+    nodes = [target for target in bpy.data.objects if target.type == "MESH" and target.name.startswith("fragment_")]
     assert sorted(node.name for node in nodes) == [f"fragment_{i:03}" for i in range(fragments.max() + 1)]
     for number, frame in enumerate(all_frames):
         bpy.context.scene.frame_set(STEP * number)
+        for solid, places in obstacles(frame).items():
+            found = world_points(bpy.data.objects[solid])[0]
+            check_near(np.sort(found, axis=0), np.sort(places, axis=0), f"{name} {solid} frame {number}", 1e-5)
         for node in nodes:
             mine = fragments == int(node.name[-3:])
             points, faces = world_points(node)
@@ -136,7 +149,7 @@ def check_player(all_frames):
     spec.loader.exec_module(player)
     player.register()
     assert bpy.ops.import_scene.sherd_recording(filepath=RECORDING, slow=SLOW) == {"FINISHED"}
-    target = next(item for item in bpy.data.objects if item.type == "MESH")
+    target = next(item for item in bpy.data.objects if "sherd_recording" in item)
     assert bpy.context.scene.frame_end == STEP * (len(all_frames) - 1)
     for number in [*range(len(all_frames)), 0]:
         bpy.context.scene.frame_set(STEP * number)
@@ -155,6 +168,8 @@ def check_played(target, frame, number):
     check_near(points, frame["vertex/position"][:], f"played frame {number}")
     assert np.array_equal(faces, frame["face/vertices"][:]), f"played frame {number}: faces"
     assert not target.data.validate(), f"played frame {number}: not a valid mesh"
+    for name, places in obstacles(frame).items():
+        check_near(world_points(bpy.data.objects[name])[0], places, f"played frame {number}: {name}")
     strain = {frozenset(ends): abs(value) for ends, value in zip(frame["edge/vertices"][:].tolist(), frame["edge/strain"][:])}
     for face, corners in enumerate(frame["face/vertices"][:].tolist()):
         a, b, c = corners

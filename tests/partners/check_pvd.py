@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""pvpython check_pvd.py RUN.pvd RUN.h5
+"""pvpython check_pvd.py RUN.pvd RUN.h5, of a run with obstacles
 
 Steps through the .pvd with ParaView and compares every array of every frame with the recording, to the last bit;
 reads the .vtp files with Python's own parser, base64 and zlib, too, as other programs do."""
@@ -15,6 +15,10 @@ import numpy as np
 from paraview.servermanager import Fetch
 from paraview.simple import PVDReader
 from vtk.util.numpy_support import vtk_to_numpy
+
+
+FIELDS = [f"{name}{end}" for name in ("curvature", "membrane_strain", "stress_top", "stress_bottom")
+          for end in ("", "_principal")]
 
 
 def face_strain(frame):
@@ -65,24 +69,38 @@ def check_frame(data, frame):
     speed = vtk_to_numpy(data.GetPointData().GetArray("speed"))
     assert np.allclose(speed, frame["vertex/speed"][:], rtol=1e-14, atol=0)
     same(vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3), frame["face/vertices"][:])
-    fields = [f"{name}{end}" for name in ("curvature", "membrane_strain", "stress_top", "stress_bottom")
-              for end in ("", "_principal")]
-    for name in ("fragment", "sheet", *fields):
+    for name in ("fragment", "sheet", *(name for name in FIELDS if name in frame["face"])):
         same(vtk_to_numpy(data.GetCellData().GetArray(name)), frame["face"][name][:])
     same(vtk_to_numpy(data.GetCellData().GetArray("strain")), face_strain(frame))
+
+
+def check_obstacles(data, file, frame):
+    """Blocks behind that of the sheets, each of one part."""
+    names = file["obstacles/names"].asstr()[:]
+    assert data.GetNumberOfBlocks() == 1 + len(names)
+    for number, pose in enumerate(frame["obstacle/pose"][:].reshape(-1, 3, 4)):
+        block, surface = data.GetBlock(1 + number).GetBlock(0), file[f"obstacles/{number}"]
+        assert data.GetMetaData(1 + number).Get(data.NAME()) == f"obstacle_{names[number]}"
+        places = surface["position"][:] @ pose[:, :3].T + pose[:, 3]
+        assert np.allclose(vtk_to_numpy(block.GetPoints().GetData()), places, rtol=0, atol=1e-12)
+        corners = vtk_to_numpy(block.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        np.testing.assert_array_equal(corners, surface["face"][:])
 
 
 def main():
     reader = PVDReader(FileName=sys.argv[1])
     reader.UpdatePipelineInformation()
     files = xml.etree.ElementTree.parse(sys.argv[1]).getroot().iter("DataSet")
+    sheets = [part.get("file") for part in files if part.get("part") == "0"]
     with h5py.File(sys.argv[2], "r") as file:
         frames = [file["frames"][name] for name in sorted(file["frames"])]
         assert list(reader.TimestepValues) == [frame.attrs["time"] for frame in frames], list(reader.TimestepValues)
-        for frame, data_set in zip(frames, files, strict=True):
-            check_vtp(pathlib.Path(sys.argv[1]).parent / data_set.get("file"), frame)
+        for frame, name in zip(frames, sheets, strict=True):
+            check_vtp(pathlib.Path(sys.argv[1]).parent / name, frame)
             reader.UpdatePipeline(frame.attrs["time"])
-            check_frame(Fetch(reader), frame)
+            data = Fetch(reader)
+            check_obstacles(data, file, frame)
+            check_frame(data.GetBlock(0).GetBlock(0), frame)
     print(f"ParaView shows all {len(frames)} frames of the .pvd as they were recorded")
 
 

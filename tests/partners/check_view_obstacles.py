@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Looks at the obstacle on the page of a recording, in Chromium: it is drawn where it was, in every frame.
 
-usage: check_view_obstacles.py PAGE PICTURE X0,Y0,Z0 X1,Y1,Z1
-PAGE: of sherd view, with a floor through [0, 0, 0] and one more obstacle; PICTURE: a screenshot to write;
-the obstacle's centre (m) in the first and in the last frame."""
+usage: check_view_obstacles.py PAGE RUN.h5 PICTURE X0,Y0,Z0 X1,Y1,Z1
+PAGE: of sherd view RUN.h5, with a floor and one more obstacle; PICTURE: a screenshot to write; the obstacle's centre (m)
+in the first and in the last frame."""
 import pathlib
 import sys
 
+import h5py
+import numpy as np
 from selenium.webdriver.common.keys import Keys
 
 from check_view import Page, browser
 
 # The pixel of the picture where a point (m) of the recording is, and its colour there.
 PIXEL = """
-    const origin = recording.planes[0][0];  // the floor's point, [0, 0, 0] in the scene
-    const middle = arguments[0].map((x, k) => origin[k] + x);
+    const middle = arguments[0].map((x, k) => x - arguments[1][k] + recording.low[k]);
     const seen = new THREE.Vector3(...middle).project(camera), stage = document.getElementById("stage");
     const x = Math.round((seen.x + 1) / 2 * stage.width), y = Math.round((1 - seen.y) / 2 * stage.height);
     const copy = document.createElement("canvas");
@@ -27,17 +28,24 @@ PIXEL = """
 def obstacle_is_at(page, centre):
     """Whether a pixel there is of an obstacle: it changes when the page is told to draw without it."""
     place = [float(x) for x in centre.split(",")]
-    with_it = page.driver.execute_script(PIXEL, place)
+    with_it = page.driver.execute_script(PIXEL, place, page.lowest)
     page.driver.execute_script("obstacles[0].visible = false; draw();")
-    without = page.driver.execute_script(PIXEL, place)
+    without = page.driver.execute_script(PIXEL, place, page.lowest)
     page.driver.execute_script("obstacles[0].visible = true; draw();")
     return with_it != without
 
 
-def main(file, picture, first, last):
+def lowest_corner(recording):
+    """Of the box around the sheets in all frames, m: where the page's positions count from."""
+    with h5py.File(recording) as file:
+        return np.min([frame["vertex/position"][:].min(axis=0) for frame in file["frames"].values()], axis=0).tolist()
+
+
+def main(file, recording, picture, first, last):
     driver = browser()
     try:
         page = Page(driver, pathlib.Path(file))
+        page.lowest = lowest_corner(recording)
         assert page.shown("obstacles") == 1
         assert obstacle_is_at(page, first) and not obstacle_is_at(page, last)
         # Half way from the middle frame to the last.

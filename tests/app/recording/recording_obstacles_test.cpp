@@ -5,43 +5,16 @@
 #include "app/recording/hdf5.h"
 #include "app/recording/recording.h"
 #include "app/render.h"
+#include "app/render/render_stage.h"
 #include "meshops/error.h"
 #include "tests/support/program.h"
-#include "tests/support/synthetic_run.h"
+#include "tests/support/recorded_obstacles.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A tetrahedron of some 6 cm, named as no path in a file could be.
-RecordedObstacle tetrahedron() {
-    return {"a/b \"anvil\"",
-            {{{0, 0, 0}, {0.06, 0, 0}, {0, 0.06, 0}, {0, 1.0 / 17, 0.06}},
-             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}};
-}
-
-Eigen::Isometry3d pose(double angle, const Vector3d& place) {
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    pose.translation() = place;
-    return pose;
-}
-
-/// Two of them; the second one moves from frame to frame.
-std::vector<Eigen::Isometry3d> poses(std::size_t frame) {
-    const double k = static_cast<double>(frame);
-    return {pose(0.3, {0.02, 0, 0.03}), pose(k, {0.07, 0.01 * k, -0.05})};
-}
-
-void record_with_obstacles(const SyntheticRun& run, const fs::path& file) {
-    const std::vector<RecordedObstacle> obstacles{tetrahedron(), tetrahedron()};
-    RecordingWriter writer(file, run.header, false, obstacles);
-    for (std::size_t k = 0; k < run.frames.size(); ++k)
-        writer.append(run.frames[k], run.steps[k], run.events[k], poses(k));
-    writer.finish(1, "complete");
-}
 
 std::string damage(const Recording& recording) {
     try {
@@ -58,17 +31,19 @@ TEST(RecordedObstacles, KeepEveryBitOfTheirShapesAndPoses) {
     record_with_obstacles(synthetic_run(), folder.path / "run.h5");
     const Recording recording(folder.path / "run.h5");
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
-    ASSERT_EQ(obstacles.size(), 2u);
-    for (const RecordedObstacle& obstacle : obstacles) {
-        EXPECT_EQ(obstacle.name, tetrahedron().name);
-        EXPECT_EQ(obstacle.surface.points, tetrahedron().surface.points);
-        EXPECT_EQ(obstacle.surface.triangles, tetrahedron().surface.triangles);
+    ASSERT_EQ(obstacles.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const RecordedObstacle expected = recorded_obstacles()[i];
+        EXPECT_EQ(obstacles[i].name, expected.name);
+        EXPECT_EQ(obstacles[i].surface.points, expected.surface.points);
+        EXPECT_EQ(obstacles[i].surface.triangles, expected.surface.triangles);
+        EXPECT_EQ(obstacles[i].plane, i == 2);
     }
     ASSERT_EQ(recording.frame_count(), 3u);
     for (std::size_t frame = 0; frame < 3; ++frame) {
-        const auto found = recording.poses(frame), expected = poses(frame);
-        ASSERT_EQ(found.size(), 2u);
-        for (int i = 0; i < 2; ++i) EXPECT_EQ(found[i].matrix(), expected[i].matrix());
+        const auto found = recording.poses(frame), expected = obstacle_poses(frame);
+        ASSERT_EQ(found.size(), 3u);
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(found[i].matrix(), expected[i].matrix());
     }
 }
 
@@ -94,7 +69,7 @@ TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
         const std::vector<std::array<double, 12>> one(1);
         hdf5::write<std::array<double, 12>>(opened, "frames/000001/obstacle/pose", one, {});
     }
-    EXPECT_NE(damage(Recording(file)).find("frame 1 has 1 poses of 2 obstacles"), std::string::npos);
+    EXPECT_NE(damage(Recording(file)).find("frame 1 has 1 poses of 3 obstacles"), std::string::npos);
     {
         const hdf5::Handle opened = hdf5::open_to_write(file);
         hdf5::remove(opened, "obstacles/1/face");
@@ -102,6 +77,21 @@ TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
         hdf5::write<std::array<Index, 3>>(opened, "obstacles/1/face", wrong, {});
     }
     EXPECT_NE(damage(Recording(file)).find("anvil"), std::string::npos) << damage(Recording(file));
+}
+
+// Recordings of before planes were in them: what they hold is no plane.
+TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    record_with_obstacles(synthetic_run(), file);
+    hdf5::remove(hdf5::open_to_write(file), "obstacles/plane");
+    for (const RecordedObstacle& obstacle : Recording(file).obstacles()) EXPECT_FALSE(obstacle.plane);
+    {
+        const hdf5::Handle opened = hdf5::open_to_write(file);
+        const std::vector<std::uint8_t> few{1};
+        hdf5::write<std::uint8_t>(opened, "obstacles/plane", few, {});
+    }
+    EXPECT_NE(damage(Recording(file)).find("obstacles/plane has 1 rows of 3 obstacles"), std::string::npos);
 }
 
 /// A sheet that falls, with a box that moves by keys and a free ball away from it.
@@ -113,6 +103,10 @@ preset = "glass"
 thickness = 0.002
 [obstacle.floor]
 plane = { point = [0, 0, -1] }
+[obstacle.lid]
+plane = { normal = [0, 0, -1] }
+place = { translate = [0, 0, 2] }
+keys = [{ time = 0 }, { time = 0.002, translate = [0, 0, -0.1] }]
 [obstacle.ball]
 sphere = { radius = 0.02, centre = [0.3, 0.1, 0.2] }
 density = 7850
@@ -135,19 +129,70 @@ TEST(RecordedObstacles, OfARunStandWhereTheyAre) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Recording recording(folder.path / "run.h5");
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
-    ASSERT_EQ(obstacles.size(), 2u);
-    EXPECT_EQ(obstacles[0].name, "ram");
-    EXPECT_EQ(obstacles[1].name, "ball");
+    ASSERT_EQ(obstacles.size(), 4u);
+    EXPECT_EQ(obstacles[0].name, "floor");
+    EXPECT_EQ(obstacles[1].name, "lid");
+    EXPECT_EQ(obstacles[2].name, "ram");
+    EXPECT_EQ(obstacles[3].name, "ball");
     const auto middle = [&](std::size_t frame, std::size_t i) {
         const Eigen::Isometry3d pose = recording.poses(frame)[i];
         Eigen::AlignedBox3d box;
         for (const Vector3d& point : obstacles[i].surface.points) box.extend(pose * point);
         return Vector3d(box.center());
     };
-    EXPECT_LT((middle(0, 0) - Vector3d(0, 0, 0.5)).norm(), 1e-12);
-    EXPECT_LT((middle(2, 0) - Vector3d(0, 0, 0.51)).norm(), 1e-12);
-    EXPECT_LT((middle(0, 1) - Vector3d(0.3, 0.1, 0.2)).norm(), 1e-12);
-    EXPECT_LT((middle(2, 1) - Vector3d(0.3, 0.1, 0.196)).norm(), 5e-5);
+    EXPECT_LT((middle(0, 2) - Vector3d(0, 0, 0.5)).norm(), 1e-12);
+    EXPECT_LT((middle(2, 2) - Vector3d(0, 0, 0.51)).norm(), 1e-12);
+    EXPECT_LT((middle(0, 3) - Vector3d(0.3, 0.1, 0.2)).norm(), 1e-12);
+    EXPECT_LT((middle(2, 3) - Vector3d(0.3, 0.1, 0.196)).norm(), 5e-5);
+}
+
+// A square that faces away, or lies beside the sheets, would show in ParaView and Blender what is not there.
+TEST(RecordedObstacles, ThatArePlanesAreSquaresAroundAllElse) {
+    const TemporaryDirectory folder;
+    folder.write("scene.toml", three);
+    const ProgramResult result = run_sherd({"run", "scene.toml", "-o", "run.h5"}, folder.path);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Recording recording(folder.path / "run.h5");
+    const std::vector<RecordedObstacle> obstacles = recording.obstacles();
+    // Around the sheet, the ram and the ball: x -0.05 to 0.32, y -0.05 to 0.12, z 0 to 0.55.
+    const double half = Vector3d(0.37, 0.17, 0.55).norm();
+    for (const auto& [i, frame, z, up] :
+         {std::tuple{0, 0, -1.0, 1.0}, {0, 2, -1.0, 1.0}, {1, 0, 2.0, -1.0}, {1, 2, 1.9, -1.0}}) {
+        EXPECT_TRUE(obstacles[i].plane);
+        const Eigen::Isometry3d pose = recording.poses(frame)[i];
+        const std::vector<Vector3d>& points = obstacles[i].surface.points;
+        ASSERT_EQ(points.size(), 4u);
+        for (const Vector3d& point : points) {
+            EXPECT_NEAR((pose * point).z(), z, 1e-12);
+            EXPECT_NEAR(std::abs((pose * point).x() - 0.135), half, 1e-3);
+            EXPECT_NEAR(std::abs((pose * point).y() - 0.035), half, 1e-3);
+        }
+        for (const auto& [a, b, c] : obstacles[i].surface.triangles) {
+            const Vector3d normal = (points[b] - points[a]).cross(points[c] - points[a]).normalized();
+            EXPECT_NEAR((pose.linear() * normal).z(), up, 1e-12) << "to the side of the sheets";
+        }
+    }
+    EXPECT_FALSE(obstacles[2].plane || obstacles[3].plane);
+}
+
+// A floor that is drawn as a square of two triangles ends in the air; one that moves must not stand still.
+TEST(RecordedObstacles, ThatArePlanesAreTheGroundOfPictures) {
+    const TemporaryDirectory folder;
+    record_with_obstacles(synthetic_run(), folder.path / "run.h5");
+    const Recording recording(folder.path / "run.h5");
+    std::vector<std::string> warnings;
+    const RenderStage stage(recording, {}, warnings);
+    std::vector<Eigen::Isometry3d> poses = recording.poses(2);
+    const auto height = [&] {
+        const std::vector<RenderPlane> ground = stage.ground(poses);
+        EXPECT_EQ(ground.size(), 1u);
+        EXPECT_LT((ground[0].normal - Eigen::Vector3f::UnitZ()).norm(), 1e-6F);
+        return ground[0].point.z() + stage.centre().z();
+    };
+    EXPECT_NEAR(height(), -0.1, 1e-6);
+    EXPECT_EQ(stage.scene(recording.frame(2), poses).meshes.size(), 3u) << "the sheets and two tetrahedra";
+    poses[2].translation().z() = 0.3;
+    EXPECT_NEAR(height(), 0.3, 1e-6);
 }
 
 TEST(RecordedObstacles, AreInThePicture) {
