@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "app/files/output_lock.h"
+#include "app/recording/recorded_obstacle.h"
 #include "app/recording/xdmf.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
-#include "meshops/signed_distance_grid.h"
 
 namespace sherd {
 
@@ -62,13 +62,6 @@ struct RecordedMode {
     std::string words() const;
 };
 
-/// An obstacle that can be drawn.
-struct RecordedObstacle {
-    std::string name;
-    GridSurface surface;  ///< in the obstacle's own frame
-    bool plane = false;   ///< infinite; the surface is a square of it, which faces to the side of the sheets
-};
-
 /// Holds the names of a recording and of its index, locked for this program as long as this lives.
 struct RecordingOutput {
     /// Throws Error (input) when another program writes one of them, when one exists and not `force`, or when
@@ -110,6 +103,8 @@ class RecordingWriter {
 
     RecordingOutput output;
     std::vector<XdmfFrame> frames;
+    std::vector<RecordedObstacle> obstacles;
+    ObstaclePlaces places;  ///< of the last frame, or their own frames
     std::size_t supports = 0, gauges = 0;
     RestMesh rest;                    ///< of the last frame, or unbroken
     std::string rest_path = "/rest";  ///< where it stands

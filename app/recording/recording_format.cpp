@@ -152,6 +152,14 @@ std::string obstacle_group(std::size_t number) {
     return fmt::format("obstacles/{}", number);
 }
 
+std::string obstacle_points(std::size_t number) {
+    return obstacle_group(number) + "/position";
+}
+
+std::string obstacle_faces(std::size_t number) {
+    return obstacle_group(number) + "/face";
+}
+
 bool is_recorded(const RecordedGauge& gauge, std::string_view column) {
     if (column == "displacement") return gauge.displacement;
     if (column == "curvature") return gauge.fields.curvature;

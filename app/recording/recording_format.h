@@ -333,6 +333,9 @@ inline constexpr const char* obstacle_planes = "obstacles/plane";
 
 /// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
+/// Returns the names of its points and its triangles there.
+std::string obstacle_points(std::size_t number);
+std::string obstacle_faces(std::size_t number);
 
 /// An obstacle's pose as it is stored: the three rows of rotation | translation.
 using StoredPose = std::array<double, 12>;

@@ -6,6 +6,7 @@
 
 #include "app/files/disk_room.h"
 #include "app/files/pending_file.h"
+#include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
 #include "core/elements/membrane.h"
@@ -97,34 +98,6 @@ void write_head(hid_t file, const RecordingHeader& header) {
     for (const RecordedGauge& gauge : header.gauges) write_gauge(file, gauge);
 }
 
-void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
-    if (obstacles.empty()) return;
-    std::vector<std::string> names;
-    std::vector<std::uint8_t> planes;
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-        names.push_back(obstacles[i].name);
-        planes.push_back(obstacles[i].plane);
-        const hdf5::Handle group = hdf5::create_group(file, obstacle_group(i));
-        write_array(group, "position", {"m", "in the obstacle's own frame"}, obstacles[i].surface.points);
-        write_array(group, "face", {"1", "the three corners, as rows of position"},
-                    obstacles[i].surface.triangles);
-    }
-    hdf5::write_texts(file, "obstacles/names", names);
-    write_array(file, obstacle_planes, {"1", "1: a plane, whose surface here is a square of it"}, planes);
-}
-
-void write_poses(hid_t group, std::span<const Eigen::Isometry3d> poses) {
-    if (poses.empty()) return;
-    std::vector<StoredPose> stored(poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(stored[i].data()) = poses[i].affine();
-    write_array(group, "obstacle/pose",
-                {"1",
-                 "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
-                 "obstacle's own frame to space"},
-                stored);
-}
-
 /// The axes of each face where it is, one after the other.
 Eigen::Matrix<double, 6, Eigen::Dynamic> axes_of_faces(const Snapshot& snapshot) {
     Eigen::Matrix<double, 6, Eigen::Dynamic> axes(6, static_cast<Eigen::Index>(snapshot.faces.size()));
@@ -153,8 +126,7 @@ void write_fields(hid_t group, const Snapshot& snapshot) {
 }
 
 /// same_rest: the path of a mesh at rest that is this frame's, too; empty: there is none.
-void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest,
-                 std::span<const Eigen::Isometry3d> poses) {
+void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const std::string& same_rest) {
     const hdf5::Handle group = hdf5::create_group(file, frame_group(number));
     hdf5::write_attribute(group, "time", snapshot.time);
     hdf5::write_attribute(group, "step", snapshot.step);
@@ -172,7 +144,6 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
         write_rest(group, "rest", snapshot.rest);
     else
         hdf5::create_link(group, "rest", same_rest);
-    write_poses(group, poses);
 }
 
 /// Rows of each table of a recording.
@@ -199,7 +170,7 @@ void roll_back(hid_t file, std::size_t frame, std::span<const std::size_t> rows_
 
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
          std::span<const StepReport> steps, const CrackEvents& events,
-         std::span<const Eigen::Isometry3d> poses) {
+         std::span<const RecordedObstacle> obstacles, const ObstaclePlaces& places) {
     const std::vector<std::size_t> before = extent(file);
     try {
         append_table<StepReport>(file, steps);
@@ -214,7 +185,8 @@ void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::str
         visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
             append_table<Event>(file, events.*kind);
         });
-        write_frame(file, frame, snapshot, same_rest, poses);
+        write_frame(file, frame, snapshot, same_rest);
+        write_places(file, frame, obstacles, places);
     } catch (const Error&) {
         roll_back(file, frame, before);
         throw;
@@ -264,7 +236,7 @@ std::size_t rest_bytes(std::size_t vertices, std::size_t faces) {
 
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
 std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<const StepReport> steps,
-                         const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) {
+                         const CrackEvents& events) {
     std::size_t of_events = 0, of_lists = 0;
     for (const StepReport& step : steps)
         of_lists +=
@@ -276,21 +248,23 @@ std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<con
     visit_fields(snapshot.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
         of_fields += (3 + 2 + 6) * sizeof(double) * static_cast<std::size_t>(values.cols());
     });
-    return 2 * sizeof(StoredPose) * poses.size() + 80 * snapshot.position.cols() +
-           24 * snapshot.faces.size() + 32 * snapshot.edges.size() + 2 * sizeof(StepReport) * steps.size() +
-           of_events + of_lists + of_fields +
+    return 80 * snapshot.position.cols() + 24 * snapshot.faces.size() + 32 * snapshot.edges.size() +
+           2 * sizeof(StepReport) * steps.size() + of_events + of_lists + of_fields +
            (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size()) : 0) +
            append_overhead;
 }
 
-std::size_t head_bytes(const RecordingHeader& header, std::span<const RecordedObstacle> obstacles) {
-    std::size_t surfaces = 0;
-    for (const RecordedObstacle& o : obstacles)
-        surfaces +=
-            32 * (o.surface.points.size() + o.surface.triangles.size()) + o.name.size() + attribute_overhead;
-    return surfaces + 2 * attribute_overhead * (header.supports.size() + header.gauges.size()) +
+std::size_t head_bytes(const RecordingHeader& header) {
+    return 2 * attribute_overhead * (header.supports.size() + header.gauges.size()) +
            rest_bytes(header.rest_position.cols(), header.rest_faces.size()) + header.scene_text.size() +
            head_overhead;
+}
+
+std::vector<XdmfObstacle> xdmf_obstacles(std::span<const RecordedObstacle> obstacles) {
+    std::vector<XdmfObstacle> result;
+    for (const RecordedObstacle& obstacle : obstacles)
+        result.push_back({obstacle.name, obstacle.surface.points.size(), obstacle.surface.triangles.size()});
+    return result;
 }
 
 /// Opens a recording, changes it and closes it, with room for `bytes` more.
@@ -310,15 +284,17 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 }
 
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
-                                 std::span<const RecordedObstacle> obstacles)
+                                 std::span<const RecordedObstacle> obstacles_)
     : output(std::move(output_)),
+      obstacles(obstacles_.begin(), obstacles_.end()),
+      places(first_places(obstacles_)),
       supports(header.supports.size()),
       gauges(header.gauges.size()),
       rest(unbroken_mesh(header)),
       unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {
     PendingFile pending(output.recording, Fault::input);
     {
-        const DiskRoom room(pending.path(), head_bytes(header, obstacles));
+        const DiskRoom room(pending.path(), head_bytes(header) + obstacle_bytes(obstacles));
         hdf5::Handle created = hdf5::create_file(pending.path());
         write_head(created, header);
         write_obstacles(created, obstacles);
@@ -345,17 +321,20 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
                                     step.reactions.size(), step.gauges.size(), supports, gauges),
                         Fault::run);
     const bool new_rest = !same_bits(snapshot.rest, rest);
+    ObstaclePlaces next = next_places(places, frames.size(), poses);
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
-                      snapshot.faces.size(), snapshot.edges.size()});
+                      snapshot.faces.size(), snapshot.edges.size(), next.points});
     visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
         if (values.size() > 0) longer.back().fields.push_back(name);
     });
     // All that needs space comes before the recording is touched; what follows it is only a change of name.
     PendingFile index(output.index, Fault::run);
-    index.write(xdmf_text(file().filename().string(), longer));
-    change(file(), append_bytes(snapshot, new_rest, steps, events, poses), [&](hid_t opened) {
-        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, poses);
+    index.write(xdmf_text(file().filename().string(), longer, xdmf_obstacles(obstacles)));
+    const std::size_t bytes =
+        append_bytes(snapshot, new_rest, steps, events) + place_bytes(frames.size(), obstacles, next);
+    change(file(), bytes, [&](hid_t opened) {
+        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next);
     });
     if (new_rest) {
         rest = snapshot.rest;
@@ -363,6 +342,7 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     }
     index.publish(true);
     frames = std::move(longer);
+    places = std::move(next);
 } catch (const Error& error) {
     throw Error(
         fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "app/files/xml_text.h"
 #include "app/recording/recording_format.h"
@@ -12,25 +14,33 @@ namespace sherd {
 
 namespace {
 
+using namespace recording_format;
+
 constexpr const char* reals = "NumberType=\"Float\" Precision=\"8\"";
 constexpr const char* integers = "NumberType=\"Int\" Precision=\"4\"";
+constexpr const char* triangles = "TopologyType=\"Triangle\"";
 constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 
 /// One frame of one collection, written line by line.
 class Grid {
   public:
-    /// `source` is the group of the frame, as XDMF names it.
-    Grid(std::string& out, const std::string& name, const std::string& source, const XdmfFrame& frame)
-        : out(out), source(source), frame(frame) {
-        add("<Grid Name=\"{}\"><Time Value=\"{:.17g}\"/>\n", name, frame.time);
+    /// `source` is what its datasets are named below, as XDMF names it.
+    Grid(std::string& out, const std::string& name, const std::string& source) : out(out), source(source) {
+        add("<Grid Name=\"{}\">\n", name);
     }
+
+    void time(double value) { add("<Time Value=\"{:.17g}\"/>\n", value); }
 
     void topology(const std::string& attributes, std::size_t count, std::size_t corners,
                   const std::string& dataset) {
         add("<Topology {} NumberOfElements=\"{}\">", attributes, count);
         data(integers, fmt::format("{} {}", count, corners), dataset);
-        out += "</Topology>\n<Geometry GeometryType=\"XYZ\">";
-        data(reals, fmt::format("{} 3", frame.vertices), "vertex/position");
+        out += "</Topology>\n";
+    }
+
+    void geometry(std::size_t points, const std::string& dataset) {
+        out += "<Geometry GeometryType=\"XYZ\">";
+        data(reals, fmt::format("{} 3", points), dataset);
         out += "</Geometry>\n";
     }
 
@@ -57,18 +67,17 @@ class Grid {
 
     std::string& out;
     std::string source;
-    const XdmfFrame& frame;
 };
 
 void add_surface(Grid grid, const XdmfFrame& frame) {
     const std::string faces = std::to_string(frame.faces), vertices = std::to_string(frame.vertices);
-    grid.topology("TopologyType=\"Triangle\"", frame.faces, 3, "face/vertices");
+    grid.topology(triangles, frame.faces, 3, "face/vertices");
+    grid.geometry(frame.vertices, "vertex/position");
     grid.attribute("face/fragment", "Scalar", "Cell", integers, faces);
     grid.attribute("face/sheet", "Scalar", "Cell", integers, faces);
     for (const std::string& field : frame.fields) {
         grid.attribute("face/" + field, "Vector", "Cell", reals, faces + " 3");
-        grid.attribute("face/" + field + recording_format::principal_suffix, "Matrix", "Cell", reals,
-                       faces + " 2");
+        grid.attribute("face/" + field + principal_suffix, "Matrix", "Cell", reals, faces + " 2");
     }
     grid.attribute("vertex/speed", "Scalar", "Node", reals, vertices);
     grid.attribute("vertex/velocity", "Vector", "Node", reals, vertices + " 3");
@@ -78,30 +87,63 @@ void add_surface(Grid grid, const XdmfFrame& frame) {
 void add_edges(Grid grid, const XdmfFrame& frame) {
     const std::string edges = std::to_string(frame.edges);
     grid.topology("TopologyType=\"Polyline\" NodesPerElement=\"2\"", frame.edges, 2, "edge/vertices");
+    grid.geometry(frame.vertices, "vertex/position");
     grid.attribute("edge/state", "Scalar", "Cell", bytes, edges);
     grid.attribute("edge/strain", "Scalar", "Cell", reals, edges);
     grid.end();
 }
 
+/// Without the domain FILE the reader would look for one before the first colon of the file's name.
+std::string path_in(const std::string& source, const std::string& group) {
+    return fmt::format("FILE:{}:/{}", source, group);
+}
+
+void begin_collection(std::string& out, const std::string& name) {
+    out += fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
+}
+
 template <class AddFrame>
 void add_collection(std::string& out, const char* name, const std::string& source,
                     std::span<const XdmfFrame> frames, AddFrame add_frame) {
-    out += fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
+    begin_collection(out, name);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        // Without the domain FILE the reader would look for one before the first colon of the file's name.
-        const std::string group = fmt::format("FILE:{}:/{}/", source, recording_format::frame_group(i));
-        add_frame(Grid(out, fmt::format("{} {}", name, i), group, frames[i]), frames[i]);
+        Grid grid(out, fmt::format("{} {}", name, i), path_in(source, frame_group(i) + "/"));
+        grid.time(frames[i].time);
+        add_frame(std::move(grid), frames[i]);
     }
+    out += "</Grid>\n";
+}
+
+/// The i-th obstacle, which is the same grid at all times where its points are the same dataset in all
+/// frames.
+void add_obstacle(std::string& out, const XdmfObstacle& obstacle, std::size_t i, const std::string& source,
+                  std::span<const XdmfFrame> frames) {
+    const auto add = [&](const std::string& name, const XdmfFrame& frame, bool at_its_time) {
+        Grid grid(out, name, path_in(source, ""));
+        if (at_its_time) grid.time(frame.time);
+        grid.topology(triangles, obstacle.triangles, 3, obstacle_faces(i));
+        grid.geometry(obstacle.points, frame.obstacles[i]);
+        grid.end();
+    };
+    const std::string name = "obstacle " + xml_escaped(obstacle.name);
+    const bool rests = std::ranges::all_of(
+        frames, [&](const XdmfFrame& frame) { return frame.obstacles[i] == frames.front().obstacles[i]; });
+    if (rests) return add(name, frames.front(), false);
+    begin_collection(out, name);
+    for (std::size_t k = 0; k < frames.size(); ++k) add(fmt::format("{} {}", name, k), frames[k], true);
     out += "</Grid>\n";
 }
 
 }  // namespace
 
-std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames) {
+std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames,
+                      std::span<const XdmfObstacle> obstacles) {
     std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
     const std::string source = xml_escaped(recording_name);
     add_collection(out, "surface", source, frames, add_surface);
     add_collection(out, "edges", source, frames, add_edges);
+    for (std::size_t i = 0; i < obstacles.size() && !frames.empty(); ++i)
+        add_obstacle(out, obstacles[i], i, source, frames);
     return out + "</Domain>\n</Xdmf>\n";
 }
 

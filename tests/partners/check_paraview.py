@@ -7,8 +7,10 @@ Steps through a recording with ParaView's XDMFReader and compares every frame wi
 import json
 import sys
 
+import numpy as np
 from paraview.servermanager import Fetch
 from paraview.simple import XDMFReader
+from vtk.util.numpy_support import vtk_to_numpy
 
 
 def extremes(array, component):
@@ -32,8 +34,20 @@ def block_named(data, name):
     raise AssertionError(f"no block '{name}'")
 
 
+def check_obstacles(data, expected):
+    for number, wanted in enumerate(expected):
+        name, block = data.GetMetaData(2 + number).Get(data.NAME()), data.GetBlock(2 + number)
+        # The reader adds [1] to a name that is there already.
+        assert name.startswith(f"obstacle {wanted['name']}"), name
+        points = vtk_to_numpy(block.GetPoints().GetData())
+        assert np.allclose(points, wanted["points"], rtol=0, atol=1e-12 * (1 + np.abs(points).max())), name
+        corners = [[block.GetCell(i).GetPointId(k) for k in range(3)] for i in range(block.GetNumberOfCells())]
+        assert corners == wanted["face"], name
+
+
 def check_frame(data, expected):
-    assert data.GetNumberOfBlocks() == 2
+    assert data.GetNumberOfBlocks() == 2 + len(expected["obstacles"])
+    check_obstacles(data, expected["obstacles"])
     for name, corners in (("surface", 3), ("edges", 2)):
         block, wanted = block_named(data, name), expected[name]
         where = f"time {expected['time']} {name}"

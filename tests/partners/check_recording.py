@@ -93,11 +93,45 @@ def check_obstacles(file, frame):
         assert "obstacle" not in frame
         return
     count = len(file["obstacles/names"])
+    assert file["obstacles/plane"].shape == (count,)
     for i in range(count):
         surface = file[f"obstacles/{i}"]
         assert 0 <= surface["face"][:].min() and surface["face"][:].max() < len(surface["position"])
-    rotation = frame["obstacle/pose"][:].reshape(count, 3, 4)[:, :, :3]
+    rotation = poses_of(frame)[:, :, :3]
     assert np.allclose(rotation @ rotation.transpose(0, 2, 1), np.eye(3))
+
+
+def poses_of(frame):
+    return frame["obstacle/pose"][:].reshape(-1, 3, 4)
+
+
+def check_places(file, frames):
+    """A frame has the points of the obstacles that have moved since the one before, or out of their own frame."""
+    if "obstacles" not in file:
+        return
+    before = [np.eye(3, 4)] * len(file["obstacles/names"])
+    for frame in frames:
+        for i, pose in enumerate(poses_of(frame)):
+            assert (f"obstacle/{i}" in frame) == (not np.array_equal(pose, before[i])), (frame.name, i)
+            if f"obstacle/{i}" in frame:
+                placed = frame[f"obstacle/{i}/position"][:]
+                assert np.allclose(placed, places_of(file, frame, i), rtol=0, atol=1e-12 * (1 + np.abs(placed).max()))
+        before = poses_of(frame)
+
+
+def places_of(file, frame, i):
+    pose = poses_of(frame)[i]
+    return file[f"obstacles/{i}/position"][:] @ pose[:, :3].T + pose[:, 3]
+
+
+def obstacle_summary(file, frame):
+    """Of each: its name, its triangles and where its points are."""
+    if "obstacles" not in file:
+        return []
+    return [
+        {"name": name, "face": file[f"obstacles/{i}/face"][:].tolist(), "points": places_of(file, frame, i).tolist()}
+        for i, name in enumerate(file["obstacles/names"].asstr()[:])
+    ]
 
 
 def check_links(file):
@@ -234,7 +268,8 @@ def main():
             check_frame(file, frame)
             if "axes" in frame["face"]:
                 check_fields(frame)
-        result = [summary(frame) for frame in frames]
+        check_places(file, frames)
+        result = [{**summary(frame), "obstacles": obstacle_summary(file, frame)} for frame in frames]
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as out:
             json.dump(result, out)

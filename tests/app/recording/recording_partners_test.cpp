@@ -7,6 +7,7 @@
 
 #include "tests/support/advanced_run.h"
 #include "tests/support/program.h"
+#include "tests/support/recorded_obstacles.h"
 #include "tests/support/split_run.h"
 #include "tests/support/temporary_directory.h"
 
@@ -45,6 +46,10 @@ void record_moves(const fs::path& file) {
     for (const Snapshot& frame : frames) writer.append(frame, {}, {});
 }
 
+void record_obstacles(const fs::path& file) {
+    record_with_obstacles(synthetic_run(), file);
+}
+
 void record_modes(const fs::path& file) {
     const TemporaryDirectory directory;
     directory.write("scene.toml",
@@ -56,7 +61,7 @@ void record_modes(const fs::path& file) {
 }
 
 /// A recording, with a name that has all that could confuse a reader, and what h5py finds in it; of runs in
-/// which vertices are copied, or faces split, and of modes of vibration.
+/// which vertices are copied, or faces split, or beside obstacles, and of modes of vibration.
 class RecordingPartners : public ::testing::TestWithParam<void (*)(const fs::path&)> {
   protected:
     void SetUp() override {
@@ -97,6 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Copies, RecordingPartners, ::testing::Values(record_cop
 INSTANTIATE_TEST_SUITE_P(Births, RecordingPartners, ::testing::Values(record_births));
 INSTANTIATE_TEST_SUITE_P(Moves, RecordingPartners, ::testing::Values(record_moves));
 INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_modes));
+INSTANTIATE_TEST_SUITE_P(Obstacles, RecordingPartners, ::testing::Values(record_obstacles));
 
 // The player needs Blender only to show what it reads.
 class SplitPartners : public RecordingPartners {};

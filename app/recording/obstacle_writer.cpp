@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/obstacle_writer.h"
+
+#include <fmt/format.h>
+
+#include "app/recording/recording_format.h"
+#include "meshops/error.h"
+
+namespace sherd::recording_format {
+namespace {
+
+/// What HDF5 itself takes for an obstacle at most, measured and doubled.
+constexpr std::size_t obstacle_overhead = 16 << 10;
+
+std::string points_in(std::size_t frame, std::size_t obstacle) {
+    return fmt::format("{}/obstacle/{}/position", frame_group(frame), obstacle);
+}
+
+}  // namespace
+
+void write_obstacles(hid_t file, std::span<const RecordedObstacle> obstacles) {
+    if (obstacles.empty()) return;
+    std::vector<std::string> names;
+    std::vector<std::uint8_t> planes;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        const auto& [name, surface, plane] = obstacles[i];
+        names.push_back(name);
+        planes.push_back(plane);
+        const hdf5::Handle group = hdf5::create_group(file, obstacle_group(i));
+        hdf5::write<Vector3d>(group, "position", surface.points, {"m", "in the obstacle's own frame"});
+        hdf5::write<std::array<Index, 3>>(group, "face", surface.triangles,
+                                          {"1", "the three corners, as rows of position"});
+    }
+    hdf5::write_texts(file, "obstacles/names", names);
+    hdf5::write<std::uint8_t>(file, obstacle_planes, planes,
+                              {"1", "1: a plane, whose surface here is a square of it"});
+}
+
+ObstaclePlaces first_places(std::span<const RecordedObstacle> obstacles) {
+    ObstaclePlaces places;
+    places.poses.assign(obstacles.size(), Eigen::Isometry3d::Identity());
+    for (std::size_t i = 0; i < obstacles.size(); ++i) places.points.push_back(obstacle_points(i));
+    return places;
+}
+
+ObstaclePlaces next_places(const ObstaclePlaces& before, std::size_t frame,
+                           std::span<const Eigen::Isometry3d> poses) {
+    if (poses.size() != before.poses.size())
+        throw Error(fmt::format("it has {} poses of {} obstacles", poses.size(), before.poses.size()),
+                    Fault::run);
+    ObstaclePlaces places{{poses.begin(), poses.end()}, before.points};
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (poses[i].matrix() != before.poses[i].matrix()) places.points[i] = points_in(frame, i);
+    return places;
+}
+
+void write_places(hid_t file, std::size_t frame, std::span<const RecordedObstacle> obstacles,
+                  const ObstaclePlaces& places) {
+    if (obstacles.empty()) return;
+    std::vector<StoredPose> stored(obstacles.size());
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        Eigen::Map<Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(stored[i].data()) = places.poses[i].affine();
+        if (places.points[i] != points_in(frame, i)) continue;
+        std::vector<Vector3d> points;
+        for (const Vector3d& point : obstacles[i].surface.points) points.push_back(places.poses[i] * point);
+        hdf5::write<Vector3d>(file, places.points[i], points, {"m", "in space; it has moved"});
+    }
+    hdf5::write<StoredPose>(
+        file, frame_group(frame) + "/obstacle/pose", stored,
+        {"1",
+         "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
+         "obstacle's own frame to space"});
+}
+
+std::size_t obstacle_bytes(std::span<const RecordedObstacle> obstacles) {
+    std::size_t bytes = 0;
+    for (const auto& [name, surface, plane] : obstacles)
+        bytes += 32 * (surface.points.size() + surface.triangles.size()) + name.size() + obstacle_overhead;
+    return bytes;
+}
+
+std::size_t place_bytes(std::size_t frame, std::span<const RecordedObstacle> obstacles,
+                        const ObstaclePlaces& places) {
+    std::size_t bytes = 2 * sizeof(StoredPose) * obstacles.size();
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        if (places.points[i] == points_in(frame, i))
+            bytes += 32 * obstacles[i].surface.points.size() + obstacle_overhead;
+    return bytes;
+}
+
+}  // namespace sherd::recording_format

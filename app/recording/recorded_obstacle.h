@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "meshops/signed_distance_grid.h"
+
+namespace sherd {
+
+/// An obstacle that can be drawn.
+struct RecordedObstacle {
+    std::string name;
+    GridSurface surface;  ///< in the obstacle's own frame
+    bool plane = false;   ///< infinite; the surface is a square of it, which faces to the side of the sheets
+};
+
+/// Where a frame of a recording shows its obstacles.
+struct ObstaclePlaces {
+    std::vector<Eigen::Isometry3d> poses;  ///< from the frame of each to space
+    std::vector<std::string> points;       ///< path of the dataset with its points as they stand in space
+};
+
+}  // namespace sherd
