@@ -7,8 +7,9 @@ From a shell: blender --python sherd_recording.py -- RUN.h5
 The run plays as many times slower than reality as the object's custom property `sherd_slow` says, at first so that it
 lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
 attributes `fragment` and `strain` (1/m, the largest in absolute value of the face's edges) on its faces and
-`velocity` (m/s) and `original` (the vertex that it is a copy of, or itself) on its vertices. Needs h5py; on Debian
-Blender uses the system's Python, and python3-h5py suffices."""
+`velocity` (m/s) and `original` (the vertex that it is a copy of, or itself) on its vertices. Obstacles and free bodies
+are its children, which move as they did; of a plane there is a square. Needs h5py; on Debian Blender uses the system's
+Python, and python3-h5py suffices."""
 
 import math
 import os
@@ -20,11 +21,12 @@ import h5py
 import numpy as np
 from bpy.app.handlers import persistent
 from bpy_extras.io_utils import ImportHelper
+from mathutils import Matrix
 
 bl_info = {
     "name": "Sherd recording",
     "author": "The Sherd authors",
-    "version": (1, 3, 0),
+    "version": (1, 4, 0),
     "blender": (3, 4, 0),
     "location": "File > Import > Sherd recording (.h5)",
     "description": "Plays recordings of breaking plates and shells",
@@ -32,6 +34,7 @@ bl_info = {
 }
 
 PATH, SLOW, SHOWN = "sherd_recording", "sherd_slow", "sherd_frame"  # properties of an object that plays a recording
+OBSTACLE = "sherd_obstacle"  # the number of an obstacle, a property of its object
 NEAR = 1e-6  # of the way between two frames: round-off
 NEWEST = 4  # version of the recording's format
 
@@ -239,9 +242,36 @@ def state_at(frames, names, position):
     return between(state, recorded(frames[names[number + 1]]), position - number)
 
 
-def fill(mesh, state):
-    """Gives the mesh the state's vertices and faces, in their order; materials and shading stay."""
-    faces, positions = state["faces"], state["position"]
+def turned(earlier, later, share):
+    """The rotation [3, 3] between two others, the shorter way round at constant speed."""
+    way = later @ earlier.T
+    twist = np.array([way[2, 1] - way[1, 2], way[0, 2] - way[2, 0], way[1, 0] - way[0, 1]])
+    size = np.linalg.norm(twist)  # nearly none of half a turn, and of next to no turn
+    angle = share * math.atan2(size, np.trace(way) - 1)
+    axis = np.linalg.eigh(way + way.T + np.outer(twist, twist) / max(size, 1e-300))[1][:, -1]
+    x, y, z = axis if axis @ twist >= 0 else -axis
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return (np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross) @ earlier
+
+
+def between_poses(earlier, later, share, middle):
+    """The pose [3, 4] between two others of an obstacle whose middle (m, in its own frame) goes straight."""
+    rotation = turned(earlier[:, :3], later[:, :3], share)
+    start, end = (pose[:, :3] @ middle + pose[:, 3] for pose in (earlier, later))
+    return np.column_stack([rotation, start + share * (end - start) - rotation @ middle])
+
+
+def poses_at(frames, names, position, middles):
+    """Of each obstacle, from its own frame to space, [O, 3, 4]."""
+    number, share = int(position), position % 1
+    earlier, later = (frames[names[i]]["obstacle/pose"][:].reshape(-1, 3, 4) for i in (number, math.ceil(position)))
+    if share == 0:
+        return earlier
+    return np.array([between_poses(*both, share, middle) for *both, middle in zip(earlier, later, middles)])
+
+
+def fill(mesh, faces, positions):
+    """Gives the mesh vertices and faces, in their order; materials and shading stay."""
     smooth = len(mesh.polygons) > 0 and mesh.polygons[0].use_smooth
     mesh.clear_geometry()
     mesh.vertices.add(len(positions))
@@ -253,6 +283,10 @@ def fill(mesh, state):
     mesh.polygons.foreach_set("loop_total", np.full(len(faces), 3))
     mesh.polygons.foreach_set("use_smooth", np.full(len(faces), smooth))
     mesh.update(calc_edges=True)
+
+
+def fill_sheets(mesh, state):
+    fill(mesh, state["faces"], state["position"])
     set_attribute(mesh, "fragment", "INT", "FACE", state["fragment"])
     set_attribute(mesh, "strain", "FLOAT", "FACE", state["strain"])
     set_attribute(mesh, "velocity", "FLOAT_VECTOR", "POINT", state["velocity"])
@@ -267,8 +301,19 @@ def show(target, scene):
         time = run_times(frames, names)[0] + played / slowdown(target, frames, names)
         position = position_at(frames, names, time)
         if target.get(SHOWN) != position or len(target.data.polygons) == 0:
-            fill(target.data, state_at(frames, names, position))
+            fill_sheets(target.data, state_at(frames, names, position))
+            place_obstacles(target, file, names, position)
             target[SHOWN] = position
+
+
+def place_obstacles(target, file, names, position):
+    """Of obstacles that are still there."""
+    if "obstacles" not in file:
+        return
+    middles = [file[f"obstacles/{i}/position"][:].mean(axis=0) for i in range(len(file["obstacles/names"]))]
+    poses = poses_at(file["frames"], names, position, middles)
+    for solid in (child for child in target.children if OBSTACLE in child):
+        solid.matrix_basis = Matrix([*poses[solid[OBSTACLE]], [0, 0, 0, 1]])
 
 
 @persistent
@@ -281,17 +326,27 @@ def play(scene, _depsgraph=None):
                 print(f"sherd: {target.name}: {error}", file=sys.stderr)
 
 
+def add_obstacles(target, file, context):
+    """Adds an object for each obstacle and free body, as a child of the one that plays the recording."""
+    for number, name in enumerate(file["obstacles/names"].asstr()[:] if "obstacles" in file else []):
+        solid = bpy.data.objects.new(f"obstacle_{name}", bpy.data.meshes.new(name))
+        fill(solid.data, *(file[f"obstacles/{number}/{part}"][:] for part in ("face", "position")))
+        solid[OBSTACLE], solid.parent = number, target
+        context.scene.collection.objects.link(solid)
+
+
 def load(path, context, slow=0):
     """Adds an object that plays the recording so many times slower than reality (0: as it suits); returns it."""
+    name = os.path.splitext(os.path.basename(path))[0]
     with h5py.File(absolute(path), "r") as file:
         names = frame_names(file)
         if not names:
             raise ValueError(f"{path}: the recording has no frame yet")
         first, last = run_times(file["frames"], names)
-    name = os.path.splitext(os.path.basename(path))[0]
-    target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    target[PATH], target[SLOW] = path, slow or default_slowdown(last - first)
-    context.scene.collection.objects.link(target)
+        target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+        target[PATH], target[SLOW] = path, slow or default_slowdown(last - first)
+        context.scene.collection.objects.link(target)
+        add_obstacles(target, file, context)
     pictures = (last - first) * target[SLOW] * pictures_a_second(context.scene)
     context.scene.frame_start, context.scene.frame_end = 0, math.ceil(pictures - NEAR)
     show(target, context.scene)

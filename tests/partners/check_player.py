@@ -52,9 +52,9 @@ class Mesh:
 class Object(dict):
     type = "MESH"
 
-    def __init__(self, _name, data):
+    def __init__(self, name, data):
         super().__init__()
-        self.data = data
+        self.name, self.data, self.children = name, data, []
 
 
 def player(path):
@@ -68,7 +68,9 @@ def player(path):
     sys.modules.update({"bpy": bpy, "bpy.app": types.ModuleType("bpy.app"),
                         "bpy.app.handlers": types.ModuleType("bpy.app.handlers"),
                         "bpy_extras": types.ModuleType("bpy_extras"),
-                        "bpy_extras.io_utils": types.ModuleType("bpy_extras.io_utils")})
+                        "bpy_extras.io_utils": types.ModuleType("bpy_extras.io_utils"),
+                        "mathutils": types.ModuleType("mathutils")})
+    sys.modules["mathutils"].Matrix = np.array
     sys.modules["bpy.app.handlers"].persistent = lambda function: function
     sys.modules["bpy_extras.io_utils"].ImportHelper = type("ImportHelper", (), {})
     spec = importlib.util.spec_from_file_location("sherd_recording", path)

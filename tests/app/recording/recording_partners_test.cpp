@@ -127,6 +127,15 @@ TEST_P(MovingPartners, TheBlenderPlayerKeepsTheSheetWhereItIs) {
     EXPECT_TRUE(passes("check_player_moves.py", quoted(player) + " " + quoted(recording)));
 }
 
+// Shards that bounce off nothing.
+class ObstaclePartners : public RecordingPartners {};
+
+TEST_P(ObstaclePartners, TheBlenderPlayerMovesThem) {
+    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
+    EXPECT_TRUE(passes("check_player_obstacles.py", quoted(player) + " " + quoted(recording)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Obstacles, ObstaclePartners, ::testing::Values(record_obstacles));
 INSTANTIATE_TEST_SUITE_P(Moves, MovingPartners, ::testing::Values(record_moves));
 
 INSTANTIATE_TEST_SUITE_P(Births, SplitPartners, ::testing::Values(record_births));
