@@ -96,7 +96,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
 
 void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& options,
                 std::vector<std::string>& warnings) {
-    RunCost cost = run_cost(scene, built.inputs);
+    RunCost cost = run_cost(scene, built);
     if (!options.no_try && cost.memory < cost.machine_memory) {
         const TriedSteps tried = try_steps(scene, std::move(built));
         add(cost, tried);

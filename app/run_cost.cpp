@@ -51,25 +51,34 @@ std::string time_words(double seconds) {
     return fmt::format("{:.3g} days", seconds / day);
 }
 
+MeshSize mesh_size(const BuiltScene& built) {
+    MeshSize size;
+    for (const SheetInput& input : built.inputs) {
+        size.vertices += static_cast<double>(input.mesh.number_of_vertices());
+        size.faces += static_cast<double>(input.mesh.number_of_faces());
+        size.edges += static_cast<double>(input.mesh.number_of_edges());
+    }
+    const ContactOptions& contact = built.options.stepper.contact;
+    for (const Obstacle& obstacle : contact.obstacles)
+        if (obstacle.surface && obstacle.moves()) size.moving_points += obstacle.surface->size();
+    for (const RigidBody& body : contact.bodies) size.moving_points += body.surface->size();
+    return size;
+}
+
 }  // namespace
 
-RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs) {
+RunCost run_cost(const Scene& scene, const BuiltScene& built) {
     RunCost cost;
     cost.steps = step_count(scene);
     cost.frames = frame_count(scene);
-    double vertices = 0, faces = 0, edges = 0;
-    for (const SheetInput& input : inputs) {
-        vertices += static_cast<double>(input.mesh.number_of_vertices());
-        faces += static_cast<double>(input.mesh.number_of_faces());
-        edges += static_cast<double>(input.mesh.number_of_edges());
-    }
+    const MeshSize mesh = mesh_size(built);
     double columns = static_cast<double>(6 * support_names(scene).size());
     for (const GaugeSpec& gauge : scene.gauges)
         columns += 3 * (gauge.displacement + 2 * gauge.fields.stress + gauge.fields.curvature +
                         gauge.fields.membrane_strain);
-    cost.recording = recording_size({vertices, faces, edges}, static_cast<double>(cost.frames),
-                                    static_cast<double>(cost.steps), columns, scene.fields);
-    cost.memory = guessed_memory(faces);
+    cost.recording = recording_size(mesh, static_cast<double>(cost.frames), static_cast<double>(cost.steps),
+                                    columns, scene.fields);
+    cost.memory = guessed_memory(mesh.faces);
     cost.machine_memory = machine_memory();
     return cost;
 }

@@ -28,7 +28,7 @@ struct RunCost {
 };
 
 /// What can be said without a step.
-RunCost run_cost(const Scene& scene, const std::vector<SheetInput>& inputs);
+RunCost run_cost(const Scene& scene, const BuiltScene& built);
 
 /// Does up to three steps, and begins none after some seconds.
 TriedSteps try_steps(const Scene& scene, BuiltScene built);

@@ -9,7 +9,8 @@ double recording_size(const MeshSize& mesh, double frames, double steps, double 
     // As measured, compressed: coordinates by a quarter, numbers of vertices and faces to a third; and HDF5's
     // own.
     const double of_faces = 6 + 40 * tensors + (fields.any() ? 40 : 0);
-    const double frame = 47 * mesh.vertices + of_faces * mesh.faces + 11 * mesh.edges + 40e3;
+    const double frame =
+        47 * mesh.vertices + of_faces * mesh.faces + 11 * mesh.edges + 19 * mesh.moving_points + 40e3;
     const double step = 220 + 8 * columns, head = 60e3;
     return head + frames * frame + steps * step;
 }

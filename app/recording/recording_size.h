@@ -8,6 +8,7 @@ namespace sherd {
 /// Elements of a mesh.
 struct MeshSize {
     double vertices = 0, faces = 0, edges = 0;
+    double moving_points = 0;  ///< of the surfaces of obstacles and bodies that move
 };
 
 /// Returns about how many bytes a recording takes, without cracks. columns: numbers of
