@@ -51,14 +51,11 @@ std::vector<Vector3d> joined_axes(const std::vector<SheetInput>& inputs) {
 
 }  // namespace
 
-Vector3d SheetInput::starts_at(Vertex vertex) const {
-    return start.cols() > 0 ? Vector3d(start.col(number(vertex))) : vector_of(mesh.point(vertex));
-}
-
 BreakableShell::BreakableShell(const std::vector<SheetInput>& inputs)
     : crack_mesh(joined(inputs)), rest_ancestry(mesh()) {
     Index first_vertex = 0;
     for (const SheetInput& input : inputs) {
+        require_thickness(input, &input - inputs.data());
         add_vertices(input, number(&input - inputs.data()), first_vertex);
         shell.face_sheet.insert(shell.face_sheet.end(), input.mesh.number_of_faces(),
                                 number(&input - inputs.data()));
@@ -85,10 +82,11 @@ void BreakableShell::add_vertices(const SheetInput& input, Index sheet, Index fi
         const Index v = first_vertex + number(vertex);
         shell.rest.col(v) = vector_of(input.mesh.point(vertex));
         shell.position.col(v) = input.starts_at(vertex);
-        shell.thickness[v] = input.material.thickness;
+        shell.thickness[v] = input.thickness_at(vertex);
         shell.young[v] = mean_young(input.material);
         shell.vertex_sheet[v] = sheet;
     }
+    if (!input.thickness.empty()) shell.uneven = true;
     for (const Index pinned : input.pinned) shell.fixed[first_vertex + pinned] = 1;
     for (const MovingPin& pin : input.moving_pins) {
         shell.motions.push_back(pin.motion);
@@ -111,15 +109,15 @@ void BreakableShell::add_coincident_vertices() {
 TriangleStencil BreakableShell::stencil(Face face) const {
     const std::array<Index, 3> vertices = face_vertices(mesh(), face);
     const TrianglePositions rest = columns(shell.rest, vertices);
-    const Material& material = materials[shell.face_sheet[face]];
+    const Material material = material_of(shell.face_sheet[face], vertices);
     return {vertices,
             membrane_triangle(rest, membrane_elasticity(material, axis_angle(rest, face_axes[face])))};
 }
 
 void BreakableShell::add_triangles() {
     for (const Face face : mesh().faces()) {
-        const Material& material = materials[shell.face_sheet[face]];
         shell.triangles.push_back(stencil(face));
+        const Material material = material_of(face);
         const auto& [vertices, membrane] = shell.triangles.back();
         shell.face_mass.push_back(membrane.area * material.thickness * material.density);
         for (const Index vertex : vertices) shell.mass[vertex] += shell.face_mass.back() / 3;
@@ -133,8 +131,9 @@ double BreakableShell::hinge_axis(Edge edge) const {
 }
 
 HingeStencil BreakableShell::stencil(Edge edge) const {
-    const double stiffness = hinge_stiffness(materials[sheet_of(edge)], hinge_axis(edge));
-    return hinge_stencil(shell, hinge_vertices(edge), stiffness);
+    const std::array<Index, 4> vertices = hinge_vertices(edge);
+    const double stiffness = hinge_stiffness(material_of(sheet_of(edge), vertices), hinge_axis(edge));
+    return hinge_stencil(shell, vertices, stiffness);
 }
 
 double BreakableShell::strength_of_hinge(Edge edge) const {

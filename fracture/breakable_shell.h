@@ -5,41 +5,15 @@
 #include <span>
 #include <vector>
 
-#include "core/shell/shell.h"
-#include "fracture/art_direction.h"
+#include "core/shell/thickness.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
 #include "fracture/rest_ancestry.h"
+#include "fracture/sheet_input.h"
 #include "fracture/start_exemptions.h"
-#include "fracture/strength.h"
-#include "fracture/toughness.h"
 
 namespace sherd {
-
-/// Pinned vertices with one scripted motion, relative to their rest positions.
-struct MovingPin {
-    std::vector<Index> vertices;
-    Motion motion;
-};
-
-/// The input of a simulation for one sheet.
-struct SheetInput {
-    Mesh mesh;        ///< m, the rest shape at the place where the sheet starts
-    Positions start;  ///< [3, V] m, where its vertices start; without columns: at rest
-    Material material;
-    std::vector<Vector3d>
-        axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
-    Strength strength;                     ///< by default the sheet does not break
-    Toughness toughness;                   ///< by default cracks go by the strength, too
-    ArtDirection art_direction;            ///< by default it breaks whenever and into whatever it does
-    Vector3d velocity = Vector3d::Zero();  ///< m/s
-    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
-    std::vector<Index> pinned;             ///< vertices that are fixed or scripted
-    std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for each
-
-    Vector3d starts_at(Vertex vertex) const;  ///< m
-};
 
 /// All sheets of a simulation: their mesh and their mechanics, kept consistent. A crack removes hinges and
 /// duplicates vertices, and changes nothing else: rest shape, stiffness and total mass stay. The mesh has the
@@ -47,8 +21,8 @@ struct SheetInput {
 class BreakableShell {
   public:
     /// inputs: at least one. Throws Error if a material's constants are inadmissible, if material or strength
-    /// or toughness depend on the direction and an axis is missing for a face, or if the number of their
-    /// factors differs from the number of edges.
+    /// or toughness depend on the direction and an axis is missing for a face, if the number of their factors
+    /// differs from the number of edges, or if a thickness is missing or not positive.
     explicit BreakableShell(const std::vector<SheetInput>& inputs);
 
     const CrackMesh& cracks() const { return crack_mesh; }
@@ -70,7 +44,13 @@ class BreakableShell {
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
     /// The toughness of the sheet of a vertex.
     const Toughness& toughness_at(Index vertex) const { return toughnesses[shell.vertex_sheet[vertex]]; }
-    const Material& material_at(Index vertex) const { return materials[shell.vertex_sheet[vertex]]; }
+    /// The material of a vertex and of a face, with the thickness there.
+    Material material_at(Index vertex) const {
+        return material_of(shell.vertex_sheet[vertex], std::array{vertex});
+    }
+    Material material_of(Face face) const {
+        return material_of(shell.face_sheet[face], shell.triangles[face].vertices);
+    }
     /// Whether strength depends on the direction in which the edge is pulled open.
     bool has_directed_strength(Edge edge) const {
         const Strength& strength = strengths[sheet_of(edge)];
@@ -150,6 +130,13 @@ class BreakableShell {
     void add_footprints();
     void set_rigid_motion(const SheetInput& input, Index first_vertex);
     std::array<Index, 4> hinge_vertices(Edge edge) const;
+    /// The material of a sheet with the mean thickness of some of its vertices.
+    template <std::size_t N>
+    Material material_of(Index sheet, const std::array<Index, N>& vertices) const {
+        Material local = materials[sheet];
+        if (shell.uneven) local.thickness = mean_thickness(shell, vertices);
+        return local;
+    }
     TriangleStencil stencil(Face face) const;
     HingeStencil stencil(Edge edge) const;
     double hinge_axis(Edge edge) const;

@@ -65,7 +65,7 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     measures.bending = bending.cwiseAbs();
     measures.strain = measures.stress = VectorXd::Zero(bending.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const double thickness = mechanics.thickness[mechanics.hinges[i].vertices[0]];
+        const double thickness = mean_thickness(mechanics, mechanics.hinges[i].vertices);
         double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
         for (const auto& [face, corner] : sides[i]) {
             const MembraneTriangle& membrane = mechanics.triangles[face].membrane;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/contact/detection/contact_surface.h"
 #include "core/contact/lips/lip.h"
 
 namespace sherd {
@@ -18,20 +19,24 @@ Halfedge inner(const Mesh& mesh, Edge edge) {
     return mesh.is_border(h) ? mesh.opposite(h) : h;
 }
 
-double distance(PairKind kind, const Positions& x, const std::array<Vertex, 4>& vertices) {
-    PairPositions local;
-    for (int i = 0; i < 4; ++i) local.col(i) = x.col(number(vertices[i]));
-    return std::sqrt(squared_distance(closest_points(kind, local), local));
+/// Whether two elements are nearer than half the sum of their thicknesses, or as near.
+bool elements_overlap(PairKind kind, const Shell& shell, const Positions& x,
+                      const std::array<Vertex, 4>& of) {
+    std::array<Index, 4> vertices;
+    std::ranges::transform(of, vertices.begin(), [](Vertex v) { return number(v); });
+    const PairPositions local = columns(x, vertices);
+    return std::sqrt(squared_distance(closest_points(kind, local), local)) <=
+           half_thicknesses(shell, kind, vertices);
 }
 
-/// Distance, m, of `vertex` to the nearest of the faces around `other`.
-double distance_to_faces(const Mesh& mesh, const Positions& x, Vertex vertex, Vertex other) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(other)))
-        if (!mesh.is_border(h))
-            nearest = std::min(nearest, distance(PairKind::vertex_triangle, x,
-                                                 {vertex, mesh.source(h), other, mesh.target(mesh.next(h))}));
-    return nearest;
+/// Whether `vertex` overlaps one of the faces around `other`.
+bool overlaps_faces(const Mesh& mesh, const Shell& shell, const Positions& x, Vertex vertex, Vertex other) {
+    const auto around = mesh.halfedges_around_target(mesh.halfedge(other));
+    return std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+        return !mesh.is_border(h) &&
+               elements_overlap(PairKind::vertex_triangle, shell, x,
+                                {vertex, mesh.source(h), other, mesh.target(mesh.next(h))});
+    });
 }
 
 }  // namespace
@@ -63,15 +68,13 @@ void Lips::cut(const Mesh& mesh, const TopologyChange& change) {
 
 bool Lips::apart(const Mesh& mesh, const Shell& shell, const Positions& x, const Twins& pair) const {
     const auto [v, w] = pair;
-    const double thickness = shell.thickness[number(v)];
-    if ((x.col(number(v)) - x.col(number(w))).norm() <= thickness) return false;
-    if (distance_to_faces(mesh, x, v, w) <= thickness) return false;
-    if (distance_to_faces(mesh, x, w, v) <= thickness) return false;
+    if ((x.col(number(v)) - x.col(number(w))).norm() <= shell.thickness[number(v)]) return false;
+    if (overlaps_faces(mesh, shell, x, v, w) || overlaps_faces(mesh, shell, x, w, v)) return false;
     for (const Halfedge a : mesh.halfedges_around_target(mesh.halfedge(v)))
         for (const Halfedge b : mesh.halfedges_around_target(mesh.halfedge(w))) {
             const Vertex p = mesh.source(a), q = mesh.source(b);
             if (p == q || twins.has(p, q)) continue;  // they share a vertex, or are other twins
-            if (distance(PairKind::edge_edge, x, {p, v, q, w}) <= thickness) return false;
+            if (elements_overlap(PairKind::edge_edge, shell, x, {p, v, q, w})) return false;
         }
     return true;
 }

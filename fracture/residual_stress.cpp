@@ -176,8 +176,8 @@ ResidualStress residual_stress(const Material& material) {
 double residual_energy(const BreakableShell& shell, std::span<const Edge> cracks) {
     const Shell& mechanics = shell.mechanics();
     double stored = 0;
-    for (const auto& [vertices, membrane] : mechanics.triangles)
-        stored += residual_stress(shell.material_at(vertices[0])).energy * membrane.area;
+    for (const Face face : shell.mesh().faces())
+        stored += residual_stress(shell.material_of(face)).energy * mechanics.triangles[face].membrane.area;
     std::vector<CrackPiece> pieces;
     for (const Edge edge : cracks) {
         const Vertex from = shell.mesh().vertex(edge, 0);

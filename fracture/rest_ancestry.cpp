@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/shell/thickness.h"
 #include "fracture/mesh_inheritance.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/surface_point.h"
@@ -108,7 +109,7 @@ RestMesh RestAncestry::rest(const Shell& shell) const {
         const auto& [a, b, c] = shell.triangles[f].vertices;
         rest.faces.push_back({column[a], column[b], column[c]});
         rest.area.push_back(shell.triangles[f].membrane.area);
-        rest.thickness.push_back(shell.thickness[a]);
+        rest.thickness.push_back(mean_thickness(shell, shell.triangles[f].vertices));
         rest.face_parent.push_back(parent_of(static_cast<Index>(f)));
     }
     rest.unbroken_faces = unbroken;

@@ -85,7 +85,8 @@ std::optional<Opening> Simulation::opening_of(Edge edge, double has) const {
                b = static_cast<Index>(breakable.mesh().vertex(edge, 1));
     const double length = (shell.rest.col(a) - shell.rest.col(b)).norm();
     const Toughness& toughness = breakable.toughness(edge);
-    const double needed = toughness.value * toughness.value / shell.young[a] * length * shell.thickness[a];
+    const double needed =
+        toughness.value * toughness.value / shell.young[a] * length * mean_thickness(shell, std::array{a, b});
     if (has >= needed) return std::nullopt;
     return Opening{static_cast<Index>(edge), needed - has, length / toughness.speed_limit};
 }

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/shell/thickness.h"
+
 namespace sherd {
 CoupledBending::CoupledBending(const Shell& shell, const std::vector<MirrorHinge>& mirrors)
     : shell(shell), folds(shell, mirrors), curvature(shell, folds), start(folds.rest_angles()) {
@@ -71,7 +73,7 @@ std::vector<Index> CoupledBending::follow(const ShellChange& change) {
 
 double CoupledBending::rigidity_factor(Index face) const {
     const auto& [vertices, membrane] = shell.triangles[face];
-    const double thickness = shell.thickness[vertices[0]];
+    const double thickness = mean_thickness(shell, vertices);
     return scale * membrane.area * thickness * thickness / 12;
 }
 

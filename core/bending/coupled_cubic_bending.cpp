@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/bending/cubic_face.h"
+#include "core/shell/thickness.h"
 
 namespace sherd {
 namespace {
@@ -55,7 +56,7 @@ CoupledCubicBending::Form CoupledCubicBending::form_of(Index face, const std::ve
                             [&](Index fold) { return std::abs(all.rest_angle(fold)) >= sharpest_fold; }))
         return Form::crease;
     const std::array<Index, 3>& vertices = shell.triangles[face].vertices;
-    if (shell.thickness[vertices[0]] > thickest * shortest_side(columns(shell.rest, vertices)))
+    if (mean_thickness(shell, vertices) > thickest * shortest_side(columns(shell.rest, vertices)))
         return Form::thick;
     return Form::polynomial;
 }

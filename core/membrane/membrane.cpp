@@ -3,6 +3,7 @@
 
 #include "core/membrane/arc_membrane.h"
 #include "core/membrane/membrane_energy.h"
+#include "core/shell/thickness.h"
 
 namespace sherd {
 
@@ -22,7 +23,7 @@ VectorXd locking(const Shell& shell) {
         const Vector3d squares = side_squares(columns(shell.rest, vertices));
         all[static_cast<Eigen::Index>(face)] =
             squares.cwiseProduct(curvature.of(face, angles)).cwiseAbs().maxCoeff() /
-            shell.thickness[vertices[0]];
+            mean_thickness(shell, vertices);
     }
     return all;
 }

@@ -2,7 +2,7 @@
 #include "core/shell/face_fields.h"
 
 #include "core/elements/principal_values.h"
-#include "core/shell/shell.h"
+#include "core/shell/thickness.h"
 
 namespace sherd {
 
@@ -17,7 +17,7 @@ Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
 
 FaceState face_state(const Shell& shell, Index face, const Vector3d& strain, const Vector3d& curvature) {
     const TriangleStencil& triangle = shell.triangles[face];
-    const double thickness = shell.thickness[triangle.vertices[0]];
+    const double thickness = mean_thickness(shell, triangle.vertices);
     const auto stress = [&](double height) -> Vector3d {
         return triangle.membrane.elasticity * (strain - height * curvature) / thickness;
     };

@@ -40,4 +40,10 @@ void append(VectorXd& values, std::span<const Heir> heirs) {
         values[next++] = mean(heir.parents, 0.0, [&](Index parent) { return values[parent]; });
 }
 
+void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved) {
+    const VectorXd before = of_vertices;
+    for (const auto& [vertex, parents] : moved)
+        of_vertices[vertex] = mean(parents, 0.0, [&](Index parent) { return before[parent]; });
+}
+
 }  // namespace sherd

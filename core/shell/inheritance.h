@@ -25,6 +25,9 @@ void append(VectorXd& values, std::span<const Heir> heirs);
 /// get the mean of their parents.
 void follow(Positions& of_vertices, const ShellChange& change);
 
+/// Gives moved vertices the mean of what their parents have.
+void follow_moves(VectorXd& of_vertices, std::span<const Heir> moved);
+
 /// Appends the heirs' values to a list by `rule`; `missing` for an heir that inherits nothing.
 template <class T>
 void append(std::vector<T>& values, std::span<const Heir> heirs, Inheritance rule, const T& missing) {

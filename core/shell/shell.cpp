@@ -39,6 +39,7 @@ void follow(Shell& shell, const ShellChange& change) {
         else
             append(values, change.vertices, rule...);
     });
+    if (shell.uneven) follow_moves(shell.thickness, change.moved);
     visit_edges(shell, append_to(change.edges));
     visit_faces(shell, append_to(change.faces));
 }

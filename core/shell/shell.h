@@ -89,6 +89,7 @@ struct Shell {
     std::vector<Matrix3d> guides;          ///< projections to the free directions: a plane, or a line
     std::vector<Motion> motions;           ///< of scripted vertices, from their rest positions
     std::vector<std::vector<Hold>> holds;  ///< what together holds a vertex, for reactions
+    bool uneven = false;                   ///< whether the thickness of a sheet differs from place to place
 };
 
 /// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an
@@ -132,7 +133,8 @@ void visit_faces(S& shell, Visit visit) {
 /// Gives the vertices' arrays `count` entries; new ones are zero.
 void resize_vertices(Shell& shell, Index count);
 
-/// Applies a change to all attributes of elements. Of moved vertices rest, position and velocity follow.
+/// Applies a change to all attributes of elements. Of moved vertices rest, position and velocity follow, and
+/// an uneven thickness.
 /// Whoever made the change sets masses, footprints and the shape of elements that are new, changed or lost a
 /// part, and appends hinges.
 void follow(Shell& shell, const ShellChange& change);

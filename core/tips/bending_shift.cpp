@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/shell/thickness.h"
 #include "core/tips/fold_changes.h"
 
 namespace sherd {
@@ -32,7 +33,7 @@ std::optional<Eigen::MatrixXd> stiffness_of(std::span<const FaceCurvature::Term>
 
 Matrix3d rigidity_of(const Shell& shell, Index face) {
     const auto& [vertices, membrane] = shell.triangles[face];
-    const double thickness = shell.thickness[vertices[0]];
+    const double thickness = mean_thickness(shell, vertices);
     return membrane.area * thickness * thickness / 12 * membrane.elasticity;
 }
 

@@ -29,6 +29,7 @@ void add_faces(const Shell& shell, ShellPart& part) {
     resize_vertices(part.shell, static_cast<Index>(part.vertices.size()));
     part.shell.rest = shell.rest(Eigen::all, part.vertices);
     part.shell.thickness = shell.thickness(part.vertices);
+    part.shell.uneven = shell.uneven;
     for (const Index face : part.faces) {
         part.shell.triangles.push_back(shell.triangles[face]);
         for (Index& vertex : part.shell.triangles.back().vertices) vertex = number_in(part.vertices, vertex);

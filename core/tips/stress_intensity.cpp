@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/shell/thickness.h"
 #include "core/tips/fold_changes.h"
 
 namespace sherd {
@@ -116,7 +117,7 @@ StretchedFace stretched_face(const Shell& shell, const CrackTip& tip, Index face
     StretchedFace at{face_at_tip(shell, tip, face), {}, {}};
     const Eigen::Matrix2d& frame = at.place.frame;
     const Eigen::Matrix2d tension = full(membrane.elasticity * green_strain(membrane, now));
-    at.stress = frame * tension * frame.transpose() / shell.thickness[vertices[0]];
+    at.stress = frame * tension * frame.transpose() / mean_thickness(shell, vertices);
     const Eigen::Matrix2d stretched = tip.axes().transpose() * at.place.unfolded * turn.transpose() *
                                       deformation_gradient(membrane, now) * frame.transpose();
     at.along_gradient = stretched.col(0) - Vector2d::UnitX();
@@ -184,7 +185,7 @@ std::optional<PlaneStress> isotropic_at(const Shell& shell, Index face) {
     const auto& [vertices, membrane] = shell.triangles[face];
     const Matrix3d& c = membrane.elasticity;
     const double poisson = c(0, 1) / c(0, 0);
-    const double young = c(0, 0) * (1 - poisson * poisson) / shell.thickness[vertices[0]];
+    const double young = c(0, 0) * (1 - poisson * poisson) / mean_thickness(shell, vertices);
     Matrix3d isotropic;
     isotropic << 1, poisson, 0, poisson, 1, 0, 0, 0, (1 - poisson) / 2;
     if (!((c - c(0, 0) * isotropic).norm() <= 1e-6 * c.norm())) return std::nullopt;

@@ -82,10 +82,7 @@ Positions flight(Random& random, const Shell& shell, double speed, double spin) 
     return motion;
 }
 
-// A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
-// neighbourhood, however often and in whatever order the candidates were asked before.
-TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
-    const Shell shell = test::stacked_plates(3, 3, 2.1e-3, test::ceramic);
+void expect_no_pair_missed(const Shell& shell) {
     const ContactSurface surface(shell);
     const Index count = surface.vertices();
     Random random(3);
@@ -115,6 +112,21 @@ TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
             }
     EXPECT_GT(asked, 50u);
     EXPECT_GT(found, 10000u);
+}
+
+// A pair that was missed is an intersection that nothing later sees: whatever the motion, wherever in the
+// neighbourhood, however often and in whatever order the candidates were asked before.
+TEST(ContactCandidates, MissNoPairThatBruteForceFinds) {
+    expect_no_pair_missed(test::stacked_plates(3, 3, 2.1e-3, test::ceramic));
+}
+
+// Where a thin vertex of a thick triangle is nearest, the triangle's thickness counts.
+TEST(ContactCandidates, MissNoPairOfUnevenSheets) {
+    Shell shell = test::stacked_plates(3, 3, 2.1e-3, test::ceramic);
+    Random random(5);
+    shell.uneven = true;
+    for (double& thickness : shell.thickness) thickness = random.below(2) == 0 ? 1e-3 : 8e-3;
+    expect_no_pair_missed(shell);
 }
 
 // Of colliders, those that rest and those that move, whatever trees were kept of them.

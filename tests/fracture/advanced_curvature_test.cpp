@@ -123,6 +123,7 @@ TEST(AdvancedCurvature, IsMadeAnewAroundTheChangeAlone) {
     input.mesh = generate_rectangle(1, 0.7, {.edge_length = 0.025, .seed = 3});
     input.axes.assign(input.mesh.number_of_faces(), Vector3d::UnitX());
     input.strength.factors.clear();
+    input.thickness.clear();
     BreakableShell sheet({input});
     const Shell& shell = sheet.mechanics();
     Summed followed(shell, clamped_rim(shell));

@@ -9,13 +9,13 @@
 namespace sherd {
 namespace {
 
-/// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its sheet's
+/// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its elements'
 /// thickness and by `margins` margins.
 std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
     std::vector<Box> boxes(surface.vertices());
     for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v) {
         const Eigen::Array3d from = within.start.col(v), to = from + within.motion.col(v).array();
-        const double inflation = ContactCandidates::nearness * surface.half_thickness(v) +
+        const double inflation = ContactCandidates::nearness * surface.largest_half_thickness(v) +
                                  margins * (within.margin + within.round_off);
         boxes[v] = {from.min(to) - inflation, from.max(to) + inflation};
     }

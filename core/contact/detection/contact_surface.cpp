@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/contact/geometry/surface_edges.h"
+#include "core/shell/thickness.h"
 
 namespace sherd {
 namespace {
@@ -16,6 +17,14 @@ constexpr double share_of_rest = 0.75;  // activation distance of neighbours, ov
 // vertices act, whose stiffness is that of the materials; a soft collider yields there, perhaps by much.
 constexpr double share_of_collider = 0.5;
 constexpr double closest_to_sheet = 0.75, closest_to_collider = 0.2;  // minimum over activation distance
+
+/// The thickness of either element, m.
+std::array<double, 2> thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices) {
+    const auto [a, b, c, d] = vertices;
+    if (kind == PairKind::edge_edge)
+        return {mean_thickness(shell, std::array{a, b}), mean_thickness(shell, std::array{c, d})};
+    return {shell.thickness[a], mean_thickness(shell, std::array{b, c, d})};
+}
 
 template <std::size_t N>
 std::array<Index, N> shifted(std::array<Index, N> vertices, Index by) {
@@ -31,7 +40,8 @@ double width_of(const std::vector<std::array<Index, 2>>& edges, const std::vecto
 }  // namespace
 
 double half_thicknesses(const Shell& shell, PairKind kind, const std::array<Index, 4>& vertices) {
-    return 0.5 * (shell.thickness[vertices[0]] + shell.thickness[vertices[vertices_of_first(kind)]]);
+    const auto [first, second] = thicknesses(shell, kind, vertices);
+    return 0.5 * (first + second);
 }
 
 double activation_distance_of_sheets(const Shell& shell, PairKind kind,
@@ -58,6 +68,7 @@ ContactSurface::ContactSurface(const Shell& shell, const std::vector<ContactColl
     for (const TriangleStencil& stencil : shell.triangles)
         triangle.push_back(shifted(stencil.vertices, start));
     add_sheet_edges();
+    if (shell.uneven) find_largest_thicknesses();
     for (const auto& [a, b] : shell.twins) {
         twin.push_back(shifted(std::array{a, b}, start));
         twin.push_back(shifted(std::array{b, a}, start));
@@ -100,7 +111,17 @@ void ContactSurface::add_sheet_edges() {
         const auto [a, b] = side.ends;
         edge.push_back(shifted(side.ends, collider_vertices()));
         width.push_back(side.area / (shell->rest.col(a) - shell->rest.col(b)).norm() +
-                        (side.triangles == 1 ? shell->thickness[a] : 0));
+                        (side.triangles == 1 ? mean_thickness(*shell, side.ends) : 0));
+    }
+}
+
+void ContactSurface::find_largest_thicknesses() {
+    largest_half.assign(has_twin.size(), 0);
+    for (const TriangleStencil& stencil : shell->triangles) {
+        const auto [a, b, c] = stencil.vertices;
+        const double largest =
+            0.5 * std::max({shell->thickness[a], shell->thickness[b], shell->thickness[c]});
+        for (const Index v : stencil.vertices) largest_half[v] = std::max(largest_half[v], largest);
     }
 }
 
@@ -137,8 +158,20 @@ const ContactCollider* ContactSurface::collider_of(PairKind kind,
     return nullptr;
 }
 
+std::array<double, 2> ContactSurface::half_thicknesses(PairKind kind,
+                                                       const std::array<Index, 4>& vertices) const {
+    const auto half = [&](const auto& element) {
+        return of_collider(element[0]) ? 0
+                                       : 0.5 * mean_thickness(*shell, shifted(element, -collider_vertices()));
+    };
+    const auto [a, b, c, d] = vertices;
+    if (kind == PairKind::edge_edge) return {half(std::array{a, b}), half(std::array{c, d})};
+    return {half(std::array{a}), half(std::array{b, c, d})};
+}
+
 double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vertices) const {
-    return half_thickness(vertices[0]) + half_thickness(vertices[vertices_of_first(kind)]);
+    const auto [first, second] = half_thicknesses(kind, vertices);
+    return first + second;
 }
 
 double ContactSurface::activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const {
@@ -184,11 +217,12 @@ double ContactSurface::area(PairKind kind, const std::array<Index, 4>& vertices)
 double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertices) const {
     const Index a = vertices[0], b = vertices[vertices_of_first(kind)];
     const auto young = [&](Index v) { return shell->young[of_sheet(v)]; };
+    const auto [first, second] = half_thicknesses(kind, vertices);
     if (const ContactCollider* met = collider_of(kind, vertices)) {
         const Index v = of_collider(a) ? b : a;
-        return 2 * half_thickness(v) * (1 / young(v) + 1 / met->young);
+        return 2 * (first + second) * (1 / young(v) + 1 / met->young);
     }
-    return half_thickness(a) / young(a) + half_thickness(b) / young(b);
+    return first / young(a) + second / young(b);
 }
 
 ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices,

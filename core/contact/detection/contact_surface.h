@@ -28,11 +28,11 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// thickness. Vertices are numbered consecutively, those of the colliders first, then those of the sheets.
 ///
 /// A pair is active when the distance of the middle surfaces is below its activation distance, half the sum
-/// of the thicknesses. Between elements of one sheet it is at most three quarters of their distance at rest,
-/// so that the rest shape is free of contact forces (edges may be shorter than the thickness). A collider has
-/// no thickness: a sheet touches its surface at half the sheet's thickness, where the springs of
-/// ObstacleContact begin. The activation distance of pairs with it is half of that: the barrier stops what
-/// vertices and springs do not.
+/// of the thicknesses, which of edges and triangles are the means of their vertices. Between elements of one
+/// sheet it is at most three quarters of their distance at rest, so that the rest shape is free of contact
+/// forces (edges may be shorter than the thickness). A collider has no thickness: a sheet touches its surface
+/// at half the sheet's thickness, where the springs of ObstacleContact begin. The activation distance of
+/// pairs with it is half of that: the barrier stops what vertices and springs do not.
 ///
 /// The stiffness is that of a column of sheet, half of each thickness high, of the two materials in series: k
 /// = area / (t_a / (2 Y_a) + t_b / (2 Y_b)). The area of a vertex is its footprint. The area of two edges is
@@ -83,6 +83,10 @@ class ContactSurface {
     double half_thickness(Index vertex) const {
         return of_collider(vertex) ? 0 : 0.5 * shell->thickness[of_sheet(vertex)];
     }
+    /// Half the thickness, m, that no element with this vertex of sheets exceeds.
+    double largest_half_thickness(Index vertex) const {
+        return largest_half.empty() ? half_thickness(vertex) : largest_half[of_sheet(vertex)];
+    }
 
     // These take two elements, given by their vertices in the order of PairPositions, edges as in edges():
 
@@ -101,6 +105,8 @@ class ContactSurface {
     Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }
     bool joined(Index a, Index b) const;   ///< whether they are the same vertex or twins
     double reach(Index a, Index b) const;  ///< m, of NearVertices; infinite if they are none
+    /// Half the thickness of either element, m.
+    std::array<double, 2> half_thicknesses(PairKind kind, const std::array<Index, 4>& vertices) const;
     double edge_width(Index a, Index b) const;
     double rest_length(Index a, Index b) const;
     double footprint(Index vertex) const;
@@ -111,6 +117,7 @@ class ContactSurface {
     double column(PairKind kind, const std::array<Index, 4>& vertices) const;
     void add_colliders();
     void add_sheet_edges();
+    void find_largest_thicknesses();
 
     const Shell* shell;
     std::vector<ContactCollider> colliders;
@@ -120,6 +127,7 @@ class ContactSurface {
     std::vector<std::array<Index, 3>> triangle, collider_triangle;
     std::vector<std::array<Index, 2>> edge, collider_edge, twin;
     std::vector<double> width, collider_width;  ///< m, of each edge
+    std::vector<double> largest_half;           ///< m, of each vertex of uneven sheets; empty: its own
     std::vector<std::vector<char>> unseen;  ///< by each collider, each vertex of sheets; empty: all are seen
     std::vector<NearVertices> near;
     std::vector<char> has_twin, is_near;  ///< of each vertex of sheets

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/material/material.h"
+#include "core/motion.h"
+#include "fracture/art_direction.h"
+#include "fracture/strength.h"
+#include "fracture/toughness.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// Pinned vertices with one scripted motion, relative to their rest positions.
+struct MovingPin {
+    std::vector<Index> vertices;
+    Motion motion;
+};
+
+/// The input of a simulation for one sheet.
+struct SheetInput {
+    Mesh mesh;                      ///< m, the rest shape at the place where the sheet starts
+    Positions start;                ///< [3, V] m, where its vertices start; without columns: at rest
+    Material material;              ///< of uneven sheets with their mean thickness
+    std::vector<double> thickness;  ///< [V] m, linear in each face; empty: the material's everywhere
+    std::vector<Vector3d>
+        axes;  ///< [F] first material axis of each face, in its plane; may be empty if nothing depends on it
+    Strength strength;                     ///< by default the sheet does not break
+    Toughness toughness;                   ///< by default cracks go by the strength, too
+    ArtDirection art_direction;            ///< by default it breaks whenever and into whatever it does
+    Vector3d velocity = Vector3d::Zero();  ///< m/s
+    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
+    std::vector<Index> pinned;             ///< vertices that are fixed or scripted
+    std::vector<MovingPin> moving_pins;    ///< motions of pinned vertices, at most one for each
+
+    Vector3d starts_at(Vertex vertex) const;    ///< m
+    double thickness_at(Vertex vertex) const {  ///< m
+        return thickness.empty() ? material.thickness : thickness[vertex.idx()];
+    }
+    double thinnest() const;  ///< m
+    double thickest() const;  ///< m
+};
+
+/// Throws Error, naming the sheet by its number, unless there is a positive thickness for each vertex, or
+/// none.
+void require_thickness(const SheetInput& input, std::size_t sheet);
+
+}  // namespace sherd
