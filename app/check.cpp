@@ -16,6 +16,7 @@
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/supports.h"
+#include "app/scene/build/thickness.h"
 #include "app/scene/read/variant_remarks.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -40,7 +41,8 @@ void print_factors(const std::vector<double>& factors) {
     if (!range && !factors.empty()) fmt::print("  no edge ever breaks\n");
 }
 
-void print_strength(const SheetSpec& sheet, const Strength& strength) {
+void print_strength(const SheetSpec& sheet, const SheetInput& input) {
+    const Strength& strength = input.strength;
     if (!sheet.fracture) {
         fmt::print("  does not break\n");
         return;
@@ -48,8 +50,9 @@ void print_strength(const SheetSpec& sheet, const Strength& strength) {
     const auto words = [&](double value) {
         if (strength.measure == Measure::stress)
             return fmt::format("{:.4g} Pa of tension at its surface", value);
-        return fmt::format("{:.4g} 1/m, {:.3g} of strain at its surface", value,
-                           value * sheet.material.thickness / 2);
+        const double thin = value * input.thinnest() / 2, thick = value * input.thickest() / 2;
+        return fmt::format("{:.4g} 1/m, {:.3g}{} of strain at its surface", value, thin,
+                           thick > thin ? fmt::format(" to {:.3g}", thick) : "");
     };
     if (strength.along == strength.across)
         fmt::print("  breaks above {}\n", words(strength.along));
@@ -83,13 +86,16 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
                mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
                m.boundary_loops, input.pinned.size(), partly > 0 ? fmt::format(", partly {}", partly) : "");
     fmt::print("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
-               m.area * sheet.material.thickness * sheet.material.density);
+               m.area * input.material.thickness * input.material.density);
+    if (!input.thickness.empty())
+        fmt::print("  thickness {} m, {:.3g} m on the mean\n", thickness_words(input),
+                   input.material.thickness);
     fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
                m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
     fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
                m.mean_edge, m.smallest_edge, m.largest_edge, m.smallest_angle * 180 / std::numbers::pi);
     if (!remeshed.empty()) fmt::print("  {}\n", remeshed);
-    print_strength(sheet, input.strength);
+    print_strength(sheet, input);
     print_toughness(input.toughness);
     return input;
 }

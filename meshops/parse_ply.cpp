@@ -158,6 +158,29 @@ void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) 
     }
 }
 
+bool has_vertices(const PlyElement& element) {
+    return element.name == "vertex" || element.name == "vertices";
+}
+
+void skip(PlyRows& rows, const PlyElement& element) {
+    if (element.properties.empty()) return;
+    for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
+}
+
+/// The number of a property that has one value; an Error if there is none of this name.
+std::size_t single_property(const std::filesystem::path& file, const PlyElement& element,
+                            const std::string& name) {
+    std::string known;
+    for (const PlyProperty& property : element.properties)
+        if (!property.count) known += (known.empty() ? "" : ", ") + property.name;
+    const auto found = element.find({name});
+    if (!found || element.properties[*found].count)
+        throw Error(file.string() + ":" + std::to_string(element.line) + ": element " + element.name +
+                    " of the PLY file has no number `" + name + "`; it has " +
+                    (known.empty() ? "none" : known));
+    return *found;
+}
+
 std::vector<std::size_t> corners(const std::vector<double>& values) {
     std::vector<std::size_t> polygon;
     // A negative number stays recognisable for check_polygon_soup(), which reports it as an index out of
@@ -194,14 +217,32 @@ PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view conten
     soup.file = file;
     PlyRows rows(file, content, header);
     for (const PlyElement& element : header.elements) {
-        if (element.name == "vertex" || element.name == "vertices")
+        if (has_vertices(element))
             read_vertices(rows, element, soup);
         else if (element.name == "face" || element.name == "faces")
             read_faces(rows, element, soup);
-        else if (!element.properties.empty())
-            for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
+        else
+            skip(rows, element);
     }
     return soup;
+}
+
+std::vector<double> parse_ply_property(const std::filesystem::path& file, std::string_view content,
+                                       const std::string& name) {
+    const PlyHeader header = parse_ply_header(file, content);
+    PlyRows rows(file, content, header);
+    std::vector<double> values;
+    for (const PlyElement& element : header.elements) {
+        if (!has_vertices(element)) {
+            skip(rows, element);
+            continue;
+        }
+        const std::size_t column = single_property(file, element, name);
+        for (std::size_t row = 0; row < element.rows; ++row)
+            values.push_back(rows.next(element, row)[column][0]);
+        break;
+    }
+    return values;
 }
 
 }  // namespace sherd

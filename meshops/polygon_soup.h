@@ -35,6 +35,9 @@ PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);
 /// Parses the content of a PLY file: the elements `vertex` and `face`, with material axes of the latter.
 PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view content);
+/// The values of the property `name` of the element `vertex` of a PLY file, for read_vertex_property().
+std::vector<double> parse_ply_property(const std::filesystem::path& file, std::string_view content,
+                                       const std::string& name);
 /// Parses the content of an OFF file: points and polygons; normals, colours and texture coordinates are
 /// ignored.
 PolygonSoup parse_off(const std::filesystem::path& file, std::string_view content);

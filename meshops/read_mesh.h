@@ -51,4 +51,9 @@ struct ReadMeshOptions {
 Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
                std::vector<std::string>& warnings);
 
+/// Reads a property of the vertices of a .ply file: a number of any type for each, by its number in the file
+/// (property::file_vertex). Throws Error naming the file if it is missing, damaged or no PLY file, or has no
+/// such property.
+std::vector<double> read_vertex_property(const std::filesystem::path& file, const std::string& name);
+
 }  // namespace sherd

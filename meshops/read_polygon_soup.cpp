@@ -6,6 +6,7 @@
 
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
+#include "meshops/read_mesh.h"
 
 namespace sherd {
 namespace {
@@ -27,12 +28,17 @@ std::string file_text(const fs::path& file) {
     return text;
 }
 
+std::string extension_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
 }  // namespace
 
 PolygonSoup read_polygon_soup(const fs::path& file) {
     const std::string text = file_text(file);
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = extension_of(file);
     if (extension == ".ply") return parse_ply(file, text);
     if (extension == ".off") return parse_off(file, text);
     if (extension == ".stl") return parse_stl(file, text);
@@ -42,6 +48,12 @@ PolygonSoup read_polygon_soup(const fs::path& file) {
     }
     if (is_binary(text)) throw Error(file.string() + ": is binary, not the text of an OBJ file");
     return parse_obj(file, text);
+}
+
+std::vector<double> read_vertex_property(const fs::path& file, const std::string& name) {
+    if (extension_of(file) != ".ply")
+        throw Error(file.string() + ": only a PLY file has properties of its vertices");
+    return parse_ply_property(file, file_text(file), name);
 }
 
 }  // namespace sherd

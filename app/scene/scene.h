@@ -17,6 +17,7 @@
 #include "app/scene/scene_choice.h"
 #include "app/scene/score.h"
 #include "app/scene/strength_map.h"
+#include "app/scene/thickness_map.h"
 #include "core/bending/bending.h"
 #include "core/forces/damping.h"
 #include "core/forces/wind.h"
@@ -119,12 +120,13 @@ struct SheetSpec {
     std::string name;
     std::variant<GeneratedMesh, MeshFile> mesh;
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    std::optional<BendSpec> bend;          ///< none: it starts at rest
-    Vector3d velocity = Vector3d::Zero();  ///< m/s
-    Vector3d spin = Vector3d::Zero();      ///< rad/s, about the centre of mass
-    Material material;
-    MaterialAxis axis;                     ///< of a material that has directions
-    std::optional<FractureSpec> fracture;  ///< none: it does not break
+    std::optional<BendSpec> bend;           ///< none: it starts at rest
+    Vector3d velocity = Vector3d::Zero();   ///< m/s
+    Vector3d spin = Vector3d::Zero();       ///< rad/s, about the centre of mass
+    Material material;                      ///< without a thickness, where there is a map of it
+    std::optional<ThicknessMap> thickness;  ///< none: the material's everywhere
+    MaterialAxis axis;                      ///< of a material that has directions
+    std::optional<FractureSpec> fracture;   ///< none: it does not break
     std::vector<PinSpec> pins, clamps;
     std::vector<SymmetrySpec> symmetries;
     std::string where;  ///< "FILE:LINE: dotted.key" of its mesh, for errors

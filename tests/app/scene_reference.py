@@ -28,6 +28,7 @@ PLACES = {
     "`mesh` that is generated": "sheet.NAME.mesh",
     "shape": "sheet.NAME.mesh",
     "`material`": "sheet.NAME.material",
+    "`thickness`": "sheet.NAME.material.thickness",
     "`axis`": "sheet.NAME.material.axis",
     "`[obstacle.NAME]`: what sheets cannot pass through": "obstacle.NAME",
     "`keys`": "obstacle.NAME.keys",
@@ -50,7 +51,7 @@ NAMES = ("preset", "scene")  # first columns of tables that list names, not keys
 SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
 MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }']
 AXES = ["{ direction = [0, 0, 1], KEYS }", '{ texture = "a.png", encoding = "hue", KEYS }', "{ field = true, KEYS }"]
-MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }']
+MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }', '{ property = "t", KEYS }']
 SCORES = ['{ edges = "a", KEYS }', "{ line = [[0, 0, 0], [1, 0, 0]], KEYS }"]
 SOLIDS = ["plane", "sphere", "box", "cylinder", "mesh", "vdb"]
 
@@ -64,7 +65,7 @@ def scene():
     for i, mesh in enumerate(MESHES):
         score, chart, axis = SCORES[i % len(SCORES)], MAPS[i % len(MAPS)], AXES[i % len(AXES)]
         lines += [f"[sheet.s{i}]", "KEYS", f"mesh = {mesh}", "bend = { KEYS }", "place = { rotate = { KEYS }, KEYS }",
-                  f"material = {{ axis = {axis}, KEYS }}", f"fracture = {{ map = {chart}, score = {score}, KEYS }}",
+                  f"material = {{ axis = {axis}, thickness = {chart}, KEYS }}", f"fracture = {{ map = {chart}, score = {score}, KEYS }}",
                   f"pin = {pin}", f"clamp = {pin}", "symmetry = { KEYS }"]
     for i, solid in enumerate(SOLIDS):
         lines += [f"[obstacle.o{i}]", "KEYS", f"{solid} = {{ KEYS }}", "place = { rotate = { KEYS }, KEYS }"]

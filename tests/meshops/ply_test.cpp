@@ -10,6 +10,7 @@
 #include "meshops/error.h"
 #include "meshops/ply_header.h"
 #include "meshops/polygon_soup.h"
+#include "meshops/read_mesh.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/thrown_by.h"
@@ -158,6 +159,26 @@ TEST(Ply, NumbersThatAreNoneAreNamedByTheirVertex) {
             EXPECT_EQ(failure(binary(big_endian, bad)), "a.ply: vertex 1: a coordinate is NaN or infinite");
     EXPECT_EQ(failure(replaced(good, "1 0 0", "1 nan 0")),
               "a.ply:12: vertex 1: a coordinate is NaN or infinite");
+}
+
+// A property is of the vertices in the order of the file, of whatever type, and a wrong name says which there
+// are.
+TEST(Ply, PropertiesOfVerticesAreReadByName) {
+    const std::string with =
+        replaced(replaced(good, "property float z\n",
+                          "property float z\nproperty list uchar int n\nproperty uchar q\n"),
+                 "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 0 7\n1 0 0 2 5 5 8\n0 1 0 1 5 9\n");
+    EXPECT_EQ(parse_ply_property("a.ply", with, "q"), (std::vector<double>{7, 8, 9}));
+    EXPECT_EQ(parse_ply_property("a.ply", with, "x"), (std::vector<double>{0, 1, 0}));
+    for (const char* name : {"thick", "n"})
+        EXPECT_NE(thrown_by([&] { parse_ply_property("a.ply", with, name); })
+                      .find("a.ply:4: element vertex of the PLY file has no number `" + std::string(name) +
+                            "`; it has x, y, z, q"),
+                  std::string::npos);
+    const TemporaryDirectory directory;
+    EXPECT_EQ(read_vertex_property(directory.write("a.ply", with), "q").back(), 9);
+    EXPECT_NE(thrown_by([&] { read_vertex_property("a.obj", "q"); }).find("a.obj: only a PLY file"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/sheet_parting.h"
 #include "app/scene/build/supports.h"
+#include "app/scene/build/thickness.h"
 #include "app/scene/build/winds.h"
 #include "core/time/stability.h"
 #include "meshops/error.h"
@@ -35,7 +36,7 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
                 "{}: a sheet {} m thick does not hold this shape: where edges are shorter than the "
                 "thickness, bending outweighs stretching and the thin-shell model does not apply; make "
                 "the edges longer (edge_length, or remesh on a mesh file) or the thickness smaller",
-                scene.sheets[s].where, inputs[s].material.thickness));
+                scene.sheets[s].where, thickness_words(inputs[s])));
     if (!mistakes.empty()) throw Error(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
@@ -63,10 +64,11 @@ SimulationOptions plain_options(const Scene& scene) {
 /// The scene's obstacles, which nothing may start in.
 void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
     ContactOptions& contact = built.options.stepper.contact;
-    contact.obstacles = make_obstacles(scene, scene.obstacles, warnings);
-    contact.bodies = make_bodies(scene);
+    const ThicknessRange sheets = thickness_range(built.inputs);
+    contact.obstacles = make_obstacles(scene.obstacles, sheets, warnings);
+    contact.bodies = make_bodies(scene, sheets);
     require_free_bodies(scene, contact.obstacles, contact.bodies);
-    const std::vector<Obstacle> bodies = make_obstacles(scene, scene.bodies, warnings);
+    const std::vector<Obstacle> bodies = make_obstacles(scene.bodies, sheets, warnings);
     require_free_start(scene, built.inputs, built.sheets, scene.obstacles, contact.obstacles, warnings);
     require_free_start(scene, built.inputs, built.sheets, scene.bodies, bodies, warnings);
     if (!scene.contact.exempt) return;

@@ -41,7 +41,7 @@ InsideObstacle inside(const SheetInput& input, const Obstacle& obstacle) {
     for (const Vertex v : input.mesh.vertices()) {
         if (std::binary_search(input.pinned.begin(), input.pinned.end(), static_cast<Index>(v.idx())))
             continue;
-        const double thickness = input.material.thickness;
+        const double thickness = input.thickness_at(v);
         const double depth = overlap(*obstacle.shape, pose, input.starts_at(v), 0.5 * thickness).depth;
         if (depth > noticed * thickness) {
             ++found.count;
@@ -69,6 +69,7 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
 struct SurfaceMeeting {
     std::vector<StartFault> crossing, near;
     double distance = std::numeric_limits<double>::infinity();  ///< m, of the nearest pair that pushes
+    double touching = 0;                                        ///< m, half the thickness there
     Vector3d at = Vector3d::Zero();
 };
 
@@ -121,6 +122,7 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
         met.near.push_back(fault);
         if (const double apart = distance(pair, local); apart < met.distance) {
             met.distance = apart;
+            met.touching = contact.surface().thickness(pair.kind, pair.vertices);
             met.at = local.rowwise().mean();
         }
     }
@@ -144,12 +146,12 @@ std::string message(const SheetSpec& sheet, const SheetInput& input, const Obsta
             "or pin the vertices that it holds",
             obstacle.where, found.crossing.size(), input.mesh.number_of_faces(), sheet.name,
             fault_place(found.crossing.front()));
-    const double half = 0.5 * input.material.thickness;
     return fmt::format(
         "{}: sheet.{} starts {:.3g} m from its surface, at {}, where {:.3g} m, half its thickness, is "
         "touching: "
         "move the sheet or the obstacle by {:.3g} m, or make it smaller",
-        obstacle.where, sheet.name, found.distance, place_words(found.at), half, half - found.distance);
+        obstacle.where, sheet.name, found.distance, place_words(found.at), found.touching,
+        found.touching - found.distance);
 }
 
 }  // namespace

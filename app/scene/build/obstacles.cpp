@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
@@ -24,26 +21,12 @@ struct Made {
     ColliderSurface surface;
 };
 
-/// What the sheets of a scene ask of obstacles, m.
-struct Thicknesses {
-    double thinnest, thickest;
-};
-
-Thicknesses thicknesses(const Scene& scene) {
-    Thicknesses found{std::numeric_limits<double>::infinity(), 0};
-    for (const SheetSpec& sheet : scene.sheets) {
-        found.thinnest = std::min(found.thinnest, sheet.material.thickness);
-        found.thickest = std::max(found.thickest, sheet.material.thickness);
-    }
-    return found;
-}
-
 template <class Solid>
-Made make(const Solid& solid, const Thicknesses& sheets, std::vector<std::string>&) {
+Made make(const Solid& solid, const ThicknessRange& sheets, std::vector<std::string>&) {
     return {std::make_shared<Solid>(solid), facets(solid, sagitta * sheets.thinnest)};
 }
 
-Made make(const ObstacleMesh& spec, const Thicknesses& sheets, std::vector<std::string>& warnings) {
+Made make(const ObstacleMesh& spec, const ThicknessRange& sheets, std::vector<std::string>& warnings) {
     const Mesh mesh = read_mesh(spec.file, warnings);
     const MeshMeasures extent = measure(mesh);
     const double voxel = spec.voxel > 0 ? spec.voxel : (extent.upper - extent.lower).norm() / voxels_along;
@@ -56,7 +39,7 @@ Made make(const ObstacleMesh& spec, const Thicknesses& sheets, std::vector<std::
     });
 }
 
-Made make(const ObstacleLevelSet& spec, const Thicknesses& sheets, std::vector<std::string>&) {
+Made make(const ObstacleLevelSet& spec, const ThicknessRange& sheets, std::vector<std::string>&) {
     const auto shape = std::make_shared<GridShape>(
         SignedDistanceGrid::of_level_set(spec.path, spec.name, spec.scale, 0.5 * sheets.thickest));
     return {shape, facets(shape->grid.surface())};
@@ -68,14 +51,13 @@ std::shared_ptr<const ColliderSurface> shared(ColliderSurface surface) {
 
 }  // namespace
 
-std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<ObstacleSpec>& specs,
+std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, const ThicknessRange& sheets,
                                      std::vector<std::string>& warnings) {
     std::vector<Obstacle> obstacles;
     for (const ObstacleSpec& spec : specs) {
         std::vector<std::string> found;
         Made made = with_context(spec.where, [&] {
-            return std::visit([&](const auto& kind) { return make(kind, thicknesses(scene), found); },
-                              spec.shape);
+            return std::visit([&](const auto& kind) { return make(kind, sheets, found); }, spec.shape);
         });
         for (const std::string& warning : found)
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
@@ -86,7 +68,7 @@ std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<Obsta
     return obstacles;
 }
 
-std::vector<RigidBody> make_bodies(const Scene& scene) {
+std::vector<RigidBody> make_bodies(const Scene& scene, const ThicknessRange& sheets) {
     std::vector<RigidBody> bodies;
     for (const ObstacleSpec& spec : scene.bodies) {
         const auto* sphere = std::get_if<SphereShape>(&spec.shape);
@@ -94,8 +76,7 @@ std::vector<RigidBody> make_bodies(const Scene& scene) {
                                 : rigid_box(2 * std::get<BoxShape>(spec.shape).half, spec.free->density);
         // Like the shape, about the centre of mass and along the principal axes.
         body.surface =
-            shared(sphere ? facets(SphereShape(Vector3d::Zero(), sphere->radius),
-                                   sagitta * thicknesses(scene).thinnest)
+            shared(sphere ? facets(SphereShape(Vector3d::Zero(), sphere->radius), sagitta * sheets.thinnest)
                           : facets(BoxShape(Vector3d::Zero(), std::get<BoxShape>(spec.shape).half), 0));
         body.young = spec.young;
         body.friction = spec.friction;

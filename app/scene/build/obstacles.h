@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/build/thickness.h"
 #include "app/scene/scene.h"
 #include "core/contact/colliders/obstacle.h"
 #include "core/contact/colliders/rigid_body.h"
 
 namespace sherd {
 
-/// Makes the obstacles of a scene, in its order, as they are without being free. Meshes and level sets are
-/// read here. Throws Error naming the scene's line and key; warnings are sentences.
-std::vector<Obstacle> make_obstacles(const Scene& scene, const std::vector<ObstacleSpec>& specs,
+/// Makes obstacles of a scene, in its order, as they are without being free, for sheets that are so thick.
+/// Meshes and level sets are read here. Throws Error naming the scene's line and key; warnings are sentences.
+std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, const ThicknessRange& sheets,
                                      std::vector<std::string>& warnings);
 
 /// Makes the scene's free bodies, in its order.
-std::vector<RigidBody> make_bodies(const Scene& scene);
+std::vector<RigidBody> make_bodies(const Scene& scene, const ThicknessRange& sheets);
 
 }  // namespace sherd

@@ -9,6 +9,7 @@
 
 #include "app/scene/build/reach.h"
 #include "app/scene/build/round_step.h"
+#include "app/scene/build/thickness.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -42,8 +43,8 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
             large ? "lengths are in m: a mesh modelled in centimetres needs scale = 0.01, one in millimetres "
                     "scale = 0.001; or say how large it is: size = 0.2"
                   : "lengths are in m: is its size or scale right?";
-    warnings.push_back(fmt::format("{}: sheet.{} is {:.3g} m large and {:.3g} m thick, {}; {}", sheet.where,
-                                   sheet.name, size, thickness,
+    warnings.push_back(fmt::format("{}: sheet.{} is {:.3g} m large and {} m thick, {}; {}", sheet.where,
+                                   sheet.name, size, thickness_words(input),
                                    large ? fmt::format("{:.0f} times its thickness", size / thickness)
                                          : "hardly more than its thickness",
                                    advice));
@@ -51,22 +52,21 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
 
 void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
                          std::vector<std::string>& warnings) {
-    const double thickness = input.material.thickness;
     std::size_t count = 0;
     for (const Edge edge : input.mesh.edges()) {
-        const Vector3d along = position(input.mesh, input.mesh.vertex(edge, 0)) -
-                               position(input.mesh, input.mesh.vertex(edge, 1));
-        count += along.norm() < thickness;
+        const Vertex a = input.mesh.vertex(edge, 0), b = input.mesh.vertex(edge, 1);
+        const Vector3d along = position(input.mesh, a) - position(input.mesh, b);
+        count += along.norm() < 0.5 * (input.thickness_at(a) + input.thickness_at(b));
     }
     const double share = static_cast<double>(count) / static_cast<double>(input.mesh.number_of_edges());
     const double mean = measure(input.mesh).mean_edge;
-    const bool told = stretch_over_bend(input.material, mean) < least_stretch_over_bend;
+    const bool told = stretch_over_bend(thickest_material(input), mean) < least_stretch_over_bend;
     if (share <= most_short_edges || told) return;
     warnings.push_back(
-        fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({:.3g} m), where the "
+        fmt::format("{}: {} of the {} edges of sheet.{} are shorter than it is thick ({} m), where the "
                     "theory of thin shells does not hold; where the sheet bends, make them longer "
                     "(edge_length, or remesh on a mesh file)",
-                    sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness));
+                    sheet.where, count, input.mesh.number_of_edges(), sheet.name, thickness_words(input)));
 }
 
 void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {

@@ -108,7 +108,7 @@ Mover mover_of(const SheetInput& input, const SheetSpec& sheet, const Scene& sce
     for (const Vertex v : input.mesh.vertices()) box.extend(position(input.mesh, v));
     const double size = box.diagonal().norm();
     if (sheet.spin != Vector3d::Zero()) box = around(box.center(), size);
-    Mover mover{enlarged(box, slack * size + 0.5 * input.material.thickness), input.velocity,
+    Mover mover{enlarged(box, slack * size + 0.5 * input.thickest()), input.velocity,
                 scene.solver.damping.mass};
     const bool blown = std::any_of(scene.winds.begin(), scene.winds.end(), [&](const WindSpec& wind) {
         return wind.sheet.empty() || wind.sheet == sheet.name;

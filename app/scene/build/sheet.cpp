@@ -10,6 +10,7 @@
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/strength.h"
 #include "app/scene/build/supports.h"
+#include "app/scene/build/thickness.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -17,13 +18,14 @@ namespace {
 
 /// The paper's limit of validity, section 8.
 void warn_of_stretching(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
-    const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(input.material, edge);
+    const Material material = thickest_material(input);
+    const double edge = measure(input.mesh).mean_edge, ratio = stretch_over_bend(material, edge);
     if (ratio >= least_stretch_over_bend) return;
     warnings.push_back(fmt::format(
         "{}: stretching stiffness Y t is {:.3g} times the hinges' bending stiffness lambda / L^2 (edges of "
         "L = {:.3g} m, thickness t = {:.3g} m); thin-shell bending wants {:.0f}: where the sheet bends, make "
         "the edges {:.2g} m or longer",
-        sheet.where, ratio, edge, input.material.thickness, least_stretch_over_bend,
+        sheet.where, ratio, edge, material.thickness, least_stretch_over_bend,
         edge * std::sqrt(least_stretch_over_bend / ratio)));
 }
 
@@ -44,6 +46,7 @@ SheetInput make_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<st
     input.pinned = pinned_vertices(sheet, input.mesh);
     input.moving_pins = moving_pins(sheet, input.mesh);
     input.material = sheet.material;
+    set_thickness(sheet, input, warnings);
     std::vector<std::string> axis_warnings;
     std::vector<Vector3d> axes = material_axes(sheet.axis, input.mesh, sheet.place, axis_warnings);
     if (has_directions(sheet)) {

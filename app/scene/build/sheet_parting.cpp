@@ -126,7 +126,7 @@ std::optional<PartedSheets> part(const Scene& scene, const std::vector<SheetInpu
             if (!next) return {};
             const auto& [sheet, way] = *next;
             parted.moved[sheet] += way;
-            if (parted.moved[sheet].norm() > farthest * inputs[sheet].material.thickness) return {};
+            if (parted.moved[sheet].norm() > farthest * inputs[sheet].thinnest()) return {};
             move(parted.inputs[sheet], way);
         }
         parted.all = BreakableShell(parted.inputs);
@@ -158,7 +158,7 @@ void part_sheets(const Scene& scene, std::vector<SheetInput>& inputs, BreakableS
                             "sheet.{} is moved "
                             "by [{:.3g}, {:.3g}, {:.3g}] m, {:.2g} of its thickness",
                             scene.sheets[s].where, scene.sheets[s].name, way.x(), way.y(), way.z(),
-                            way.norm() / inputs[s].material.thickness));
+                            way.norm() / inputs[s].thinnest()));
 }
 
 std::vector<StartFault> sheet_faults(const Scene& scene, const std::vector<SheetInput>& inputs,

@@ -13,7 +13,7 @@ std::vector<StartFault> start_faults(const Scene& scene, const std::vector<Sheet
     std::vector<std::string> told;  // by who makes them for the run
     for (const auto* specs : {&scene.obstacles, &scene.bodies}) {
         const std::vector<StartFault> found =
-            obstacle_faults(inputs, all, make_obstacles(scene, *specs, told));
+            obstacle_faults(inputs, all, make_obstacles(*specs, thickness_range(inputs), told));
         faults.insert(faults.end(), found.begin(), found.end());
     }
     return faults;

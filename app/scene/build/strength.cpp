@@ -21,12 +21,6 @@ std::uint32_t scatter_seed(const SheetSpec& sheet, const Scene& scene) {
     return static_cast<std::uint32_t>(scene.seed) + odd * (number + 1);
 }
 
-/// From the placed mesh back to the frame of its file.
-Eigen::Affine3d to_file(const SheetSpec& sheet) {
-    const auto* file = std::get_if<MeshFile>(&sheet.mesh);
-    return Eigen::Scaling(1 / (file ? file->scale : 1)) * Eigen::Affine3d(sheet.place.inverse());
-}
-
 /// Multiplies the factors of edges [E] by those of the maps and the scores of one law.
 void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::vector<double>& factors,
               std::vector<std::string>& warnings) {
@@ -36,7 +30,7 @@ void add_maps(const SheetSpec& sheet, FractureLaw law, const Mesh& placed, std::
     };
     for (const StrengthMap& map : sheet.fracture->maps) {
         if (map.of != law) continue;
-        const std::vector<double> values = map_factors(map, placed, to_file(sheet), warnings);
+        const std::vector<double> values = map_factors(map, sheet, placed, warnings);
         for (const Edge edge : placed.edges()) {
             double& factor = factor_of(edge);
             const bool never = std::isinf(factor) || std::isinf(values[edge]);  // also times zero

@@ -8,6 +8,7 @@
 
 #include "app/scene/build/selection.h"
 #include "core/material/orthotropy.h"
+#include "core/shell/thickness.h"
 #include "meshops/error.h"
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
@@ -194,9 +195,12 @@ class SupportBuilder {
     /// lambda (N m) of the hinge on a boundary side.
     double stiffness(const TriangleEdge& side) const {
         const SheetInput& input = inputs[sheet];
-        if (input.axes.empty()) return hinge_stiffness(input.material);
+        Material material = input.material;
+        if (!input.thickness.empty())
+            material.thickness = mean_thickness(mechanics, mechanics.triangles[side.triangle].vertices);
+        if (input.axes.empty()) return hinge_stiffness(material);
         const TrianglePositions rest = columns(mechanics.rest, edge_and_apex(mechanics, side));
-        return hinge_stiffness(input.material, axis_angle(rest, input.axes[side.triangle - first_face]));
+        return hinge_stiffness(material, axis_angle(rest, input.axes[side.triangle - first_face]));
     }
 
     const Scene& scene;

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "app/scene/read/map_source.h"
+
 namespace sherd {
 namespace {
 
@@ -119,15 +121,7 @@ FractureLaw read_law(TomlTable& table, bool has_toughness) {
 
 StrengthMap read_map(TomlTable& table, const std::filesystem::path& directory, bool has_toughness) {
     StrengthMap map;
-    const bool texture = table.has("texture"), vdb = table.has("vdb");
-    if (texture == vdb) table.report("", "needs one of texture and vdb");
-    map.where = table.where(texture ? "texture" : "vdb");
-    if (texture) map.kind = StrengthTexture{directory / table.string("texture", "the name of a PNG file")};
-    if (vdb) {
-        StrengthGrid grid{directory / table.string("vdb", "the name of an OpenVDB file")};
-        if (table.has("grid")) grid.name = table.string("grid", "the name of a float grid");
-        map.kind = grid;
-    }
+    map.source = read_map_source(table, directory, map.where);
     if (table.has("range")) map.range = table.pair("range", "", not_negative, false);
     map.of = read_law(table, has_toughness);
     if (table.has("value")) {

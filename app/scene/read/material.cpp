@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/scene/read/map_source.h"
+
 namespace sherd {
 namespace {
 
@@ -91,6 +93,22 @@ MaterialAxis read_axis(TomlTable& material, const std::filesystem::path& directo
     return axis;
 }
 
+std::optional<ThicknessMap> read_thickness_map(TomlTable& material, const std::filesystem::path& directory) {
+    if (!material.is_table("thickness")) return std::nullopt;
+    TomlTable table = *material.table("thickness");
+    ThicknessMap map;
+    map.source = read_map_source(table, directory, map.where);
+    map.scale = table.number("scale", "m", positive, map.scale);
+    if (table.has("range")) {
+        map.range = table.pair("range", "m", positive, false);
+        if (table.has("scale")) table.report("scale", "conflicts with range: give one of them");
+    } else if (std::holds_alternative<MapTexture>(map.source) && !table.has("scale")) {
+        table.report("", "needs range, the thickness (m) of black and of white");
+    }
+    table.finish();
+    return map;
+}
+
 const MaterialPreset* read_preset(TomlTable& material) {
     if (!material.has("preset")) return nullptr;
     std::vector<std::string_view> names;
@@ -103,14 +121,15 @@ const MaterialPreset* read_preset(TomlTable& material) {
     return &unknown;
 }
 
-Material read_material(TomlTable& table, const MaterialPreset* chosen) {
+Material read_material(TomlTable& table, const MaterialPreset* chosen, bool has_map) {
     const Material* preset = chosen ? &chosen->material : nullptr;
     const auto from_preset = [&](double Material::*member) {
         return preset ? std::optional<double>(preset->*member) : std::nullopt;
     };
     Material material;
     material.density = table.number("density", "kg/m^3", positive, from_preset(&Material::density));
-    material.thickness = table.number("thickness", "m", positive, from_preset(&Material::thickness));
+    if (!has_map)
+        material.thickness = table.number("thickness", "m", positive, from_preset(&Material::thickness));
     read_constants(table, preset, material);
     if (table.has("calibration")) {
         constexpr std::array<std::string_view, 2> names{"third", "paper"};

@@ -85,7 +85,8 @@ SheetSpec read_sheet(const std::string& name, TomlTable& table, const std::files
     if (auto material = table.table("material")) {
         sheet.axis = read_axis(*material, directory);
         preset = read_preset(*material);
-        sheet.material = read_material(*material, preset);
+        sheet.thickness = read_thickness_map(*material, directory);
+        sheet.material = read_material(*material, preset, sheet.thickness.has_value());
     } else if (!table.has("material")) {
         table.report("material",
                      "is missing: give { preset = \"stoneware\" }, or density, thickness and young");

@@ -30,10 +30,15 @@ Scene scene_around(const std::string& obstacle) {
     return read_scene(directory.write("scene.toml", resting_plate + obstacle));
 }
 
+ThicknessRange thickness_of(const Scene& scene) {
+    const double thickness = scene.sheets.front().material.thickness;
+    return {thickness, thickness};
+}
+
 Obstacle obstacle_of(const std::string& obstacle) {
     const Scene scene = scene_around(obstacle);
     std::vector<std::string> warnings;
-    return make_obstacles(scene, scene.obstacles, warnings).at(0);
+    return make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
 }
 
 double distance(const Obstacle& obstacle, double time, const Vector3d& at) {
@@ -96,7 +101,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
         resting_plate +
             "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
     std::vector<std::string> warnings;
-    const Obstacle solid = make_obstacles(scene, scene.obstacles, warnings).at(0);
+    const Obstacle solid = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
     EXPECT_TRUE(warnings.empty());
     EXPECT_NEAR(distance(solid, 0, Vector3d(1, 0, 0)), -0.1 / std::sqrt(3.0), 1e-3);
     EXPECT_NEAR(distance(solid, 0, Vector3d(1.034, 0.034, 0.034)), 0.002 / std::sqrt(3.0), 2e-4);
@@ -129,7 +134,7 @@ TEST(SceneObstacle, DrawnSurfacesAreThoseOfTheSolids) {
           std::string("cylinder = { radius = 0.5, length = 2, centre = [1, 0, 0], axis = [1, 1, 0] }")}) {
         const Scene scene = scene_around(text);
         std::vector<std::string> warnings;
-        const Obstacle made = make_obstacles(scene, scene.obstacles, warnings).at(0);
+        const Obstacle made = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
         const Positions& points = made.surface->points;
         double volume = 0;
         for (const auto& p : points.colwise()) EXPECT_NEAR(made.shape->distance(p).distance, 0, 1e-14);
@@ -154,7 +159,7 @@ density = 10
 place.rotate = { axis = [0, 0, 1], degrees = 90 }
 )");
     EXPECT_TRUE(scene.obstacles.empty());
-    const std::vector<RigidBody> bodies = make_bodies(scene);
+    const std::vector<RigidBody> bodies = make_bodies(scene, thickness_of(scene));
     ASSERT_EQ(bodies.size(), 2u);
     EXPECT_NEAR(bodies[0].mass, 5, 1e-12);
     EXPECT_TRUE(bodies[0].centre.isApprox(Vector3d(1, 0, 3)));
