@@ -20,15 +20,24 @@ namespace {
 /// Width of the band outside the surface, in voxels.
 constexpr float band = 3;
 constexpr const char* grid_name = "surface";
+/// Difference in thickness that is not seen, in voxels: else each triangle of an uneven sheet would be a
+/// grid.
+constexpr double unseen = 0.01;
 
 using Triangles = std::vector<openvdb::Vec3I>;
 
+/// Those that differ by no more than `alike`, m, count as one: the thinnest of them.
 std::map<double, Triangles> triangles_by_thickness(const TriangleSheet& sheet,
-                                                   std::span<const double> thickness) {
-    std::map<double, Triangles> result;
+                                                   std::span<const double> thickness, double alike) {
+    std::map<double, Triangles> exactly, result;
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         const auto& [a, b, c] = sheet.triangles[t];
-        result[thickness[t]].emplace_back(a, b, c);
+        exactly[thickness[t]].emplace_back(a, b, c);
+    }
+    for (auto& [value, triangles] : exactly) {
+        if (result.empty() || value - result.rbegin()->first > alike) result[value];
+        Triangles& all = result.rbegin()->second;
+        all.insert(all.end(), triangles.begin(), triangles.end());
     }
     return result;
 }
@@ -76,7 +85,7 @@ openvdb::FloatGrid::Ptr thickened_grid(const TriangleSheet& sheet, std::span<con
                                        double voxel) {
     const std::vector<openvdb::Vec3s> points = points_of(sheet);
     openvdb::FloatGrid::Ptr whole;
-    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness)) {
+    for (const auto& [value, triangles] : triangles_by_thickness(sheet, thickness, unseen * voxel)) {
         const openvdb::FloatGrid::Ptr part = level_set_of(points, triangles, value, voxel);
         if (whole)
             openvdb::tools::csgUnion(*whole, *part);

@@ -42,11 +42,12 @@ Positions vertex_normals(const Positions& position, std::span<const std::array<I
 VectorXd vertex_offsets(const Positions& normals, const Snapshot& frame, std::span<const double> thickness) {
     constexpr double least_cosine = 0.5;  // no spikes on sharp folds
     VectorXd cosine = VectorXd::Ones(normals.cols()), offset = VectorXd::Zero(normals.cols());
+    std::vector<int> met(normals.cols(), 0);
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         const Vector3d normal = face_normal(frame.position, frame.faces[f]);
         for (const Index v : frame.faces[f]) {
             cosine[v] = std::min(cosine[v], std::max(least_cosine, normal.dot(normals.col(v))));
-            offset[v] = thickness[f] / 2;
+            offset[v] += (thickness[f] / 2 - offset[v]) / ++met[v];  // the mean of the faces around it
         }
     }
     return offset.cwiseQuotient(cosine);

@@ -72,11 +72,13 @@ TEST(Camera, LooksFromTheFrontAndFromTheRight) {
 /// The synthetic run's last frame as bodies 2 mm thick.
 class Solid : public ::testing::Test {
   protected:
-    RenderMesh solid(const Snapshot& frame) const {
+    static RenderMesh solid(const Snapshot& frame, const std::vector<double>& thickness) {
         SheetPaint paint;
         paint.colour.assign(frame.position.cols(), Eigen::Vector3f::Ones());
-        const std::vector<double> thickness(frame.faces.size(), 0.002);
         return sheet_solid(frame, thickness, paint, Vector3d::Zero());
+    }
+    static RenderMesh solid(const Snapshot& frame) {
+        return solid(frame, std::vector<double>(frame.faces.size(), 0.002));
     }
 
     SyntheticRun run = synthetic_run();
@@ -118,6 +120,24 @@ TEST_F(Solid, HasTheThicknessAndBrokenWallsWhereItCracked) {
     EXPECT_EQ(openings, 8u);
     EXPECT_EQ(broken, 2 * openings) << "two lips of each";
     EXPECT_EQ(walls - broken, 2u * (synthetic::columns + synthetic::rows)) << "the rim as it was made";
+}
+
+// Of a sheet of uneven thickness the sides would else be steps, or depend on the order of the faces.
+TEST_F(Solid, IsAsThickAtAVertexAsTheFacesThereOnTheMean) {
+    const Snapshot& frame = run.frames[0];
+    std::vector<double> thickness;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) thickness.push_back(1e-3 * (1 + f % 3));
+    const RenderMesh mesh = solid(frame, thickness);
+    const std::size_t count = frame.original.size();
+    std::vector<double> sum(count, 0), faces(count, 0);
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (const Index v : frame.faces[f]) {
+            sum[v] += thickness[f];
+            ++faces[v];
+        }
+    for (std::size_t v = 0; v < count; ++v)
+        EXPECT_NEAR((mesh.vertices[v].position - mesh.vertices[count + v].position).norm(), sum[v] / faces[v],
+                    0.03 * sum[v] / faces[v]);
 }
 
 TEST(RenderColour, TellsTwentyOneFragmentsApart) {

@@ -125,6 +125,22 @@ TEST_F(ThicknessMaps, PropertyIsThatOfTheFilesVertices) {
     }
 }
 
+// The same source serves maps of the strength: an edge has the mean of its ends.
+TEST_F(ThicknessMaps, PropertyMayBeAStrengthToo) {
+    const Scene scene = read_scene(directory.write(
+        "scene.toml", text("0.003", "\"square.ply\"") +
+                          "fracture = { strain = 10, map = { property = \"thick\", range = [0, 1000] } }\n"));
+    std::vector<std::string> found;
+    const SheetInput made = make_sheet(scene.sheets[0], scene, found);
+    ASSERT_EQ(made.strength.factors.size(), made.mesh.number_of_edges());
+    for (const Edge e : made.mesh.edges()) {
+        const double middle =
+            0.5 *
+            (position(made.mesh, made.mesh.vertex(e, 0)) + position(made.mesh, made.mesh.vertex(e, 1))).x();
+        EXPECT_NEAR(made.strength.factors[e], 2 + 2 * middle, 1e-12);
+    }
+}
+
 TEST_F(ThicknessMaps, WhatIsNotAThicknessIsNamedWithItsPlace) {
     directory.write("bad.ply", with_property("0.002", "0"));
     EXPECT_NE(
