@@ -2,6 +2,7 @@
 #include "meshops/remesh/carried_properties.h"
 
 #include "meshops/face_groups.h"
+#include "meshops/file_weights.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 
@@ -39,9 +40,21 @@ FaceTexture texture_on(const InputSurface& surface, const Mesh::Property_map<Fac
     return result;
 }
 
+void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
+    const auto [number, exists] = surface.mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    if (!exists) return;
+    auto places = mesh.add_property_map<Vertex, FileWeights>(property::file_weights).first;
+    for (const Vertex v : mesh.vertices()) {
+        const InputSurface::Site at = surface.nearest(below[v], position(mesh, v));
+        const std::array<Vertex, 3> corners = face_corners(surface.mesh, at.face);
+        places[v] = {{number[corners[0]], number[corners[1]], number[corners[2]]}, at.weights};
+    }
+}
+
 }  // namespace
 
 void carry_properties(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
+    carry_file_vertices(surface, below, mesh);
     const auto [texture, has_texture] = surface.mesh.property_map<Face, FaceTexture>(property::texture);
     const auto [groups, has_groups] = surface.mesh.property_map<Face, GroupNames>(property::groups);
     const auto [axis, has_axis] = surface.mesh.property_map<Face, Vector3d>(property::axis);

@@ -5,6 +5,7 @@
 
 #include "app/scene/build/texture.h"
 #include "meshops/error.h"
+#include "meshops/file_weights.h"
 #include "meshops/float_grid.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
@@ -82,15 +83,24 @@ std::vector<double> at_edges(const MapGrid& map, const SheetSpec& sheet, const M
     return at_places(map, sheet, std::move(places), "edges", warnings);
 }
 
+double mean_of(const std::vector<double>& of_file, const FileWeights& place) {
+    double value = 0;
+    for (int i = 0; i < 3; ++i) value += place.weights[i] * of_file[place.vertices[i]];
+    return value;
+}
+
 std::vector<double> at_vertices(const MapProperty& map, const SheetSpec& sheet, const Mesh& mesh,
                                 std::vector<std::string>&) {
     const auto* file = std::get_if<MeshFile>(&sheet.mesh);
-    const auto [number, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
-    if (file == nullptr || !exists)
-        throw Error("the mesh has no properties of a file: give a PLY file, without remesh");
+    if (file == nullptr) throw Error("the mesh has no properties of a file: give a PLY file");
     const std::vector<double> of_file = read_vertex_property(file->path, map.name);
+    const auto [number, is_as_read] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    const auto place = mesh.property_map<Vertex, FileWeights>(property::file_weights).first;
     std::vector<double> values;
-    for (const Vertex v : mesh.vertices()) values.push_back(of_file[number[v]]);
+    for (const Vertex v : mesh.vertices()) {
+        if (is_as_read) values.push_back(of_file[number[v]]);
+        if (!is_as_read) values.push_back(mean_of(of_file, place[v]));
+    }
     return values;
 }
 
