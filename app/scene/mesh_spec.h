@@ -8,7 +8,7 @@
 
 #include "core/vector.h"
 #include "meshops/polygon.h"
-#include "meshops/remesh.h"
+#include "meshops/remesh/remesh.h"
 
 namespace sherd {
 

@@ -49,7 +49,7 @@ SAME = {
 NAMES = ("preset", "scene")  # first columns of tables that list names, not keys
 
 SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
-MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }']
+MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }', '{ file = "a.obj", remesh = { KEYS } }']
 AXES = ["{ direction = [0, 0, 1], KEYS }", '{ texture = "a.png", encoding = "hue", KEYS }', "{ field = true, KEYS }"]
 MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }', '{ property = "t", KEYS }']
 SCORES = ['{ edges = "a", KEYS }', "{ line = [[0, 0, 0], [1, 0, 0]], KEYS }"]

@@ -8,7 +8,7 @@
 #include "meshops/line_cut.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
-#include "meshops/remesh.h"
+#include "meshops/remesh/remesh.h"
 
 namespace sherd {
 namespace {

@@ -120,18 +120,6 @@ TEST_F(StrengthMaps, ASeamIsTheMeanOfWhatItsFacesSee) {
     }
 }
 
-// Remeshing gives new triangles the coordinates that the surface has there.
-TEST_F(StrengthMaps, ReachRemeshedMeshes) {
-    write_png(directory.path / "a.png", 2, 1, {black, white});
-    const std::vector<double> found =
-        factors("map = { texture = \"a.png\" }", "mesh = { file = \"square.obj\", remesh = 0.07 }");
-    EXPECT_GT(mesh.number_of_faces(), 300u);
-    for (const Edge e : mesh.edges())
-        if (const double u = middle(mesh, e).x(); u > 0.25 && u < 0.75) {
-            EXPECT_NEAR(found[e], (u - 0.25) / 0.5, 1e-6);
-        }
-}
-
 TEST_F(StrengthMaps, RefusesCoordinatesThatAreNoNumbers) {
     write_square(directory.path / "square.obj", [](const Vector2d& p) { return p / p.x(); });
     write_png(directory.path / "a.png", 1, 1, white);

@@ -99,6 +99,18 @@ TEST_F(ThicknessMaps, PropertyReachesRemeshedMeshes) {
         EXPECT_NEAR(made.thickness[v], 0.002 + 0.002 * position(made.mesh, v).x(), 1e-12);
 }
 
+// And so are texture coordinates.
+TEST_F(ThicknessMaps, TextureReachesRemeshedMeshes) {
+    const SheetInput made =
+        input("{ texture = \"a.png\", range = [0.006, 0.002] }", "{ file = \"square.obj\", remesh = 0.07 }");
+    EXPECT_GT(made.mesh.number_of_faces(), 300u);
+    for (const Vertex v : made.mesh.vertices())
+        if (const double u = position(made.mesh, v).x(); u > 0.25 && u < 0.75) {
+            const double value = 1.0 / 3 + 2.0 / 3 * (u - 0.25) / 0.5;
+            EXPECT_NEAR(made.thickness[v], 0.006 - 0.004 * value, 1e-7);
+        }
+}
+
 // A grid stays with the mesh that the scene scales and places; its values are metres all the same.
 TEST_F(ThicknessMaps, GridMovesWithTheMesh) {
     const auto value = [](double x, double y, double) { return 0.001 + 0.002 * x + 0.001 * y; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshops/remesh.h"
+#include "meshops/remesh/remesh.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
-#include "meshops/remesh.h"
+#include "meshops/remesh/remesh.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd {
