@@ -226,6 +226,25 @@ TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * ball.kinetic_energy());
 }
 
+// The work of weight on bodies is that of what they have moved: nothing before the first substep, whatever was
+// in the memory before.
+TEST(ExplicitStepper, TheBalanceOfFallingBodiesBeginsAtNothing) {
+    for (const std::size_t count : {1, 2, 3, 5}) {
+        { const std::vector<std::vector<double>> dirt(64, std::vector<double>(6 * count, 1e200)); }
+        Shell shell = test::stacked_plates(1, 4, 0, test::glass);
+        RigidBody ball = rigid_sphere(0.01, 7850);
+        StepperOptions options = explicit_steps(2e-6);
+        options.gravity = Vector3d(0, 0, -9.81);
+        for (std::size_t i = 0; i < count; ++i) {
+            ball.centre = Vector3d(0, 0, 1.0 + 0.1 * static_cast<double>(i));
+            options.contact.bodies.push_back(ball);
+        }
+        ExplicitStepper stepper(shell, options);
+        advance(stepper, 3);
+        EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-12) << count;
+    }
+}
+
 // A plate on a peg between its vertices: what rubs is the peg's surface, and its force is the coefficient
 // times what it presses with. Without it what vertices do not touch would slide for nothing.
 TEST(ExplicitStepper, FrictionOnABodyBetweenVerticesIsTheCoefficientTimesThePressure) {

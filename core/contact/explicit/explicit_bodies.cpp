@@ -23,7 +23,7 @@ ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies
     points = point_contacts(all, obstacles.size());
     forces.resize(all.size());
     friction.resize(all.size());
-    moved.resize(all.size());
+    moved.resize(all.size(), Vector6d::Zero());
     measure_triangles();
 }
 
