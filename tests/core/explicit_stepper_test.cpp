@@ -226,8 +226,8 @@ TEST(ExplicitStepper, ABallAndAPlateExchangeMomentumAndKeepEnergy) {
     EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-10 * ball.kinetic_energy());
 }
 
-// The work of weight on bodies is that of what they have moved: nothing before the first substep, whatever was
-// in the memory before.
+// The work of weight on bodies is that of what they have moved: nothing before the first substep, whatever
+// was in the memory before.
 TEST(ExplicitStepper, TheBalanceOfFallingBodiesBeginsAtNothing) {
     for (const std::size_t count : {1, 2, 3, 5}) {
         { const std::vector<std::vector<double>> dirt(64, std::vector<double>(6 * count, 1e200)); }
