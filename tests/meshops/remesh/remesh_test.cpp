@@ -130,6 +130,23 @@ TEST(Remesh, NoiseIsNoFeature) {
     EXPECT_GT(test::mesh_quality(result).smallest_angle, 20);
 }
 
+// Between creases the surface is flat: a vertex that slips over an acute one folds the triangles there.
+TEST(Remesh, VerticesStayOnTheirSideOfCreases) {
+    Mesh blade;  // a flat pyramid of three sides
+    const Vertex a = blade.add_vertex(Point(0, 0, 0)), b = blade.add_vertex(Point(1, 0, 0)),
+                 c = blade.add_vertex(Point(0.4, 0.9, 0)), top = blade.add_vertex(Point(0.5, 0.3, 0.06));
+    blade.add_face(a, c, b);
+    blade.add_face(a, b, top);
+    blade.add_face(b, c, top);
+    blade.add_face(c, a, top);
+    for (const double edge_length : {0.2, 0.08, 0.03}) {
+        const Remeshed result = remesh(blade, {edge_length, 5, false});
+        EXPECT_LT(result.distance, 1e-9) << edge_length;
+        EXPECT_EQ(result.kept, 0u);
+        EXPECT_TRUE(self_intersections(result.mesh).empty());
+    }
+}
+
 // The hole of a thin handle is a hole still.
 TEST(Remesh, KeepsHandles) {
     const auto euler = [](const Mesh& mesh) {
