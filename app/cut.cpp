@@ -12,6 +12,7 @@
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
+#include "meshops/material_library.h"
 #include "meshops/read_mesh.h"
 #include "meshops/write_mesh.h"
 
@@ -88,7 +89,9 @@ int cut(const CutOptions& options) {
     const std::vector<Edge> edges = edges_to_open(options, mesh, told);
     CrackMesh cracks(mesh);
     const CrackMesh::Change change = cracks.fail(edges);
-    write_mesh(triangle_sheet(cracks.mesh()), options.output);
+    const TriangleSheet sheet = triangle_sheet(cracks.mesh());
+    if (has_material_file(sheet, options.output)) check_free(material_file(options.output), options.force);
+    write_mesh(sheet, options.output);
 
     Json result = summary(before, edges, cracks, change);
     result.update(told);

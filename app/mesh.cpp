@@ -11,6 +11,7 @@
 #include "app/files/pending_file.h"
 #include "app/words/nearest_name.h"
 #include "meshops/error.h"
+#include "meshops/material_library.h"
 #include "meshops/stl.h"
 #include "meshops/write_mesh.h"
 
@@ -92,10 +93,18 @@ int write_meshes(const MeshOptions& options) {
         for (MeshJob& job : jobs_of(scene, options)) {
             require_no_input(job.file, scene);
             check_free(job.file, options.force);
+            if (has_material_file(job.sheet, job.file)) check_free(material_file(job.file), options.force);
             jobs.push_back(std::move(job));
         }
     for (const MeshJob& job : jobs) {
         const OutputLock lock(job.file);
+        if (has_material_file(job.sheet, job.file)) {
+            const fs::path materials = material_file(job.file);
+            PendingFile pending(materials, Fault::input, lock);
+            pending.write(material_text(job.sheet.material, job.file));
+            pending.publish(options.force);
+            fmt::print("{}\n", materials.string());
+        }
         PendingFile pending(lock, Fault::input);
         pending.write(is_stl ? stl_bytes(job.sheet) : mesh_bytes(job.sheet, job.file));
         pending.publish(options.force);

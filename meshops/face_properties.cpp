@@ -7,6 +7,7 @@
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -68,12 +69,14 @@ void inherit_axis(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const Top
     }
 }
 
-void inherit_groups(Mesh& mesh, const TopologyChange& change) {
-    auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
+/// Values are those of the old face with the largest part.
+template <class Value>
+void inherit_largest(Mesh& mesh, const TopologyChange& change, const char* name) {
+    auto [values, exists] = mesh.property_map<Face, Value>(name);
     if (!exists) return;
-    std::map<Face, GroupNames> now;
-    for (const auto& [face, shares] : change.reshaped) now[face] = groups[shares.front().element];
-    for (const auto& [face, names] : now) groups[face] = names;
+    std::map<Face, Value> now;
+    for (const auto& [face, shares] : change.reshaped) now[face] = values[shares.front().element];
+    for (const auto& [face, value] : now) values[face] = value;
 }
 
 }  // namespace
@@ -81,7 +84,8 @@ void inherit_groups(Mesh& mesh, const TopologyChange& change) {
 void inherit_properties(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
     inherit_texture(mesh, old, change);
     inherit_axis(mesh, old, change);
-    inherit_groups(mesh, change);
+    inherit_largest<GroupNames>(mesh, change, property::groups);
+    inherit_largest<FaceMaterial>(mesh, change, property::surface_material);
     auto [number, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
     if (!exists) return;
     for (const Born<Vertex>& vertex : change.vertices)

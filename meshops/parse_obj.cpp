@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <string_view>
 
+#include "meshops/material_library.h"
 #include "meshops/polygon_soup.h"
 #include "meshops/text_line.h"
 
@@ -17,6 +19,8 @@ class ObjParser {
     PolygonSoup parse() {
         while (!text.empty()) parse_line(next_line());
         if (!has_texture) soup.texture.clear();
+        for (auto& [name, material] : materials) material->definition = definitions[name];
+        if (materials.empty()) soup.material.clear();
         return std::move(soup);
     }
 
@@ -61,9 +65,12 @@ class ObjParser {
             groups = rest_of(words);
             face_groups = nullptr;
         } else if (keyword == "o") {
-            object.clear();
-            for (const std::string& word : rest_of(words)) object += (object.empty() ? "" : " ") + word;
+            object = joined(rest_of(words));
             face_groups = nullptr;
+        } else if (keyword == "usemtl") {
+            use_material(joined(rest_of(words)));
+        } else if (keyword == "mtllib") {
+            add_libraries(rest_of(words));
         }
     }
 
@@ -71,6 +78,34 @@ class ObjParser {
         std::vector<std::string> rest;
         for (auto word = words.next_word(); !word.empty(); word = words.next_word()) rest.emplace_back(word);
         return rest;
+    }
+
+    static std::string joined(const std::vector<std::string>& words) {
+        std::string line;
+        for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+        return line;
+    }
+
+    void use_material(const std::string& name) {
+        face_material = nullptr;
+        if (name.empty()) return;
+        std::shared_ptr<SurfaceMaterial>& material = materials[name];
+        if (!material) material = std::make_shared<SurfaceMaterial>(SurfaceMaterial{name});
+        face_material = material;
+    }
+
+    /// The words are files, or one whose name has spaces.
+    void add_libraries(const std::vector<std::string>& words) {
+        const std::filesystem::path folder = soup.file.parent_path();
+        const std::string line = joined(words);
+        const bool is_one = std::filesystem::exists(folder / line);
+        for (const std::string& name : is_one ? std::vector{line} : words) {
+            if (std::filesystem::exists(folder / name))
+                definitions.merge(read_material_library(folder / name));
+            else
+                soup.warnings.push_back("line " + std::to_string(line_number) + ": the file of materials '" +
+                                        name + "' is not there; they have names only");
+        }
     }
 
     /// The groups of a face at the current line.
@@ -104,6 +139,7 @@ class ObjParser {
         soup.texture.push_back(std::move(texture));
         soup.polygon_line.push_back(line_number);
         soup.groups.push_back(present_groups());
+        soup.material.push_back(face_material);
     }
 
     /// The 0-based index at the front of `numbers`, which is advanced. OBJ counts from 1, and backwards from
@@ -130,10 +166,13 @@ class ObjParser {
     std::vector<std::string> groups;  ///< names of the last `g` line
     std::string object;               ///< name of the last `o` line
     GroupNames face_groups;           ///< groups and object; created when a face needs them
-    std::string_view text;            ///< the text not read yet
-    std::string joined_line;          ///< holds a line that continues over several
-    std::size_t line_number = 1;      ///< of the current line, from 1
-    std::size_t lines_taken = 0;      ///< number of lines of the text that the current line consists of
+    std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< by name, that are used
+    std::map<std::string, std::string> definitions;                     ///< of those of the libraries
+    FaceMaterial face_material;                                         ///< of the last `usemtl` line
+    std::string_view text;                                              ///< the text not read yet
+    std::string joined_line;      ///< holds a line that continues over several
+    std::size_t line_number = 1;  ///< of the current line, from 1
+    std::size_t lines_taken = 0;  ///< number of lines of the text that the current line consists of
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "meshops/face_groups.h"
 #include "meshops/mesh.h"
+#include "meshops/surface_material.h"
 
 namespace sherd {
 
@@ -19,6 +20,8 @@ struct PolygonSoup {
     std::vector<std::vector<Eigen::Vector2d>> texture;  ///< of each corner; empty without any
     std::vector<Eigen::Vector3d> axis;      ///< material axis of each polygon; empty if there are none
     std::vector<GroupNames> groups;         ///< of each polygon; empty if the format has no groups
+    std::vector<FaceMaterial> material;     ///< of each polygon; empty if there are none
+    std::vector<std::string> warnings;      ///< sentences on what the file names and is not there
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines
     std::vector<std::size_t> polygon_line;  ///< line of each polygon, likewise
 };
@@ -28,8 +31,9 @@ struct PolygonSoup {
 PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 
 /// Parses the text of an OBJ file for read_polygon_soup(): `v`, `vt`, `f`, `g` and `o` lines, with negative
-/// indices and continued lines; other lines are ignored. A face belongs to the groups of the last `g` line,
-/// each word a name (or to none if there are no words), and to a group named by the last `o` line.
+/// indices and continued lines, `usemtl` and `mtllib`; other lines are ignored. A face belongs to the groups
+/// of the last `g` line, each word a name (or to none if there are no words), and to a group named by the
+/// last `o` line. Files of materials are read beside `file`.
 PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 /// Parses the content of an STL file, text or binary.
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);

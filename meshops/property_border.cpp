@@ -3,6 +3,7 @@
 
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -30,12 +31,17 @@ bool separates_groups(const Mesh& mesh, Halfedge h, Halfedge other) {
     return *here != *there;
 }
 
+bool separates_materials(const Mesh& mesh, Halfedge h, Halfedge other) {
+    const auto [material, exists] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    return exists && !is_same(material[mesh.face(h)], material[mesh.face(other)]);
+}
+
 }  // namespace
 
 bool is_property_border(const Mesh& mesh, Halfedge h) {
     const Halfedge other = mesh.opposite(h);
     if (mesh.is_border(h) || mesh.is_border(other)) return false;
-    return is_seam(mesh, h, other) || separates_groups(mesh, h, other);
+    return is_seam(mesh, h, other) || separates_groups(mesh, h, other) || separates_materials(mesh, h, other);
 }
 
 }  // namespace sherd

@@ -219,6 +219,10 @@ Mesh Reading::build() const {
         auto groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
         for (const Face face : mesh.faces()) groups[face] = polygons.groups[soup.polygon[face.idx()]];
     }
+    if (!polygons.material.empty()) {
+        auto material = mesh.add_property_map<Face, FaceMaterial>(property::surface_material).first;
+        for (const Face face : mesh.faces()) material[face] = polygons.material[soup.polygon[face.idx()]];
+    }
     return mesh;
 }
 
@@ -253,6 +257,7 @@ Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options
     check_polygon_soup(polygons);
     const auto [joined, sentence] = join(polygons, options);
     Reading reading{polygons, triangulate(polygons), options, warnings};
+    for (const std::string& missing : polygons.warnings) reading.warn(missing);
     const std::size_t in_file = polygons.points.size();
     if (!sentence.empty()) reading.warn(sentence);
     const auto is_bare = [](const auto& texture) { return texture.empty(); };

@@ -22,10 +22,16 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/// The texture coordinates of corners, given by their numbers in a triangle.
+FaceTexture texture_of(const FaceTexture& texture, const std::array<int, 3>& corners) {
+    return {texture[corners[0]], texture[corners[1]], texture[corners[2]]};
+}
+
 /// A side of a triangle that no other triangle shares.
 struct BoundaryEdge {
     std::int32_t from, to;
     std::size_t triangle;
+    int side;  ///< number of the corner `from` in it
 };
 
 /// The boundary edges, in the order of their triangles.
@@ -41,7 +47,8 @@ std::vector<BoundaryEdge> boundary_edges(const TriangleSheet& sheet) {
     std::vector<BoundaryEdge> boundary;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const auto& [from, to] = sides[i];
-        if (!std::ranges::binary_search(sorted, std::array{to, from})) boundary.push_back({from, to, i / 3});
+        if (!std::ranges::binary_search(sorted, std::array{to, from}))
+            boundary.push_back({from, to, i / 3, static_cast<int>(i % 3)});
     }
     return boundary;
 }
@@ -78,7 +85,7 @@ std::vector<Surroundings> surroundings(const TriangleSheet& sheet, std::span<con
             point.volume += area * thickness[t];
         }
     }
-    for (const auto& [from, to, triangle] : boundary) {
+    for (const auto& [from, to, triangle, side] : boundary) {
         const auto& [a, b, c] = sheet.triangles[triangle];
         const Vector3d& p = sheet.points[a];
         const Vector3d normal = (sheet.points[b] - p).cross(sheet.points[c] - p);
@@ -160,19 +167,24 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
     body.triangles = sheet.triangles;
     for (const auto& [a, b, c] : sheet.triangles)
         body.triangles.push_back({a + points, c + points, b + points});
-    std::vector<std::size_t> source;
-    for (int side = 0; side < 2; ++side)
-        for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.push_back(t);
-    for (const auto& [from, to, triangle] : boundary) {
+    // The triangle that each one comes from, and which of its corners are there.
+    std::vector<std::pair<std::size_t, std::array<int, 3>>> source;
+    for (const auto& corners : {std::array{0, 1, 2}, std::array{0, 2, 1}})
+        for (std::size_t t = 0; t < sheet.triangles.size(); ++t) source.emplace_back(t, corners);
+    for (const auto& [from, to, triangle, side] : boundary) {
         // The strips of both sides of a crack use the same diagonal; different ones would intersect.
         const bool rising = origin.empty() || origin[to] < origin[from];
         body.triangles.push_back({to, from, rising ? from + points : to + points});
         body.triangles.push_back({rising ? to : from, from + points, to + points});
-        source.insert(source.end(), 2, triangle);
+        const int next = (side + 1) % 3;
+        source.emplace_back(triangle, std::array{next, side, rising ? side : next});
+        source.emplace_back(triangle, std::array{rising ? next : side, side, next});
     }
-    for (const std::size_t t : source) {
+    for (const auto& [t, corners] : source) {
         if (!sheet.group.empty()) body.group.push_back(sheet.group[t]);
         if (!sheet.quality.empty()) body.quality.push_back(sheet.quality[t]);
+        if (!sheet.texture.empty()) body.texture.push_back(texture_of(sheet.texture[t], corners));
+        if (!sheet.material.empty()) body.material.push_back(sheet.material[t]);
     }
     body.group_names = sheet.group_names;
     return body;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "meshops/error.h"
+#include "meshops/material_library.h"
 #include "meshops/raw_bytes.h"
 #include "meshops/read_mesh.h"
 
@@ -36,10 +37,12 @@ void append_all(std::string& text, const Values&... values) {
     (append(text, values), ...);
 }
 
-/// The state that is carried from one object of an OBJ file to the next: counts, and the current groups.
+/// The state that is carried from one object of an OBJ file to the next: counts, and the current groups and
+/// material.
 struct ObjState {
     std::size_t points = 0, texture = 0;
     GroupNames names;
+    FaceMaterial material;
 };
 
 /// Appends the lines that put the following faces into exactly these groups. Only an object's name may have
@@ -86,6 +89,10 @@ void append_object(std::string& text, const TriangleSheet& sheet, const std::vec
             state.names = sheet.named_groups[triangles[i]];
             append_named_groups(text, state.names, objects);
         }
+        if (!sheet.material.empty() && !is_same(sheet.material[triangles[i]], state.material)) {
+            state.material = sheet.material[triangles[i]];
+            append_all(text, "usemtl ", material_name(state.material).c_str(), "\n");
+        }
         text += 'f';
         for (int corner = 0; corner < 3; ++corner) {
             append_all(text, " ", point_number[sheet.triangles[triangles[i]][corner]]);
@@ -105,8 +112,10 @@ std::vector<std::size_t> points_of(const TriangleSheet& sheet, const std::vector
     return points;
 }
 
-std::string obj_text(const TriangleSheet& sheet) {
+std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     std::string text;
+    if (!sheet.material.empty())
+        append_all(text, "mtllib ", material_file(file).filename().string().c_str(), "\n");
     ObjState state;
     std::vector<std::vector<std::size_t>> triangles(std::max<std::size_t>(sheet.group_names.size(), 1));
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
@@ -186,8 +195,8 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     const std::size_t count = sheet.triangles.size();
     const auto fits = [&](const auto& values) { return values.empty() || values.size() == count; };
     require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality) && fits(sheet.named_groups) &&
-                fits(sheet.axis) && fits(sheet.colour),
-            "group, texture, quality, axis and colour need one value a triangle");
+                fits(sheet.axis) && fits(sheet.colour) && fits(sheet.material),
+            "group, texture, quality, axis, material and colour need one value a triangle");
     require(sheet.point_colour.empty() || sheet.point_colour.size() == sheet.points.size(),
             "colours of points need one value a point");
     for (const auto& triangle : sheet.triangles) {
@@ -248,6 +257,7 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
     const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
     const auto [groups, has_groups] = mesh.property_map<Face, GroupNames>(property::groups);
     const auto [axis, has_axis] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
+    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
     for (const Face face : mesh.faces()) {
         auto& triangle = sheet.triangles.emplace_back();
         auto corner = triangle.begin();
@@ -255,6 +265,7 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         if (has_texture) sheet.texture.push_back(texture[face]);
         if (has_groups) sheet.named_groups.push_back(groups[face]);
         if (has_axis) sheet.axis.push_back(axis[face]);
+        if (has_material) sheet.material.push_back(material[face]);
     }
     return sheet;
 }
@@ -271,6 +282,10 @@ void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string&
                            {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()});
         std::ranges::copy(mesh.texture, all.texture.begin() + static_cast<std::ptrdiff_t>(before));
     }
+    if (!mesh.material.empty() || !all.material.empty()) {
+        all.material.resize(before + count);
+        std::ranges::copy(mesh.material, all.material.begin() + static_cast<std::ptrdiff_t>(before));
+    }
     if (!mesh.named_groups.empty() || !all.named_groups.empty()) {
         all.named_groups.resize(before + count);
         for (std::size_t i = 0; i < mesh.named_groups.size(); ++i)
@@ -286,7 +301,7 @@ bool can_write_mesh(const fs::path& file) {
 std::string mesh_bytes(const TriangleSheet& sheet, const fs::path& file) {
     check(sheet, file.string());
     const std::string extension = lower_extension(file);
-    if (extension == ".obj") return obj_text(sheet);
+    if (extension == ".obj") return obj_text(sheet, file);
     if (extension == ".ply") return ply_bytes(sheet);
     if (extension == ".off") return off_text(sheet);
     throw Error(file.string() + ": cannot be written: unknown kind of mesh file `" + extension +
@@ -294,7 +309,13 @@ std::string mesh_bytes(const TriangleSheet& sheet, const fs::path& file) {
                 Fault::run);
 }
 
+bool has_material_file(const TriangleSheet& sheet, const fs::path& file) {
+    return !sheet.material.empty() && lower_extension(file) == ".obj";
+}
+
 void write_mesh(const TriangleSheet& sheet, const fs::path& file) {
+    if (has_material_file(sheet, file))
+        replace_file(material_file(file), material_text(sheet.material, file));
     replace_file(file, mesh_bytes(sheet, file));
 }
 

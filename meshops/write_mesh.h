@@ -8,6 +8,7 @@
 
 #include "meshops/face_groups.h"
 #include "meshops/mesh.h"
+#include "meshops/surface_material.h"
 
 namespace sherd {
 
@@ -23,6 +24,7 @@ struct TriangleSheet {
     std::vector<GroupNames> named_groups;  ///< of each triangle, as in the file read (OBJ); empty: none
     std::vector<Eigen::Vector3d> axis;     ///< of each triangle, first material axis (PLY); empty: none
     std::vector<FaceTexture> texture;      ///< of each triangle; empty: none
+    std::vector<FaceMaterial> material;    ///< of each triangle (OBJ); empty: none
     std::vector<double> quality;           ///< of each triangle, a scalar (PLY); empty: none
     std::vector<Colour> colour;            ///< of each triangle (PLY); empty: none
     std::vector<Colour> point_colour;      ///< of each point (PLY); empty: none
@@ -31,8 +33,8 @@ struct TriangleSheet {
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
 /// Adds a mesh to others, which have groups, as a group of its own. Its own groups are dropped; texture
-/// coordinates and named groups come from all meshes that have some, spaces in these names as underscores:
-/// in OBJ a name of several words is an object's.
+/// coordinates, materials and named groups come from all meshes that have some, spaces in these names as
+/// underscores: in OBJ a name of several words is an object's.
 void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name);
 
 /// Whether write_mesh() supports the file's extension: .obj, .ply or .off, in any case.
@@ -45,8 +47,11 @@ bool can_write_mesh(const std::filesystem::path& file);
 /// of the sheet do not fit together.
 std::string mesh_bytes(const TriangleSheet& sheet, const std::filesystem::path& file);
 
-/// Writes mesh_bytes() to `file`, which gets its name only when it is complete. Throws Error (Fault::run) if
-/// it cannot be written.
+/// Whether an OBJ file of the sheet names another one, material_file(), that holds its materials.
+bool has_material_file(const TriangleSheet& sheet, const std::filesystem::path& file);
+
+/// Writes mesh_bytes() to `file`, which gets its name only when it is complete, and its file of materials.
+/// Throws Error (Fault::run) if it cannot be written.
 void write_mesh(const TriangleSheet& sheet, const std::filesystem::path& file);
 
 }  // namespace sherd

@@ -26,8 +26,8 @@ void append(std::string& bytes, T value, std::endian order) {
 
 /// What a cache holds: the places of the same points at several moments.
 struct PointTrack {
-    std::vector<std::array<Index, 3>> triangles;               ///< of the mesh that the cache goes with
-    std::vector<double> times;                                 ///< s, of the samples, as they are shown
+    TriangleSheet mesh;         ///< that the cache goes with, without its points
+    std::vector<double> times;  ///< s, of the samples, as they are shown
     std::function<std::vector<Vector3d>(std::size_t)> points;  ///< [P] m, of a sample
 };
 
@@ -62,9 +62,8 @@ std::string mdd_bytes(const PointTrack& track) {
 
 /// The mesh that the cache goes with, in the shape of the first sample.
 std::string mesh_of(const PointTrack& track, const std::filesystem::path& file) {
-    TriangleSheet sheet;
+    TriangleSheet sheet = track.mesh;
     sheet.points = track.points(0);
-    sheet.triangles = track.triangles;
     return mesh_bytes(sheet, file);
 }
 
@@ -87,13 +86,18 @@ struct CachePlan {
 
 /// The last frame's topology.
 PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<double>& times) {
-    return {clip->topology().triangles, times, [clip](std::size_t i) { return clip->points(i); }};
+    TriangleSheet mesh;
+    mesh.triangles = clip->topology().triangles;
+    mesh.texture = clip->topology().texture;
+    return {mesh, times, [clip](std::size_t i) { return clip->points(i); }};
 }
 
 PointTrack obstacle_track(const ExportSource& source, std::size_t number, const std::vector<Moment>& moments,
                           const std::vector<double>& times) {
     const GridSurface& surface = source.obstacles()[number].surface;
-    return {surface.triangles, times, [&source, &surface, number, moments](std::size_t i) {
+    TriangleSheet mesh;
+    mesh.triangles = surface.triangles;
+    return {mesh, times, [&source, &surface, number, moments](std::size_t i) {
                 return placed(surface, source.poses(moments[i])[number]).points;
             }};
 }

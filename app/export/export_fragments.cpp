@@ -7,6 +7,7 @@
 #include "app/export/export_sheet.h"
 #include "app/export/fragment_motion.h"
 #include "app/json/json.h"
+#include "meshops/material_library.h"
 
 namespace sherd {
 
@@ -81,12 +82,15 @@ std::vector<ExportJob> plan_fragments(ExportSource& source) {
         const std::size_t count = fragment_count(source.frame(number));
         for (std::size_t i = 0; i < count; ++i) {
             const fs::path file = body_file(source, number, i);
-            jobs.push_back({file, [&source, number, i, file] {
-                                TriangleSheet body =
-                                    group_part(source.sheet(number), static_cast<std::int32_t>(i));
-                                body.group.clear();
-                                return mesh_bytes(body, file);
-                            }});
+            const auto body = [&source, number, i] {
+                TriangleSheet body = group_part(source.sheet(number), static_cast<std::int32_t>(i));
+                body.group.clear();
+                return body;
+            };
+            if (source.has_materials())
+                jobs.push_back(
+                    {material_file(file), [body, file] { return material_text(body().material, file); }});
+            jobs.push_back({file, [body, file] { return mesh_bytes(body(), file); }});
         }
         add_obstacle_files(source, number, ".obj", mesh_bytes, jobs);
         jobs.push_back(

@@ -9,6 +9,7 @@
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
 #include "app/export/glb_file.h"
+#include "app/export/split_points.h"
 #include "app/playback/playback.h"
 #include "app/render/creased_surface.h"
 
@@ -74,10 +75,13 @@ class Animation {
     void add_shapes(GlbScene& scene);
     void add_obstacles(GlbScene& scene);
     void warn_of_deviation(double deviation);
+    GlbShape shape_of(std::size_t fragment, const std::vector<Vector3d>& points) const;
 
     ExportSource& source;
     Clip& clip;
     double slowdown;
+    std::vector<TriangleSheet> parts;                ///< the fragments
+    std::vector<SplitPoints> split;                  ///< of each of them
     std::vector<std::vector<std::size_t>> vertices;  ///< of each fragment
     std::vector<std::vector<Vector3d>> local;        ///< their places about the fragment's centroid, m
 };
@@ -108,9 +112,18 @@ void Animation::add_nodes(GlbScene& scene) {
     for (std::size_t i = 0; i < topology.group_names.size(); ++i) {
         GlbNode node;
         node.name = topology.group_names[i];
-        node.triangles = group_part(topology, static_cast<Index>(i)).triangles;
+        parts.push_back(group_part(topology, static_cast<Index>(i)));
+        split.push_back(split_points(parts.back()));
+        node.triangles = split.back().triangles;
+        node.texture = split.back().texture;
         scene.nodes.push_back(node);
     }
+}
+
+/// points: of the fragment. Normals are smooth across seams of texture coordinates.
+GlbShape Animation::shape_of(std::size_t fragment, const std::vector<Vector3d>& points) const {
+    const std::vector<Vector3d> all = normals(points, parts[fragment].triangles, source.options.solid);
+    return {gathered(points, split[fragment].points), gathered(all, split[fragment].points)};
 }
 
 /// Each node has the last frame's shape about its centroid.
@@ -124,9 +137,8 @@ void Animation::add_bodies(GlbScene& scene) {
         const std::vector<Vector3d> own = gathered(sheet_points, vertices[i]);
         const Eigen::Isometry3d to_origin(Eigen::Translation3d(-centroid(own)));
         local.push_back(moved(own, to_origin));
-        GlbShape shape{moved(gathered(points, group_points(clip.topology(), fragment)), to_origin), {}};
-        shape.normals = normals(shape.points, scene.nodes[i].triangles, source.options.solid);
-        scene.nodes[i].shapes.push_back(shape);
+        scene.nodes[i].shapes.push_back(
+            shape_of(i, moved(gathered(points, group_points(clip.topology(), fragment)), to_origin)));
     }
 }
 
@@ -160,12 +172,9 @@ void Animation::add_shapes(GlbScene& scene) {
     for (GlbNode& node : scene.nodes) node.motions.push_back(Eigen::Isometry3d::Identity());
     for (std::size_t k = 0; k < clip.size(); ++k) {
         const std::vector<Vector3d> points = clip.points(k);
-        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-            GlbNode& node = scene.nodes[i];
-            GlbShape shape{gathered(points, group_points(clip.topology(), static_cast<Index>(i))), {}};
-            shape.normals = normals(shape.points, node.triangles, source.options.solid);
-            node.shapes.push_back(shape);
-        }
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+            scene.nodes[i].shapes.push_back(
+                shape_of(i, gathered(points, group_points(clip.topology(), static_cast<Index>(i)))));
     }
 }
 
@@ -179,6 +188,7 @@ void Animation::add_obstacles(GlbScene& scene) {
         scene.nodes.push_back({obstacle.name,
                                true,
                                surface.triangles,
+                               {},
                                {{moved(surface.points, to_middle), surface.normals}},
                                {}});
     }

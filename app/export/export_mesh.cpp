@@ -2,6 +2,7 @@
 // The formats of a single mesh: obj, ply, stl.
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
+#include "meshops/material_library.h"
 #include "meshops/stl.h"
 
 namespace sherd {
@@ -33,18 +34,18 @@ std::vector<ExportJob> plan_files(ExportSource& source, const std::string& exten
 }
 
 /// The sheets as one object, or as one for each fragment, and each obstacle as another one.
-std::string obj_content(ExportSource& source, std::size_t number, const std::filesystem::path& file) {
+TriangleSheet obj_sheet(ExportSource& source, std::size_t number) {
     TriangleSheet all = source.sheet(number);
     all.quality.clear();
     if (!source.options.fragments) {
         all.group.clear();
-        if (source.obstacles().empty()) return mesh_bytes(all, file);
+        if (source.obstacles().empty()) return all;
         all.group.assign(all.triangles.size(), 0);
         all.group_names = {"sheets"};
     }
     for (std::size_t i = 0; i < source.obstacles().size(); ++i)
         add_group(all, source.obstacle(i, number), source.obstacles()[i].name);
-    return mesh_bytes(all, file);
+    return all;
 }
 
 }  // namespace
@@ -53,7 +54,13 @@ std::vector<ExportJob> plan_obj(ExportSource& source) {
     std::vector<ExportJob> jobs;
     for (const std::size_t number : source.frames()) {
         const std::filesystem::path file = source.frame_file(number, ".obj");
-        jobs.push_back({file, [&source, number, file] { return obj_content(source, number, file); }});
+        // The file of materials comes first: who waits for the .obj finds both.
+        if (source.has_materials())
+            jobs.push_back({material_file(file), [&source, number, file] {
+                                return material_text(obj_sheet(source, number).material, file);
+                            }});
+        jobs.push_back(
+            {file, [&source, number, file] { return mesh_bytes(obj_sheet(source, number), file); }});
     }
     return jobs;
 }

@@ -54,6 +54,13 @@ TriangleSheet frame_sheet(const Snapshot& frame) {
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v) sheet.points.push_back(frame.position.col(v));
     sheet.triangles = frame.faces;
     sheet.group = frame.face_fragment;
+    for (const auto& uv : frame.rest.texture.colwise())
+        sheet.texture.push_back({uv.segment<2>(0), uv.segment<2>(2), uv.segment<2>(4)});
+    std::vector<FaceMaterial> materials;
+    for (const SurfaceMaterial& material : frame.rest.surface_materials)
+        materials.push_back(std::make_shared<const SurfaceMaterial>(material));
+    for (const Index material : frame.rest.surface_material)
+        sheet.material.push_back(material < 0 ? nullptr : materials[material]);
     for (std::size_t i = 0; i < fragment_count(frame); ++i) sheet.group_names.push_back(fragment_name(i));
     return sheet;
 }
@@ -83,6 +90,8 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
         part.triangles.push_back({number[a], number[b], number[c]});
         part.group.push_back(group);
         if (!sheet.quality.empty()) part.quality.push_back(sheet.quality[t]);
+        if (!sheet.texture.empty()) part.texture.push_back(sheet.texture[t]);
+        if (!sheet.material.empty()) part.material.push_back(sheet.material[t]);
     }
     return part;
 }

@@ -39,6 +39,10 @@ class ExportSource {
     /// fragment whose body intersects itself. The groups are the fragments. It is kept, too.
     const TriangleSheet& sheet(std::size_t number);
 
+    /// Whether the sheets have materials: of their own, or as solids with texture coordinates those of
+    /// broken_sides.h.
+    bool has_materials() const { return with_materials; }
+
     /// Returns the obstacles and free bodies that are to be written; none with ExportOptions::sheets_only.
     const std::vector<ExportObstacle>& obstacles() const { return solids; }
     /// Returns the motions from the frame of each of obstacles() to space, in a frame or between two. Throws
@@ -68,7 +72,7 @@ class ExportSource {
     std::vector<ExportObstacle> solids;
     ObstaclePlayback playback;
     std::filesystem::path stem;  ///< without number and extension
-    bool single = false;
+    bool single = false, with_materials = false;
     std::optional<std::size_t> loaded, made;
     Snapshot current;
     TriangleSheet current_sheet;

@@ -30,6 +30,7 @@ class Model {
                      int target);
     int add_rows(const Rows& rows, int type, bool bounds, int target);
     int add_vectors(const std::vector<Vector3d>& vectors, bool bounds);
+    int add_texture(const std::vector<Eigen::Vector2d>& texture);
     int add_material(const std::string& name, bool double_sided, const Eigen::Vector3f& colour);
     int obstacle_material();
     int add_mesh(const GlbNode& node);
@@ -128,6 +129,13 @@ int Model::add_vectors(const std::vector<Vector3d>& vectors, bool bounds) {
     return add_rows(rows, TINYGLTF_TYPE_VEC3, bounds, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
+/// In glTF v points downwards.
+int Model::add_texture(const std::vector<Eigen::Vector2d>& texture) {
+    Rows rows;
+    for (const Eigen::Vector2d& uv : texture) rows.push_back({uv.x(), 1 - uv.y()});
+    return add_rows(rows, TINYGLTF_TYPE_VEC2, false, TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
 std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::vector<Vector3d>& from) {
     std::vector<Vector3d> result;
     for (std::size_t i = 0; i < to.size(); ++i) result.push_back(to[i] - from[i]);
@@ -144,6 +152,7 @@ int Model::add_mesh(const GlbNode& node) {
     const GlbShape& first = node.shapes.front();
     primitive.attributes["POSITION"] = add_vectors(first.points, true);
     primitive.attributes["NORMAL"] = add_vectors(first.normals, false);
+    if (!node.texture.empty()) primitive.attributes["TEXCOORD_0"] = add_texture(node.texture);
     for (std::size_t i = 1; i < node.shapes.size(); ++i)
         primitive.targets.push_back(
             {{"POSITION", add_vectors(differences(node.shapes[i].points, first.points), true)},

@@ -19,6 +19,7 @@ struct GlbNode {
     std::string name;
     bool obstacle = false;  ///< has the material of obstacles instead of that of sheets
     std::vector<std::array<Index, 3>> triangles;
+    std::vector<Eigen::Vector2d> texture;    ///< of each point, v upwards; empty: none
     std::vector<GlbShape> shapes;            ///< [1] or one for each time
     std::vector<Eigen::Isometry3d> motions;  ///< [1] or one for each time
 };

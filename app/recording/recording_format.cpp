@@ -48,6 +48,20 @@ std::string outside(const char* name, const Numbers& numbers, std::size_t end, c
     return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
 }
 
+std::size_t texture_rows(const CornerTexture& texture, std::size_t without) {
+    return texture.cols() == 0 ? without : static_cast<std::size_t>(texture.cols());
+}
+
+/// materials: of the faces, as in RestMesh; count: of these.
+std::string material_fault(const std::vector<Index>& materials, std::size_t faces, std::size_t count) {
+    if (!materials.empty() && materials.size() != faces)
+        return fmt::format("rest/faces and rest/{} differ in length", surface_material);
+    const auto is_row = [count](Index i) { return i >= -1 && i < static_cast<Index>(count); };
+    return std::ranges::all_of(materials, is_row)
+               ? ""
+               : fmt::format("rest/{} names a material that does not exist", surface_material);
+}
+
 std::string length_fault(const Snapshot& s) {
     const RestMesh& rest = s.rest;
     return first_of(
@@ -62,6 +76,7 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/area", rest.area.size()},
                      {"rest/thickness", rest.thickness.empty() ? s.faces.size() : rest.thickness.size()},
                      {"rest/face_parent", rest.face_parent.size()},
+                     {"rest/texture", texture_rows(rest.texture, s.faces.size())},
                      {"rest/face_mixed", rest.face_mixed.empty() ? s.faces.size() : rest.face_mixed.size()}}),
          difference({{"edge/vertices", s.edges.size()},
                      {"edge/state", s.edge_state.size()},
@@ -168,12 +183,18 @@ bool is_recorded(const RecordedGauge& gauge, std::string_view column) {
 }
 
 RestMesh unbroken_mesh(const RecordingHeader& header) {
-    return sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
-                                header.rest_thickness);
+    RestMesh rest = sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
+                                         header.rest_thickness);
+    rest.texture = header.rest_texture;
+    rest.surface_material = header.rest_surface_material;
+    rest.surface_materials = header.surface_materials;
+    return rest;
 }
 
 std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
-    if (std::string fault = first_of({length_fault(s), field_fault(s), number_fault(s, unbroken_vertices)});
+    if (std::string fault = first_of(
+            {length_fault(s), field_fault(s), number_fault(s, unbroken_vertices),
+             material_fault(s.rest.surface_material, s.faces.size(), s.rest.surface_materials.size())});
         !fault.empty())
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
@@ -188,9 +209,12 @@ std::string inconsistency(const RecordingHeader& header) {
         return "/rest/faces and /rest/area differ in length";
     if (!header.rest_thickness.empty() && header.rest_thickness.size() != header.rest_faces.size())
         return "/rest/faces and /rest/thickness differ in length";
+    if (texture_rows(header.rest_texture, header.rest_faces.size()) != header.rest_faces.size())
+        return "/rest/faces and /rest/texture differ in length";
     if (any_outside(header.rest_faces, static_cast<std::size_t>(header.rest_position.cols())))
         return "a face of /rest/faces names a vertex that does not exist";
-    return "";
+    return material_fault(header.rest_surface_material, header.rest_faces.size(),
+                          header.surface_materials.size());
 }
 
 std::string inconsistency(const RecordedObstacle& obstacle) {

@@ -65,6 +65,14 @@ void visit_rest_arrays(R& rest, Visit visit) {
 /// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
 inline constexpr const char* mixed_faces = "face_mixed";
 
+/// What has RestMesh::texture, in the group of a mesh at rest that has texture coordinates.
+inline constexpr const char* corner_texture = "texture";
+
+/// What have RestMesh::surface_material, names and definitions of RestMesh::surface_materials, likewise.
+inline constexpr const char *surface_material = "surface_material",
+                            *material_names = "surface_material_names",
+                            *material_definitions = "surface_material_definitions";
+
 /// What has Snapshot::edge_held, in frames in which an edge opens gradually.
 inline constexpr const char* held_edges = "edge/held";
 

@@ -5,6 +5,7 @@
 #include "meshops/file_weights.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -58,18 +59,24 @@ void carry_properties(const InputSurface& surface, const std::vector<Face>& belo
     const auto [texture, has_texture] = surface.mesh.property_map<Face, FaceTexture>(property::texture);
     const auto [groups, has_groups] = surface.mesh.property_map<Face, GroupNames>(property::groups);
     const auto [axis, has_axis] = surface.mesh.property_map<Face, Vector3d>(property::axis);
-    if (!has_texture && !has_groups && !has_axis) return;
+    const auto [material, has_material] =
+        surface.mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    if (!has_texture && !has_groups && !has_axis && !has_material) return;
     Mesh::Property_map<Face, FaceTexture> new_texture;
     Mesh::Property_map<Face, GroupNames> new_groups;
     Mesh::Property_map<Face, Vector3d> new_axis;
+    Mesh::Property_map<Face, FaceMaterial> new_material;
     if (has_texture) new_texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
     if (has_groups) new_groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
     if (has_axis) new_axis = mesh.add_property_map<Face, Vector3d>(property::axis).first;
+    if (has_material)
+        new_material = mesh.add_property_map<Face, FaceMaterial>(property::surface_material).first;
     for (const Face face : mesh.faces()) {
         const Face side = face_below(surface, below, mesh, face);
         if (has_texture) new_texture[face] = texture_on(surface, texture, side, mesh, face);
         if (has_groups) new_groups[face] = groups[side];
         if (has_axis) new_axis[face] = axis[side];
+        if (has_material) new_material[face] = material[side];
     }
 }
 

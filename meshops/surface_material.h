@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace sherd {
+
+/// How a surface looks: a material of an OBJ file.
+struct SurfaceMaterial {
+    std::string name;  ///< of `usemtl`
+    /// Lines between its `newmtl` and the next one of the .mtl, with absolute paths of pictures; empty where
+    /// no .mtl has it.
+    std::string definition = {};
+
+    bool operator==(const SurfaceMaterial&) const = default;
+};
+
+/// The material of a face, shared by faces that have the same; null: none.
+using FaceMaterial = std::shared_ptr<const SurfaceMaterial>;
+
+inline bool is_same(const FaceMaterial& a, const FaceMaterial& b) {
+    return a == b || (a && b && *a == *b);
+}
+
+namespace property {
+inline constexpr const char* surface_material = "f:surface_material";  ///< FaceMaterial of each face
+}  // namespace property
+
+}  // namespace sherd

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// If one of these fails, a textured mesh comes out of a run with other coordinates or materials than it had.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "app/recording/recording.h"
+#include "meshops/mesh_measures.h"
+#include "meshops/read_mesh.h"
+#include "meshops/surface_material.h"
+#include "tests/support/glb_content.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the texture coordinates are of places on the plate, on either side of the seam at x = 0.
+Eigen::Vector2d texture_at(const Vector3d& place, bool left) {
+    return {2 * place.x() + 0.5 * place.y() + (left ? 3 : 0), 0.25 - 4 * place.y()};
+}
+
+/// A plate of 0.2 m about the origin in squares, with a seam, and a border of materials, along x = 0.
+std::string plate_obj() {
+    constexpr int squares = 10;
+    std::ostringstream points, texture, faces[2];
+    const auto place = [](int i) { return 0.02 * i - 0.1; };
+    for (int i = 0; i <= squares; ++i)
+        for (int j = 0; j <= squares; ++j) {
+            points << "v " << place(i) << " " << place(j) << " 0\n";
+            for (const bool left : {true, false}) {
+                const Eigen::Vector2d uv = texture_at({place(i), place(j), 0}, left);
+                texture << "vt " << uv.x() << " " << uv.y() << "\n";
+            }
+        }
+    const auto corner = [](int i, int j, bool left) {
+        const int number = 11 * i + j;
+        return " " + std::to_string(number + 1) + "/" + std::to_string(2 * number + (left ? 1 : 2));
+    };
+    for (int i = 0; i < squares; ++i)
+        for (int j = 0; j < squares; ++j) {
+            const bool left = i < squares / 2;
+            faces[left ? 0 : 1] << "f" << corner(i, j, left) << corner(i + 1, j, left)
+                                << corner(i + 1, j + 1, left) << corner(i, j + 1, left) << "\n";
+        }
+    return "mtllib looks.mtl\n" + points.str() + texture.str() + "usemtl glaze\n" + faces[0].str() +
+           "usemtl bare clay\n" + faces[1].str();
+}
+
+constexpr const char* looks =
+    "newmtl glaze\nKd 0.1 0.2 0.6\nmap_Kd -s 1 1 pictures/blue glaze.png\nnewmtl bare clay\nKd 0.7 0.4 0.2\n"
+    "newmtl unused\nKd 1 0 0\n";
+
+/// A picture of one pixel.
+const std::string png(
+    "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\2\0\0\0\x90wS\xde\0\0\0\xcIDATx\x9c\x63\x60\x60\x60\0\0"
+    "\0"
+    "\4\0\1\xf6\x17\x38\x55\0\0\0\0IEND\xae\x42\x60\x82",
+    69);
+
+/// The plate falls edge first onto a floor and breaks.
+constexpr const char* scene = R"(duration = 0.002
+[sheet.plate]
+mesh = "plate.obj"
+material = { preset = "glass", thickness = 0.002 }
+fracture = { strength = 1e6 }
+place = { rotate = { axis = [1, 0, 0], degrees = 25 }, translate = [0, 0, 0.05] }
+velocity = [0, 0, -6]
+[obstacle.floor]
+plane = { point = [0, 0, 0] }
+[solver]
+step = 1e-4
+[output]
+every = 5e-4
+)";
+
+class TexturedRun : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write("plate.obj", plate_obj());
+        folder.write("looks.mtl", looks);
+        fs::create_directory(folder.path / "pictures");
+        folder.write("pictures/blue glaze.png", png);
+        folder.write("scene.toml", scene);
+        succeeds({"run", "scene.toml", "-o", "run.h5"});
+    }
+    void succeeds(const std::vector<std::string>& arguments) {
+        const ProgramResult result = run_sherd(arguments, folder.path);
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+    Snapshot last() const {
+        const Recording recording(folder.path / "run.h5");
+        return recording.frame(recording.frame_count() - 1);
+    }
+    Mesh read(const std::string& name) const {
+        std::vector<std::string> warnings;
+        return read_mesh(folder.path / name, {.join_advice = ""}, warnings);
+    }
+
+    TemporaryDirectory folder;
+};
+
+/// Where a corner of a face lies in the file's plate: what it is made of is flat.
+Vector3d in_plate(const RestMesh& rest, std::size_t face, int corner, const Mesh& plate) {
+    const Vector3d weights = place_in_parent(rest, face, corner);
+    Vector3d place = Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+        place += weights[k] * position(plate, Vertex(rest.unbroken_faces[rest.face_parent[face]][k]));
+    return place;
+}
+
+TEST_F(TexturedRun, KeepsCoordinatesAndMaterialsOfFacesThatBreak) {
+    const Snapshot frame = last();
+    const Mesh plate = read("plate.obj");
+    ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
+    ASSERT_EQ(frame.rest.texture.cols(), static_cast<Eigen::Index>(frame.faces.size()));
+    ASSERT_EQ(frame.rest.surface_material.size(), frame.faces.size());
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        const std::string name = frame.rest.surface_materials[frame.rest.surface_material[f]].name;
+        Vector3d middle = Vector3d::Zero();
+        for (int k = 0; k < 3; ++k) middle += in_plate(frame.rest, f, k, plate) / 3;
+        EXPECT_EQ(name, middle.x() < 0 ? "glaze" : "bare clay");
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector2d found = frame.rest.texture.col(static_cast<Index>(f)).segment<2>(2 * k);
+            const Eigen::Vector2d expected = texture_at(in_plate(frame.rest, f, k, plate), name == "glaze");
+            EXPECT_LT((found - expected).norm(), 1e-9) << "corner " << k << " of face " << f;
+        }
+    }
+}
+
+TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
+    fs::create_directory(folder.path / "elsewhere");
+    succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "-o", "elsewhere/last.obj"});
+    const Snapshot frame = last();
+    const Mesh mesh = read("elsewhere/last.obj");
+    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    ASSERT_TRUE(has_texture && has_material);
+    ASSERT_EQ(mesh.number_of_faces(), frame.faces.size());
+    for (const Face face : mesh.faces()) {
+        const auto uv = frame.rest.texture.col(face.idx());
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(texture[face][k], Eigen::Vector2d(uv.segment<2>(2 * k)));
+        EXPECT_EQ(*material[face], frame.rest.surface_materials[frame.rest.surface_material[face.idx()]]);
+    }
+    const std::string mtl = folder.contents().at(folder.path / "elsewhere/last.mtl");
+    EXPECT_NE(mtl.find("map_Kd -s 1 1 ../pictures/blue glaze.png\n"), std::string::npos) << mtl;
+    EXPECT_EQ(mtl.find("unused"), std::string::npos);
+}
+
+// An artist gives the broken sides a texture of their own, as large as the object.
+TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
+    succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "--solid", "-o", "solid.obj"});
+    const Mesh mesh = read("solid.obj");
+    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    ASSERT_TRUE(has_texture && has_material);
+    const std::size_t faces = last().faces.size();
+    std::size_t inside = 0;
+    for (const Face face : mesh.faces()) {
+        if (face.idx() < 2 * faces) {
+            EXPECT_NE((*material[face]).name, "inside");
+            continue;
+        }
+        if ((*material[face]).name != "inside") continue;
+        ++inside;
+        const Eigen::Vector2d a = texture[face][1] - texture[face][0],
+                              b = texture[face][2] - texture[face][0];
+        const double area = std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
+        EXPECT_NEAR(area, face_area(mesh, face), 0.1 * area) << "the sides are about as long as they were";
+        for (const Eigen::Vector2d& uv : texture[face]) EXPECT_TRUE(uv.y() == 0 || uv.y() == 0.002);
+    }
+    EXPECT_GT(inside, 0u);
+    const auto first_corner = [&](std::size_t side) { return texture[Face(side)][0]; };
+    for (std::size_t f = 0; f < faces; ++f) EXPECT_EQ(first_corner(f), first_corner(faces + f));
+}
+
+TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
+    succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "-o", "run.glb"});
+    const Glb glb(folder.contents().at(folder.path / "run.glb"));
+    const Snapshot frame = last();
+    std::set<std::array<float, 2>> expected, found;
+    for (const auto& uv : frame.rest.texture.colwise())
+        for (int k = 0; k < 3; ++k)
+            expected.insert({static_cast<float>(uv[2 * k]), static_cast<float>(1 - uv[2 * k + 1])});
+    std::size_t vertices = 0;
+    for (const nlohmann::json& mesh : glb.json["meshes"]) {
+        const nlohmann::json& attributes = mesh["primitives"][0]["attributes"];
+        const auto uv = glb.values<float>(attributes["TEXCOORD_0"].get<std::size_t>(), 2);
+        EXPECT_EQ(uv.size() / 2, glb.cloud(attributes["POSITION"].get<std::size_t>()).size());
+        EXPECT_EQ(uv.size() / 2, glb.cloud(attributes["NORMAL"].get<std::size_t>()).size());
+        for (std::size_t i = 0; i < uv.size(); i += 2) found.insert({uv[i], uv[i + 1]});
+        vertices += uv.size() / 2;
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_LE(vertices, static_cast<std::size_t>(frame.position.cols()) + 2 * 11) << "only the seam is split";
+}
+
+}  // namespace
+}  // namespace sherd::test
