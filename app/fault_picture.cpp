@@ -22,16 +22,16 @@ struct FaultColour {
     Colour colour;
     const char* words;
 };
-constexpr Colour grey{190, 190, 190};
+constexpr Colour grey{190, 190, 190, 255};
 constexpr std::array<FaultColour, 8> colours{
-    {{FaultKind::zero_area, {230, 0, 150}, "magenta: zero area, with the neighbours"},
-     {FaultKind::repeated, {0, 150, 80}, "green: repeats another face"},
-     {FaultKind::non_manifold, {0, 170, 220}, "cyan: at a non-manifold edge"},
-     {FaultKind::inside_obstacle, {0, 70, 220}, "blue: inside an obstacle"},
-     {FaultKind::near_obstacle, {240, 220, 0}, "yellow: too near to an obstacle's surface"},
-     {FaultKind::across_obstacle, {140, 40, 190}, "violet: across an obstacle's surface"},
-     {FaultKind::too_near, {255, 140, 0}, "orange: too near to another face"},
-     {FaultKind::crossing, {220, 20, 20}, "red: crosses or touches another face"}}};
+    {{FaultKind::zero_area, {230, 0, 150, 255}, "magenta: zero area, with the neighbours"},
+     {FaultKind::repeated, {0, 150, 80, 255}, "green: repeats another face"},
+     {FaultKind::non_manifold, {0, 170, 220, 255}, "cyan: at a non-manifold edge"},
+     {FaultKind::inside_obstacle, {0, 70, 220, 255}, "blue: inside an obstacle"},
+     {FaultKind::near_obstacle, {240, 220, 0, 255}, "yellow: too near to an obstacle's surface"},
+     {FaultKind::across_obstacle, {140, 40, 190, 255}, "violet: across an obstacle's surface"},
+     {FaultKind::too_near, {255, 140, 0, 255}, "orange: too near to another face"},
+     {FaultKind::crossing, {220, 20, 20, 255}, "red: crosses or touches another face"}}};
 
 /// Triangles on their way into the picture, and the worst fault of each.
 struct Picture {

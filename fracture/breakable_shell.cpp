@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "fracture/surface_look.h"
 #include "meshops/error.h"
-#include "meshops/surface_material.h"
 
 namespace sherd {
 namespace {
@@ -24,19 +24,8 @@ Index number(std::size_t element) {
 
 Mesh joined(const std::vector<SheetInput>& inputs) {
     Mesh all = inputs.front().mesh;
-    // join() takes over what `all` has, too. Sheets without texture coordinates get zeros beside others.
-    const auto has_texture = [](const SheetInput& input) {
-        return input.mesh.property_map<Face, FaceTexture>(property::texture).second;
-    };
-    if (std::any_of(inputs.begin(), inputs.end(), has_texture)) {
-        const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
-        all.add_property_map<Face, FaceTexture>(property::texture, {zero, zero, zero});
-    }
-    const auto has_material = [](const SheetInput& input) {
-        return input.mesh.property_map<Face, FaceMaterial>(property::surface_material).second;
-    };
-    if (std::any_of(inputs.begin(), inputs.end(), has_material))
-        all.add_property_map<Face, FaceMaterial>(property::surface_material);
+    // join() takes over what `all` has, too.
+    for (const SheetInput& input : inputs) take_looks(all, input.mesh);
     for (std::size_t i = 1; i < inputs.size(); ++i) all.join(inputs[i].mesh);
     return all;
 }

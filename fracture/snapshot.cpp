@@ -2,9 +2,7 @@
 #include "fracture/snapshot.h"
 
 #include <Eigen/Geometry>
-#include <map>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "fracture/breakable_shell.h"
@@ -20,33 +18,6 @@ Vector3d in_plane_of(const Matrix3d& corners, const Vector3d& point) {
     const double size = normal.squaredNorm();
     const double second = way.cross(b).dot(normal) / size, third = a.cross(way).dot(normal) / size;
     return {1 - second - third, second, third};
-}
-
-CornerTexture corner_texture(const Mesh& mesh) {
-    CornerTexture corners;
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
-    if (!exists) return corners;
-    corners.resize(6, static_cast<Eigen::Index>(mesh.number_of_faces()));
-    for (const Face face : mesh.faces())
-        corners.col(face.idx()) << texture[face][0], texture[face][1], texture[face][2];
-    return corners;
-}
-
-void set_surface_materials(const Mesh& mesh, RestMesh& rest) {
-    const auto [material, exists] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
-    if (!exists) return;
-    std::map<std::pair<std::string, std::string>, Index> number;
-    for (const Face face : mesh.faces()) {
-        if (!material[face]) {
-            rest.surface_material.push_back(-1);
-            continue;
-        }
-        const auto next = static_cast<Index>(rest.surface_materials.size());
-        const auto [entry, is_new] =
-            number.try_emplace({material[face]->name, material[face]->definition}, next);
-        if (is_new) rest.surface_materials.push_back(*material[face]);
-        rest.surface_material.push_back(entry->second);
-    }
 }
 
 }  // namespace
@@ -97,8 +68,8 @@ Snapshot take_snapshot(const BreakableShell& shell, std::span<const Index> face_
     const Mesh& mesh = shell.mesh();
     snapshot.original = shell.ancestry().columns();
     snapshot.rest = shell.ancestry().rest(mechanics);
-    snapshot.rest.texture = corner_texture(mesh);
-    set_surface_materials(mesh, snapshot.rest);
+    snapshot.rest.look =
+        surface_look(mesh, snapshot.original, static_cast<std::size_t>(snapshot.rest.position.cols()));
     for (const Edge edge : mesh.edges()) {
         snapshot.edges.push_back(
             {static_cast<Index>(mesh.vertex(edge, 0)), static_cast<Index>(mesh.vertex(edge, 1))});

@@ -8,12 +8,9 @@
 
 #include "core/shell/face_fields.h"
 #include "fracture/edge_state.h"
-#include "meshops/surface_material.h"
+#include "fracture/surface_look.h"
 
 namespace sherd {
-
-/// Texture coordinates of faces: columns u0 v0 u1 v1 u2 v2 of the three corners.
-using CornerTexture = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// The mesh of a snapshot at rest, with copies of a vertex as the one that they are copies of, and how it
 /// lies in the unbroken mesh: a crack may split faces, so that vertices are born inside edges and faces, and
@@ -31,10 +28,7 @@ struct RestMesh {
     std::vector<Index> face_parent;  ///< [F] face of the unbroken mesh that it is part of, or has most of
     /// [F] 1 of faces that have parts of several: not all corners lie in the parent; empty: there is none.
     std::vector<std::uint8_t> face_mixed = {};
-    CornerTexture texture = {};  ///< [6, F]; empty: the mesh has none
-    /// [F] rows of surface_materials, -1: has none; empty: no face has one.
-    std::vector<Index> surface_material = {};
-    std::vector<SurfaceMaterial> surface_materials = {};
+    SurfaceLook look = {};
     std::vector<std::array<Index, 3>> unbroken_faces;  ///< [F0] of the unbroken mesh
     Positions unbroken_position = {};                  ///< [3, V0] m
 };

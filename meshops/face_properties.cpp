@@ -7,6 +7,7 @@
 #include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_colour.h"
 #include "meshops/surface_material.h"
 
 namespace sherd {
@@ -79,6 +80,19 @@ void inherit_largest(Mesh& mesh, const TopologyChange& change, const char* name)
     for (const auto& [face, value] : now) values[face] = value;
 }
 
+void inherit_vertex_colour(Mesh& mesh, const TopologyChange& change) {
+    auto [colour, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour);
+    if (!exists) return;
+    std::map<Vertex, Colour> now;
+    for (const auto* vertices : {&change.vertices, &change.moved})
+        for (const Born<Vertex>& vertex : *vertices) {
+            ColourMean mean;
+            for (const auto& [parent, weight] : vertex.parents) mean.add(colour[parent], weight);
+            now[vertex.element] = mean.colour();
+        }
+    for (const auto& [vertex, mean] : now) colour[vertex] = mean;
+}
+
 }  // namespace
 
 void inherit_properties(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
@@ -86,6 +100,8 @@ void inherit_properties(Mesh& mesh, const std::map<Face, ReplacedFace>& old, con
     inherit_axis(mesh, old, change);
     inherit_largest<GroupNames>(mesh, change, property::groups);
     inherit_largest<FaceMaterial>(mesh, change, property::surface_material);
+    inherit_largest<Colour>(mesh, change, property::face_colour);
+    inherit_vertex_colour(mesh, change);
     auto [number, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
     if (!exists) return;
     for (const Born<Vertex>& vertex : change.vertices)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -141,6 +142,36 @@ class PlyRows {
     std::vector<std::vector<double>> values;
 };
 
+/// Where the colours of an element's rows are.
+class ColourColumns {
+  public:
+    explicit ColourColumns(const PlyElement& element) : element(element) {
+        for (const char* name : {"red", "green", "blue", "alpha"}) {
+            const auto found = element.find({name, std::string("diffuse_") + name});
+            if (found && !element.properties[*found].count) columns.push_back(*found);
+            if (columns.size() < 3 && !found) break;
+        }
+    }
+
+    /// Adds that of a row, if the element has any.
+    void add(const std::vector<std::vector<double>>& row, std::vector<Colour>& colours) const {
+        if (columns.size() < 3) return;
+        Colour& colour = colours.emplace_back(white);
+        for (std::size_t i = 0; i < columns.size(); ++i) colour[i] = part(columns[i], row[columns[i]][0]);
+    }
+
+  private:
+    /// Integers fill the range of their type, other numbers go from 0 to 1.
+    std::uint8_t part(std::size_t column, double value) const {
+        const PlyType type = element.properties[column].type;
+        const double share = is_integer(type) ? value / range_of(type).high : value;
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+    }
+
+    const PlyElement& element;
+    std::vector<std::size_t> columns;  ///< [3] or [4]; fewer: there are none
+};
+
 void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     std::array<std::size_t, 3> column;
     for (const auto& [i, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
@@ -151,8 +182,10 @@ void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) 
                         "`: write `property float " + name + "`");
         column[i] = *found;
     }
+    const ColourColumns colours(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
+        colours.add(values, soup.point_colour);
         soup.points.emplace_back(values[column[0]][0], values[column[1]][0], values[column[2]][0]);
         if (rows.line_number() > 0) soup.point_line.push_back(rows.line_number());
     }
@@ -200,8 +233,10 @@ void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     for (const char* name : {"axis_x", "axis_y", "axis_z"})
         if (const auto found = element.find({name}); found && !element.properties[*found].count)
             axis.push_back(*found);
+    const ColourColumns colours(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
+        colours.add(values, soup.colour);
         soup.polygons.push_back(corners(values[*list]));
         if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
         if (axis.size() == 3)

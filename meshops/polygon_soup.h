@@ -8,6 +8,7 @@
 
 #include "meshops/face_groups.h"
 #include "meshops/mesh.h"
+#include "meshops/surface_colour.h"
 #include "meshops/surface_material.h"
 
 namespace sherd {
@@ -21,6 +22,8 @@ struct PolygonSoup {
     std::vector<Eigen::Vector3d> axis;      ///< material axis of each polygon; empty if there are none
     std::vector<GroupNames> groups;         ///< of each polygon; empty if the format has no groups
     std::vector<FaceMaterial> material;     ///< of each polygon; empty if there are none
+    std::vector<Colour> point_colour;       ///< of each point; empty if there are none
+    std::vector<Colour> colour;             ///< of each polygon; empty if there are none
     std::vector<std::string> warnings;      ///< sentences on what the file names and is not there
     std::vector<std::size_t> point_line;    ///< line of each point, from 1; empty if the format has no lines
     std::vector<std::size_t> polygon_line;  ///< line of each polygon, likewise

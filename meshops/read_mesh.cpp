@@ -223,6 +223,15 @@ Mesh Reading::build() const {
         auto material = mesh.add_property_map<Face, FaceMaterial>(property::surface_material).first;
         for (const Face face : mesh.faces()) material[face] = polygons.material[soup.polygon[face.idx()]];
     }
+    if (!polygons.colour.empty()) {
+        auto colour = mesh.add_property_map<Face, Colour>(property::face_colour).first;
+        for (const Face face : mesh.faces()) colour[face] = polygons.colour[soup.polygon[face.idx()]];
+    }
+    if (!polygons.point_colour.empty()) {
+        auto colour = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
+        for (const Vertex vertex : mesh.vertices())
+            colour[vertex] = polygons.point_colour[file_vertex[vertex]];
+    }
     return mesh;
 }
 

@@ -42,7 +42,8 @@ struct ReadMeshOptions {
 /// the order of their corners; where faces are turned over, the first corner stays the first.
 /// OBJ texture coordinates become property::texture, the face properties axis_x, axis_y, axis_z of PLY
 /// property::axis, OBJ groups and objects property::groups (face_groups.h), OBJ materials
-/// property::surface_material (surface_material.h); every mesh gets property::file_vertex.
+/// property::surface_material (surface_material.h), colours of PLY property::vertex_colour and
+/// property::face_colour (surface_colour.h); every mesh gets property::file_vertex.
 /// `warnings` gets a sentence, starting with the file's name, for each kind of change, and for seams: edges
 /// that lie on others without being joined to them. Throws Error naming the file (and line, vertex or face,
 /// numbered from 0) if the file is missing, unreadable, damaged or of unknown extension, on no faces, NaN or

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "meshops/surface_colour.h"
+
 namespace sherd {
 namespace {
 
@@ -81,6 +83,8 @@ Vertex copy_vertex(Mesh& mesh, Vertex vertex) {
     const Vertex copy = mesh.add_vertex(point);
     auto [number, found] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
     if (found) number[copy] = number[vertex];
+    auto [colour, is_coloured] = mesh.property_map<Vertex, Colour>(property::vertex_colour);
+    if (is_coloured) colour[copy] = colour[vertex];
     return copy;
 }
 

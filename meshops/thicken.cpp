@@ -185,7 +185,13 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
         if (!sheet.quality.empty()) body.quality.push_back(sheet.quality[t]);
         if (!sheet.texture.empty()) body.texture.push_back(texture_of(sheet.texture[t], corners));
         if (!sheet.material.empty()) body.material.push_back(sheet.material[t]);
+        if (!sheet.colour.empty()) body.colour.push_back(sheet.colour[t]);
     }
+    body.shading.assign(2 * sheet.triangles.size(), Shading::smooth);
+    body.shading.resize(body.triangles.size(), Shading::rim);
+    for (int side = 0; side < 2; ++side)
+        body.point_colour.insert(body.point_colour.end(), sheet.point_colour.begin(),
+                                 sheet.point_colour.end());
     body.group_names = sheet.group_names;
     return body;
 }

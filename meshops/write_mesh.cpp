@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
-#include <map>
 #include <memory>
-#include <utility>
 
 #include "meshops/error.h"
 #include "meshops/material_library.h"
+#include "meshops/number_text.h"
+#include "meshops/obj_text.h"
 #include "meshops/raw_bytes.h"
 #include "meshops/read_mesh.h"
 
@@ -20,129 +19,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Appends the shortest text that reads back as the same number.
-void append(std::string& text, double value) {
-    char digits[32];
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-}
-void append(std::string& text, std::size_t value) {
-    text += std::to_string(value);
-}
-void append(std::string& text, const char* value) {
-    text += value;
+/// How many parts of colours a PLY file has: opacity only where something is not opaque.
+std::size_t colour_parts(const TriangleSheet& sheet) {
+    const auto is_clear = [](const Colour& colour) { return colour[3] < 255; };
+    return std::ranges::any_of(sheet.colour, is_clear) || std::ranges::any_of(sheet.point_colour, is_clear)
+               ? 4
+               : 3;
 }
 
-template <typename... Values>
-void append_all(std::string& text, const Values&... values) {
-    (append(text, values), ...);
+std::string colour_properties(const TriangleSheet& sheet) {
+    return std::string("property uchar red\nproperty uchar green\nproperty uchar blue\n") +
+           (colour_parts(sheet) == 4 ? "property uchar alpha\n" : "");
 }
-
-/// The state that is carried from one object of an OBJ file to the next: counts, and the current groups and
-/// material.
-struct ObjState {
-    std::size_t points = 0, texture = 0;
-    GroupNames names;
-    FaceMaterial material;
-};
-
-/// Appends the lines that put the following faces into exactly these groups. Only an object's name may have
-/// several words; `has_objects` tells whether any of the names has.
-void append_named_groups(std::string& text, const GroupNames& names, bool has_objects) {
-    std::string group = "g", object = "o";
-    if (names)
-        for (const std::string& name : *names)
-            append_all(name.find(' ') == name.npos ? group : object, " ", name.c_str());
-    append_all(text, group.c_str(), "\n");
-    if (has_objects) append_all(text, object.c_str(), "\n");
-}
-
-bool has_objects(const TriangleSheet& sheet) {
-    const auto is_long = [](const std::string& name) { return name.find(' ') != name.npos; };
-    return std::ranges::any_of(sheet.named_groups, [&](const GroupNames& names) {
-        return names && std::ranges::any_of(*names, is_long);
-    });
-}
-
-/// Appends one complete object: its points, texture points and faces.
-void append_object(std::string& text, const TriangleSheet& sheet, const std::vector<std::size_t>& triangles,
-                   const std::vector<std::size_t>& points, ObjState& state) {
-    std::vector<std::size_t> point_number(sheet.points.size());
-    for (const std::size_t i : points) {
-        point_number[i] = ++state.points;
-        const auto& p = sheet.points[i];
-        append_all(text, "v ", p.x(), " ", p.y(), " ", p.z(), "\n");
-    }
-    std::vector<std::array<std::size_t, 3>> texture_number(sheet.texture.empty() ? 0 : triangles.size());
-    std::map<std::pair<double, double>, std::size_t> known;
-    for (std::size_t i = 0; i < texture_number.size(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto& uv = sheet.texture[triangles[i]][corner];
-            const auto [entry, is_new] = known.try_emplace({uv.x(), uv.y()}, state.texture + 1);
-            if (is_new) append_all(text, "vt ", uv.x(), " ", uv.y(), "\n");
-            state.texture += is_new;
-            texture_number[i][corner] = entry->second;
-        }
-    }
-    const bool objects = has_objects(sheet);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (!sheet.named_groups.empty() && sheet.named_groups[triangles[i]] != state.names) {
-            state.names = sheet.named_groups[triangles[i]];
-            append_named_groups(text, state.names, objects);
-        }
-        if (!sheet.material.empty() && !is_same(sheet.material[triangles[i]], state.material)) {
-            state.material = sheet.material[triangles[i]];
-            append_all(text, "usemtl ", material_name(state.material).c_str(), "\n");
-        }
-        text += 'f';
-        for (int corner = 0; corner < 3; ++corner) {
-            append_all(text, " ", point_number[sheet.triangles[triangles[i]][corner]]);
-            if (!texture_number.empty()) append_all(text, "/", texture_number[i][corner]);
-        }
-        text += '\n';
-    }
-}
-
-std::vector<std::size_t> points_of(const TriangleSheet& sheet, const std::vector<std::size_t>& triangles) {
-    std::vector<std::size_t> points;
-    for (const std::size_t t : triangles) {
-        points.insert(points.end(), sheet.triangles[t].begin(), sheet.triangles[t].end());
-    }
-    std::ranges::sort(points);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
-}
-
-std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
-    std::string text;
-    if (!sheet.material.empty())
-        append_all(text, "mtllib ", material_file(file).filename().string().c_str(), "\n");
-    ObjState state;
-    std::vector<std::vector<std::size_t>> triangles(std::max<std::size_t>(sheet.group_names.size(), 1));
-    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
-        triangles[sheet.group.empty() ? 0 : sheet.group[t]].push_back(t);
-    }
-    if (sheet.group.empty()) {
-        std::vector<std::size_t> all_points(sheet.points.size());
-        for (std::size_t i = 0; i < all_points.size(); ++i) all_points[i] = i;
-        append_object(text, sheet, triangles[0], all_points, state);
-        return text;
-    }
-    for (std::size_t group = 0; group < triangles.size(); ++group) {
-        if (triangles[group].empty()) continue;
-        append_all(text, "o ", sheet.group_names[group].c_str(), "\n");
-        append_object(text, sheet, triangles[group], points_of(sheet, triangles[group]), state);
-    }
-    return text;
-}
-
-constexpr const char* colour_properties = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
 std::string ply_header(const TriangleSheet& sheet) {
     std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex ";
     append_all(text, sheet.points.size(), "\nproperty double x\nproperty double y\nproperty double z\n");
-    if (!sheet.point_colour.empty()) text += colour_properties;
+    if (!sheet.point_colour.empty()) text += colour_properties(sheet);
     append_all(text, "element face ", sheet.triangles.size(), "\nproperty list uchar int vertex_indices\n");
-    if (!sheet.colour.empty()) text += colour_properties;
+    if (!sheet.colour.empty()) text += colour_properties(sheet);
     if (!sheet.group.empty()) text += "property int fragment\n";
     if (!sheet.quality.empty()) text += "property double quality\n";
     if (!sheet.texture.empty()) text += "property list uchar float texcoord\n";
@@ -159,8 +54,9 @@ void append_texture(std::string& bytes, const FaceTexture& texture) {
 
 std::string ply_bytes(const TriangleSheet& sheet) {
     std::string bytes = ply_header(sheet);
-    const auto append_colour = [&bytes](const Colour& colour) {
-        for (const std::uint8_t part : colour) append_little_endian(bytes, part);
+    const std::size_t parts = colour_parts(sheet);
+    const auto append_colour = [&](const Colour& colour) {
+        for (std::size_t i = 0; i < parts; ++i) append_little_endian(bytes, colour[i]);
     };
     for (std::size_t i = 0; i < sheet.points.size(); ++i) {
         for (const double coordinate : sheet.points[i]) append_little_endian(bytes, coordinate);
@@ -195,8 +91,9 @@ void check(const TriangleSheet& sheet, const std::string& file) {
     const std::size_t count = sheet.triangles.size();
     const auto fits = [&](const auto& values) { return values.empty() || values.size() == count; };
     require(fits(sheet.group) && fits(sheet.texture) && fits(sheet.quality) && fits(sheet.named_groups) &&
-                fits(sheet.axis) && fits(sheet.colour) && fits(sheet.material),
-            "group, texture, quality, axis, material and colour need one value a triangle");
+                fits(sheet.axis) && fits(sheet.colour) && fits(sheet.material) && fits(sheet.normal) &&
+                fits(sheet.shading),
+            "group, texture, normal, quality, axis, material, shading and colour need one value a triangle");
     require(sheet.point_colour.empty() || sheet.point_colour.size() == sheet.points.size(),
             "colours of points need one value a point");
     for (const auto& triangle : sheet.triangles) {
@@ -243,6 +140,17 @@ GroupNames as_groups(const GroupNames& names) {
     return std::make_shared<const std::vector<std::string>>(std::move(words));
 }
 
+/// Adds the values of `count` elements to those of `before` ones; `otherwise` is the value of either without
+/// any.
+template <class Value>
+void append_values(std::vector<Value>& all, const std::vector<Value>& values, std::size_t before,
+                   std::size_t count, const Value& otherwise) {
+    if (all.empty() && values.empty()) return;
+    all.resize(before, otherwise);
+    all.insert(all.end(), values.begin(), values.end());
+    all.resize(before + count, otherwise);
+}
+
 }  // namespace
 
 TriangleSheet triangle_sheet(const Mesh& mesh) {
@@ -258,6 +166,7 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
     const auto [groups, has_groups] = mesh.property_map<Face, GroupNames>(property::groups);
     const auto [axis, has_axis] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
     const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    const auto [colour, has_colour] = mesh.property_map<Face, Colour>(property::face_colour);
     for (const Face face : mesh.faces()) {
         auto& triangle = sheet.triangles.emplace_back();
         auto corner = triangle.begin();
@@ -266,7 +175,10 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         if (has_groups) sheet.named_groups.push_back(groups[face]);
         if (has_axis) sheet.axis.push_back(axis[face]);
         if (has_material) sheet.material.push_back(material[face]);
+        if (has_colour) sheet.colour.push_back(colour[face]);
     }
+    if (const auto [at_point, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour); exists)
+        for (const Vertex v : mesh.vertices()) sheet.point_colour.push_back(at_point[v]);
     return sheet;
 }
 
@@ -277,15 +189,15 @@ void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string&
     for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
     all.group.resize(before + count, static_cast<std::int32_t>(all.group_names.size()));
     all.group_names.push_back(name);
-    if (!mesh.texture.empty() || !all.texture.empty()) {
-        all.texture.resize(before + count,
-                           {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()});
-        std::ranges::copy(mesh.texture, all.texture.begin() + static_cast<std::ptrdiff_t>(before));
-    }
-    if (!mesh.material.empty() || !all.material.empty()) {
-        all.material.resize(before + count);
-        std::ranges::copy(mesh.material, all.material.begin() + static_cast<std::ptrdiff_t>(before));
-    }
+    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    append_values(all.texture, mesh.texture, before, count, FaceTexture{zero, zero, zero});
+    append_values(all.material, mesh.material, before, count, FaceMaterial());
+    append_values(all.normal, mesh.normal, before, count, {up, up, up});
+    all.shading.clear();
+    append_values(all.colour, mesh.colour, before, count, white);
+    append_values(all.point_colour, mesh.point_colour, all.points.size() - mesh.points.size(),
+                  mesh.points.size(), white);
     if (!mesh.named_groups.empty() || !all.named_groups.empty()) {
         all.named_groups.resize(before + count);
         for (std::size_t i = 0; i < mesh.named_groups.size(); ++i)

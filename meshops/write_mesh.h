@@ -8,12 +8,14 @@
 
 #include "meshops/face_groups.h"
 #include "meshops/mesh.h"
+#include "meshops/surface_colour.h"
 #include "meshops/surface_material.h"
 
 namespace sherd {
 
-/// Red, green and blue.
-using Colour = std::array<std::uint8_t, 3>;
+/// How a triangle of a body is lit: smoothly over its sides and along a rim that was made, flat where it
+/// broke. Triangles of rims and breaks follow all others, in pairs that make quadrilaterals.
+enum class Shading : std::uint8_t { smooth, rim, broken };
 
 /// Triangles ready to be written, as exported from a recorded frame or a Mesh.
 struct TriangleSheet {
@@ -26,15 +28,18 @@ struct TriangleSheet {
     std::vector<FaceTexture> texture;      ///< of each triangle; empty: none
     std::vector<FaceMaterial> material;    ///< of each triangle (OBJ); empty: none
     std::vector<double> quality;           ///< of each triangle, a scalar (PLY); empty: none
-    std::vector<Colour> colour;            ///< of each triangle (PLY); empty: none
-    std::vector<Colour> point_colour;      ///< of each point (PLY); empty: none
+    std::vector<Shading> shading;          ///< of each triangle; empty: all smooth
+    std::vector<std::array<Eigen::Vector3d, 3>> normal;  ///< of each triangle's corners (OBJ); empty: none
+    std::vector<Colour> colour;                          ///< of each triangle (PLY); empty: none
+    std::vector<Colour> point_colour;                    ///< of each point (PLY); empty: none
 };
 
 TriangleSheet triangle_sheet(const Mesh& mesh);
 
-/// Adds a mesh to others, which have groups, as a group of its own. Its own groups are dropped; texture
-/// coordinates, materials and named groups come from all meshes that have some, spaces in these names as
-/// underscores: in OBJ a name of several words is an object's.
+/// Adds a mesh to others, which have groups, as a group of its own. Its own groups are dropped, and how
+/// triangles are shaded; texture coordinates, normals, colours, materials and named groups come from all
+/// meshes that have some, spaces in these names as underscores: in OBJ a name of several words is an
+/// object's.
 void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string& name);
 
 /// Whether write_mesh() supports the file's extension: .obj, .ply or .off, in any case.

@@ -56,27 +56,34 @@ void set_starts(std::vector<BrokenSide>& sides) {
         if (sides[i].start < 0) follow(i);
 }
 
-}  // namespace
-
-void finish_broken_sides(const Snapshot& frame, std::span<const double> thickness, TriangleSheet& body) {
+void give_material(std::vector<BrokenSide>& sides, std::size_t points, TriangleSheet& body) {
     const FaceMaterial inside =
         std::make_shared<const SurfaceMaterial>(SurfaceMaterial{"inside", "Kd 0.8 0.8 0.8\n"});
     const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
     body.material.resize(body.triangles.size());
     if (body.texture.empty()) body.texture.assign(body.triangles.size(), {zero, zero, zero});
-    std::vector<BrokenSide> sides = broken_sides(frame, thickness);
     set_starts(sides);
-    const auto points = static_cast<std::int32_t>(frame.position.cols());
+    const auto count = static_cast<std::int32_t>(points);
     for (const BrokenSide& side : sides)
         for (const std::size_t t : {side.triangle, side.triangle + 1}) {
             body.material[t] = inside;
             for (int k = 0; k < 3; ++k) {
                 const std::int32_t point = body.triangles[t][k];
-                const bool is_end = point % points == side.to;
+                const bool is_end = point % count == side.to;
                 body.texture[t][k] = {side.start + (is_end ? side.length : 0),
-                                      point < points ? side.thickness : 0};
+                                      point < count ? side.thickness : 0};
             }
         }
+}
+
+}  // namespace
+
+void finish_broken_sides(const Snapshot& frame, std::span<const double> thickness, bool with_materials,
+                         TriangleSheet& body) {
+    std::vector<BrokenSide> sides = broken_sides(frame, thickness);
+    for (const BrokenSide& side : sides)
+        for (const std::size_t t : {side.triangle, side.triangle + 1}) body.shading[t] = Shading::broken;
+    if (with_materials) give_material(sides, static_cast<std::size_t>(frame.position.cols()), body);
 }
 
 }  // namespace sherd

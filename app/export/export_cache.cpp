@@ -11,6 +11,7 @@
 
 #include "app/export/export_clip.h"
 #include "app/export/export_formats.h"
+#include "meshops/material_library.h"
 
 namespace sherd {
 
@@ -77,6 +78,9 @@ struct CachePlan {
     /// A mesh, and its cache unless it rests.
     void add(const PointTrack& track, const std::string& suffix, bool moves) {
         const std::filesystem::path mesh = source.clip_file(suffix + ".obj");
+        if (has_material_file(track.mesh, mesh))
+            jobs.push_back(
+                {material_file(mesh), [track, mesh] { return material_text(track.mesh.material, mesh); }});
         jobs.push_back({mesh, [track, mesh] { return mesh_of(track, mesh); }});
         if (!moves) return;
         jobs.push_back(
@@ -89,6 +93,7 @@ PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<doub
     TriangleSheet mesh;
     mesh.triangles = clip->topology().triangles;
     mesh.texture = clip->topology().texture;
+    mesh.material = clip->topology().material;
     return {mesh, times, [clip](std::size_t i) { return clip->points(i); }};
 }
 

@@ -17,23 +17,13 @@ namespace sherd {
 
 namespace {
 
-/// Of a solid, whose second half of points lies below the first: that of the sheet, so that the rim looks
-/// rounded; else the mean of the triangles' normals, weighted by area.
-std::vector<Vector3d> normals(const std::vector<Vector3d>& points,
-                              const std::vector<std::array<Index, 3>>& triangles, bool solid) {
-    std::vector<Vector3d> normals(points.size(), Vector3d::Zero());
-    const std::size_t half = points.size() / 2;
-    for (std::size_t i = 0; solid && i < half; ++i) {
-        normals[i] = points[i] - points[half + i];
-        normals[half + i] = -normals[i];
-    }
-    for (const auto& [a, b, c] : solid ? std::vector<std::array<Index, 3>>() : triangles) {
-        const Vector3d normal = (points[b] - points[a]).cross(points[c] - points[a]);
-        for (const Index corner : {a, b, c}) normals[corner] += normal;
-    }
-    for (Vector3d& normal : normals)
-        normal = normal.norm() > 0 ? Vector3d(normal.normalized()) : Vector3d(Vector3d::UnitZ());
-    return normals;
+/// Colours of split points: of vertices, or else of faces.
+std::vector<Colour> colours(const TriangleSheet& sheet, const SplitPoints& split) {
+    if (!sheet.point_colour.empty()) return gathered(sheet.point_colour, split.points);
+    std::vector<Colour> colours;
+    if (sheet.colour.empty()) return colours;
+    for (const auto& [triangle, corner] : split.corners) colours.push_back(sheet.colour[triangle]);
+    return colours;
 }
 
 std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion) {
@@ -115,15 +105,17 @@ void Animation::add_nodes(GlbScene& scene) {
         parts.push_back(group_part(topology, static_cast<Index>(i)));
         split.push_back(split_points(parts.back()));
         node.triangles = split.back().triangles;
-        node.texture = split.back().texture;
+        node.material = parts.back().material;
+        if (!parts.back().texture.empty()) node.texture = at_points(split.back(), parts.back().texture);
+        node.colour = colours(parts.back(), split.back());
         scene.nodes.push_back(node);
     }
 }
 
-/// points: of the fragment. Normals are smooth across seams of texture coordinates.
+/// points: of the fragment.
 GlbShape Animation::shape_of(std::size_t fragment, const std::vector<Vector3d>& points) const {
-    const std::vector<Vector3d> all = normals(points, parts[fragment].triangles, source.options.solid);
-    return {gathered(points, split[fragment].points), gathered(all, split[fragment].points)};
+    return {gathered(points, split[fragment].points),
+            at_points(split[fragment], corner_normals(points, parts[fragment]))};
 }
 
 /// Each node has the last frame's shape about its centroid.
@@ -185,12 +177,9 @@ void Animation::add_obstacles(GlbScene& scene) {
     for (const ExportObstacle& obstacle : obstacles) {
         const CreasedSurface surface = creased(obstacle.surface);
         const Eigen::Isometry3d to_middle(Eigen::Translation3d(-middle(obstacle.surface)));
-        scene.nodes.push_back({obstacle.name,
-                               true,
-                               surface.triangles,
-                               {},
-                               {{moved(surface.points, to_middle), surface.normals}},
-                               {}});
+        GlbNode node{.name = obstacle.name, .obstacle = true, .triangles = surface.triangles};
+        node.shapes = {{moved(surface.points, to_middle), surface.normals}};
+        scene.nodes.push_back(node);
     }
     for (std::size_t k = 0; k < clip.size(); ++k) {
         const std::vector<Eigen::Isometry3d> poses = source.poses(source.frames()[k]);
@@ -206,8 +195,8 @@ void Animation::add_obstacles(GlbScene& scene) {
 std::vector<ExportJob> plan_glb(ExportSource& source) {
     if (source.frames().size() > 1) source.pace_words = source.pace().words();
     const auto clip = std::make_shared<Clip>(source, recorded_moments(source.frames(), source.times()));
-    return {
-        {source.clip_file(".glb"), [&source, clip] { return glb_bytes(Animation(source, *clip).scene()); }}};
+    return {{source.clip_file(".glb"),
+             [&source, clip] { return glb_bytes(Animation(source, *clip).scene(), source.warnings); }}};
 }
 
 }  // namespace sherd

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formats of a single mesh: obj, ply, stl.
+#include "app/export/corner_normals.h"
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
 #include "meshops/material_library.h"
@@ -43,8 +44,11 @@ TriangleSheet obj_sheet(ExportSource& source, std::size_t number) {
         all.group.assign(all.triangles.size(), 0);
         all.group_names = {"sheets"};
     }
-    for (std::size_t i = 0; i < source.obstacles().size(); ++i)
-        add_group(all, source.obstacle(i, number), source.obstacles()[i].name);
+    for (std::size_t i = 0; i < source.obstacles().size(); ++i) {
+        TriangleSheet obstacle = source.obstacle(i, number);
+        if (!all.normal.empty()) obstacle.normal = creased_normals(obstacle);
+        add_group(all, obstacle, source.obstacles()[i].name);
+    }
     return all;
 }
 

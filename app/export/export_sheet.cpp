@@ -39,6 +39,20 @@ std::vector<double> face_speed(const Snapshot& frame) {
     return result;
 }
 
+void add_look(const Snapshot& frame, TriangleSheet& sheet) {
+    const SurfaceLook& look = frame.rest.look;
+    for (const auto& uv : look.texture.colwise())
+        sheet.texture.push_back({uv.segment<2>(0), uv.segment<2>(2), uv.segment<2>(4)});
+    std::vector<FaceMaterial> materials;
+    for (const SurfaceMaterial& material : look.materials)
+        materials.push_back(std::make_shared<const SurfaceMaterial>(material));
+    for (const Index material : look.material)
+        sheet.material.push_back(material < 0 ? nullptr : materials[material]);
+    sheet.colour = look.face_colour;
+    if (look.vertex_colour.empty()) return;
+    for (const Index vertex : frame.original) sheet.point_colour.push_back(look.vertex_colour[vertex]);
+}
+
 }  // namespace
 
 std::string fragment_name(std::size_t fragment) {
@@ -54,13 +68,7 @@ TriangleSheet frame_sheet(const Snapshot& frame) {
     for (Eigen::Index v = 0; v < frame.position.cols(); ++v) sheet.points.push_back(frame.position.col(v));
     sheet.triangles = frame.faces;
     sheet.group = frame.face_fragment;
-    for (const auto& uv : frame.rest.texture.colwise())
-        sheet.texture.push_back({uv.segment<2>(0), uv.segment<2>(2), uv.segment<2>(4)});
-    std::vector<FaceMaterial> materials;
-    for (const SurfaceMaterial& material : frame.rest.surface_materials)
-        materials.push_back(std::make_shared<const SurfaceMaterial>(material));
-    for (const Index material : frame.rest.surface_material)
-        sheet.material.push_back(material < 0 ? nullptr : materials[material]);
+    add_look(frame, sheet);
     for (std::size_t i = 0; i < fragment_count(frame); ++i) sheet.group_names.push_back(fragment_name(i));
     return sheet;
 }
@@ -83,15 +91,22 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
     for (const std::size_t i : group_points(sheet, group)) {
         number[i] = static_cast<std::int32_t>(part.points.size());
         part.points.push_back(sheet.points[i]);
+        if (!sheet.point_colour.empty()) part.point_colour.push_back(sheet.point_colour[i]);
     }
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
         if (sheet.group[t] != group) continue;
         const auto& [a, b, c] = sheet.triangles[t];
         part.triangles.push_back({number[a], number[b], number[c]});
         part.group.push_back(group);
-        if (!sheet.quality.empty()) part.quality.push_back(sheet.quality[t]);
-        if (!sheet.texture.empty()) part.texture.push_back(sheet.texture[t]);
-        if (!sheet.material.empty()) part.material.push_back(sheet.material[t]);
+        const auto keep = [t](const auto& values, auto& kept) {
+            if (!values.empty()) kept.push_back(values[t]);
+        };
+        keep(sheet.quality, part.quality);
+        keep(sheet.texture, part.texture);
+        keep(sheet.material, part.material);
+        keep(sheet.shading, part.shading);
+        keep(sheet.normal, part.normal);
+        keep(sheet.colour, part.colour);
     }
     return part;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/export/broken_sides.h"
+#include "app/export/corner_normals.h"
 #include "app/export/export_sheet.h"
 #include "app/progress/interruption.h"
 #include "meshops/body_check.h"
@@ -26,7 +27,7 @@ ExportSource::ExportSource(const ExportOptions& options_, const std::string& ext
     chosen = selected_frames(wanted, recording.frame_count());
     const RecordingHeader header = recording.header();
     with_materials =
-        !header.rest_surface_material.empty() || (options.solid && header.rest_texture.cols() > 0);
+        !header.rest_look.material.empty() || (options.solid && header.rest_look.texture.cols() > 0);
     if (!options.sheets_only) solids = export_obstacles(recording, chosen);
     fs::path output = options.output;
     if (output.empty()) output = fs::path(options.recording).replace_extension(extension);
@@ -77,7 +78,8 @@ const TriangleSheet& ExportSource::sheet(std::size_t number) {
     current_sheet.quality = face_quality(shown, options.quality);
     if (options.solid) {
         current_sheet = thickened(current_sheet, thickness(shown), shown.original);
-        if (has_materials()) finish_broken_sides(shown, thickness(shown), current_sheet);
+        finish_broken_sides(shown, thickness(shown), has_materials(), current_sheet);
+        current_sheet.normal = corner_normals(current_sheet.points, current_sheet);
         check_bodies(number);
     }
     made = number;

@@ -11,6 +11,7 @@
 
 #include "app/export/export_formats.h"
 #include "app/export/export_sheet.h"
+#include "app/export/split_points.h"
 #include "app/files/base64.h"
 #include "app/files/xml_text.h"
 
@@ -59,12 +60,47 @@ std::string point_array(const double* values, std::size_t points) {
     return "<Points>\n" + array("Float64", "Points", 3, values, 3 * points) + "</Points>\n";
 }
 
-std::string vertex_arrays(const Snapshot& frame) {
-    const VectorXd speed = frame.velocity.colwise().norm();
-    const auto vertices = static_cast<std::size_t>(frame.position.cols());
-    return "<PointData Scalars=\"speed\">\n" + array("Float64", "speed", 1, speed.data(), vertices) +
-           array("Float64", "velocity", 3, frame.velocity.data(), 3 * vertices) + "</PointData>\n" +
-           point_array(frame.position.data(), vertices);
+Positions chosen_columns(const Positions& values, const std::vector<std::size_t>& columns) {
+    Positions result(3, static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        result.col(static_cast<Eigen::Index>(i)) = values.col(static_cast<Eigen::Index>(columns[i]));
+    return result;
+}
+
+std::string colour_array(const std::vector<Colour>& colours) {
+    return colours.empty() ? "" : array("UInt8", "colour", 4, colours[0].data(), 4 * colours.size());
+}
+
+/// sheet: of the frame.
+std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, const SplitPoints& split) {
+    const Positions velocity = chosen_columns(frame.velocity, split.points);
+    const VectorXd speed = velocity.colwise().norm();
+    const std::size_t points = split.points.size();
+    const std::vector<Eigen::Vector2d> texture =
+        sheet.texture.empty() ? std::vector<Eigen::Vector2d>() : at_points(split, sheet.texture);
+    const std::vector<Colour> colours =
+        sheet.point_colour.empty() ? sheet.point_colour : gathered(sheet.point_colour, split.points);
+    return fmt::format("<PointData Scalars=\"speed\"{}>\n", texture.empty() ? "" : " TCoords=\"texture\"") +
+           array("Float64", "speed", 1, speed.data(), points) +
+           array("Float64", "velocity", 3, velocity.data(), 3 * points) +
+           (texture.empty() ? "" : array("Float64", "texture", 2, texture[0].data(), 2 * points)) +
+           colour_array(colours) + "</PointData>\n" +
+           point_array(chosen_columns(frame.position, split.points).data(), points);
+}
+
+/// Of which `material` of faces are rows.
+std::string material_names(const SurfaceLook& look) {
+    if (look.material.empty()) return "";
+    std::string letters;
+    for (const SurfaceMaterial& material : look.materials) {
+        for (const char letter : material.name)
+            letters += std::to_string(static_cast<unsigned char>(letter)) + " ";
+        letters += "0\n";
+    }
+    return fmt::format(
+        "<FieldData>\n<DataArray type=\"String\" Name=\"material_names\" NumberOfTuples=\"{}\" "
+        "format=\"ascii\">\n{}</DataArray>\n</FieldData>\n",
+        look.materials.size(), letters);
 }
 
 /// Each field, and its principal values, the larger ones first.
@@ -80,13 +116,18 @@ std::string field_arrays(const FaceFields& fields) {
     return text;
 }
 
+std::string material_array(const std::vector<Index>& material) {
+    return material.empty() ? "" : array("Int32", "material", 1, material.data(), material.size());
+}
+
 std::string face_arrays(const Snapshot& frame) {
     const std::size_t faces = frame.faces.size();
     return "<CellData Scalars=\"fragment\">\n" +
            array("Int32", "fragment", 1, frame.face_fragment.data(), faces) +
            array("Int32", "sheet", 1, frame.face_sheet.data(), faces) +
            array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) +
-           field_arrays(frame.fields) + "</CellData>\n";
+           field_arrays(frame.fields) + material_array(frame.rest.look.material) +
+           colour_array(frame.rest.look.face_colour) + "</CellData>\n";
 }
 
 std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
@@ -97,11 +138,12 @@ std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
            array("Int64", "offsets", 1, ends.data(), ends.size()) + "</Polys>\n";
 }
 
-/// arrays: of points and faces.
+/// arrays: of points and faces; fields: of the whole.
 std::string vtp_text(std::size_t points, const std::vector<std::array<Index, 3>>& faces,
-                     const std::string& arrays) {
+                     const std::string& arrays, const std::string& fields = "") {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n" +
+           fields +
            fmt::format(
                "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
                "NumberOfPolys=\"{}\">\n",
@@ -138,8 +180,11 @@ std::string index_of(const ExportSource& source) {
 }  // namespace
 
 std::string vtp_bytes(const Snapshot& frame) {
-    return vtp_text(static_cast<std::size_t>(frame.position.cols()), frame.faces,
-                    vertex_arrays(frame) + face_arrays(frame));
+    TriangleSheet sheet = frame_sheet(frame);
+    sheet.colour.clear();  // faces have theirs, so that no point is split for them
+    const SplitPoints split = split_points(sheet);
+    return vtp_text(split.points.size(), split.triangles,
+                    vertex_arrays(frame, sheet, split) + face_arrays(frame), material_names(frame.rest.look));
 }
 
 std::string vtp_bytes(const TriangleSheet& mesh) {

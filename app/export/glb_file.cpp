@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 
+#include "app/render/material_look.h"
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
 #include "meshops/error.h"
@@ -21,18 +25,25 @@ using Rows = std::vector<std::vector<double>>;
 /// A glTF model under construction.
 class Model {
   public:
-    explicit Model(const GlbScene& scene);
+    Model(const GlbScene& scene, std::vector<std::string>& warnings);
     void add(const GlbNode& node);
     std::string bytes();
 
   private:
+    int add_view(const void* data, std::size_t bytes, int target);
     int add_accessor(const void* data, std::size_t bytes, std::size_t count, int component, int type,
                      int target);
     int add_rows(const Rows& rows, int type, bool bounds, int target);
     int add_vectors(const std::vector<Vector3d>& vectors, bool bounds);
     int add_texture(const std::vector<Eigen::Vector2d>& texture);
+    int add_colours(const std::vector<Colour>& colours);
     int add_material(const std::string& name, bool double_sided, const Eigen::Vector3f& colour);
     int obstacle_material();
+    int sheet_material();
+    int surface_material(const FaceMaterial& material);
+    int add_picture(const std::filesystem::path& file);
+    tinygltf::Primitive surface(const GlbNode& node);
+    std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> parts(const GlbNode& node);
     int add_mesh(const GlbNode& node);
     void animate(int node, const char* path, int output);
     void animate_motion(int number, const GlbNode& node);
@@ -40,7 +51,11 @@ class Model {
 
     tinygltf::Model model;
     std::vector<unsigned char> data;
-    int times = -1, weights = -1, grey = -1;
+    int times = -1, weights = -1, grey = -1, white = -1;
+    bool double_sided;
+    std::vector<std::pair<FaceMaterial, int>> materials;  ///< of surfaces, and their numbers
+    std::map<std::filesystem::path, int> pictures;        ///< numbers of their textures; -1: not there
+    std::vector<std::string>& warnings;
     std::size_t time_count;
 };
 
@@ -50,10 +65,10 @@ Rows rows_of(const std::vector<double>& values) {
     return rows;
 }
 
-Model::Model(const GlbScene& scene) : time_count(scene.times.size()) {
+Model::Model(const GlbScene& scene, std::vector<std::string>& warnings)
+    : double_sided(scene.double_sided), warnings(warnings), time_count(scene.times.size()) {
     model.asset.version = "2.0";
     model.asset.generator = "sherd " SHERD_VERSION;
-    add_material("sheet", scene.double_sided, Eigen::Vector3f::Ones());
     tinygltf::Node root;
     root.name = scene.name;
     root.rotation = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
@@ -83,8 +98,59 @@ int Model::obstacle_material() {
     return grey;
 }
 
-int Model::add_accessor(const void* values, std::size_t bytes, std::size_t count, int component, int type,
-                        int target) {
+int Model::sheet_material() {
+    if (white < 0) white = add_material("sheet", double_sided, Eigen::Vector3f::Ones());
+    return white;
+}
+
+int Model::surface_material(const FaceMaterial& material) {
+    if (!material) return sheet_material();
+    for (const auto& [known, number] : materials)
+        if (is_same(known, material)) return number;
+    const MaterialLook look = material_look(*material);
+    const int number = add_material(material->name, double_sided, look.colour);
+    materials.emplace_back(material, number);
+    const int picture = look.picture.empty() ? -1 : add_picture(look.picture);
+    tinygltf::Material& made = model.materials[number];
+    made.pbrMetallicRoughness.roughnessFactor = look.roughness;
+    made.emissiveFactor = {look.glow[0], look.glow[1], look.glow[2]};
+    if (picture >= 0) {
+        made.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 1};
+        made.pbrMetallicRoughness.baseColorTexture.index = picture;
+    }
+    made.pbrMetallicRoughness.baseColorFactor[3] = look.opacity;
+    if (look.opacity < 1) made.alphaMode = "BLEND";
+    return number;
+}
+
+/// The number of a texture.
+int Model::add_picture(const std::filesystem::path& file) {
+    const auto [entry, is_new] = pictures.try_emplace(file, -1);
+    if (!is_new) return entry->second;
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    const bool is_png = bytes.starts_with("\x89PNG\r\n\x1a\n"), is_jpeg = bytes.starts_with("\xff\xd8\xff");
+    if (!is_png && !is_jpeg) {
+        warnings.push_back(
+            "the picture '" + file.string() +
+            (bytes.empty() ? "' of a material cannot be read" : "' of a material is neither .png nor .jpg") +
+            ": the .glb has the colour only");
+        return -1;
+    }
+    tinygltf::Image image;
+    image.bufferView = add_view(bytes.data(), bytes.size(), 0);
+    image.mimeType = is_png ? "image/png" : "image/jpeg";
+    image.name = file.stem().string();
+    model.images.push_back(image);
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model.images.size()) - 1;
+    model.textures.push_back(texture);
+    return entry->second = static_cast<int>(model.textures.size()) - 1;
+}
+
+/// Views begin at multiples of four bytes.
+int Model::add_view(const void* values, std::size_t bytes, int target) {
+    data.resize((data.size() + 3) / 4 * 4);
     tinygltf::BufferView view;
     view.buffer = 0;
     view.byteOffset = data.size();
@@ -96,8 +162,13 @@ int Model::add_accessor(const void* values, std::size_t bytes, std::size_t count
     // The file's sizes have 32 bits, and many readers' have a sign.
     if (data.size() > std::numeric_limits<std::int32_t>::max())
         throw Error("a glb file holds 2 GB at most: choose fewer --frames, or --animate rigid");
+    return static_cast<int>(model.bufferViews.size()) - 1;
+}
+
+int Model::add_accessor(const void* values, std::size_t bytes, std::size_t count, int component, int type,
+                        int target) {
     tinygltf::Accessor accessor;
-    accessor.bufferView = static_cast<int>(model.bufferViews.size()) - 1;
+    accessor.bufferView = add_view(values, bytes, target);
     accessor.componentType = component;
     accessor.count = count;
     accessor.type = type;
@@ -136,30 +207,61 @@ int Model::add_texture(const std::vector<Eigen::Vector2d>& texture) {
     return add_rows(rows, TINYGLTF_TYPE_VEC2, false, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
+int Model::add_colours(const std::vector<Colour>& colours) {
+    Rows rows;
+    for (const Colour& colour : colours) {
+        const Eigen::Vector3f light = linear_colour(colour);
+        rows.push_back({light[0], light[1], light[2], colour[3] / 255.0});
+    }
+    return add_rows(rows, TINYGLTF_TYPE_VEC4, false, TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+
 std::vector<Vector3d> differences(const std::vector<Vector3d>& to, const std::vector<Vector3d>& from) {
     std::vector<Vector3d> result;
     for (std::size_t i = 0; i < to.size(); ++i) result.push_back(to[i] - from[i]);
     return result;
 }
 
-int Model::add_mesh(const GlbNode& node) {
+/// What all parts of a node's mesh have in common.
+tinygltf::Primitive Model::surface(const GlbNode& node) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = node.obstacle ? obstacle_material() : 0;
-    primitive.indices = add_accessor(node.triangles.data(), node.triangles.size() * sizeof node.triangles[0],
-                                     3 * node.triangles.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                     TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     const GlbShape& first = node.shapes.front();
     primitive.attributes["POSITION"] = add_vectors(first.points, true);
     primitive.attributes["NORMAL"] = add_vectors(first.normals, false);
     if (!node.texture.empty()) primitive.attributes["TEXCOORD_0"] = add_texture(node.texture);
+    if (!node.colour.empty()) primitive.attributes["COLOR_0"] = add_colours(node.colour);
     for (std::size_t i = 1; i < node.shapes.size(); ++i)
         primitive.targets.push_back(
             {{"POSITION", add_vectors(differences(node.shapes[i].points, first.points), true)},
              {"NORMAL", add_vectors(differences(node.shapes[i].normals, first.normals), false)}});
+    return primitive;
+}
+
+/// Triangles by their materials, in the order in which these come first.
+std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> Model::parts(const GlbNode& node) {
+    std::vector<std::pair<int, std::vector<std::array<Index, 3>>>> result;
+    for (std::size_t t = 0; t < node.triangles.size(); ++t) {
+        const FaceMaterial own = node.material.empty() ? nullptr : node.material[t];
+        const int material = node.obstacle ? obstacle_material() : surface_material(own);
+        auto part = std::ranges::find(result, material, [](const auto& known) { return known.first; });
+        if (part == result.end()) part = result.insert(part, {material, {}});
+        part->second.push_back(node.triangles[t]);
+    }
+    return result;
+}
+
+int Model::add_mesh(const GlbNode& node) {
+    tinygltf::Primitive primitive = surface(node);
     tinygltf::Mesh mesh;
     mesh.name = node.name;
-    mesh.primitives.push_back(primitive);
+    for (const auto& [material, triangles] : parts(node)) {
+        primitive.material = material;
+        primitive.indices = add_accessor(triangles.data(), triangles.size() * sizeof triangles[0],
+                                         3 * triangles.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                                         TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        mesh.primitives.push_back(primitive);
+    }
     mesh.weights.assign(node.shapes.size() - 1, 0.0);
     model.meshes.push_back(mesh);
     return static_cast<int>(model.meshes.size()) - 1;
@@ -236,8 +338,8 @@ std::string Model::bytes() {
 
 }  // namespace
 
-std::string glb_bytes(const GlbScene& scene) {
-    Model model(scene);
+std::string glb_bytes(const GlbScene& scene, std::vector<std::string>& warnings) {
+    Model model(scene, warnings);
     for (const GlbNode& node : scene.nodes) model.add(node);
     return model.bytes();
 }

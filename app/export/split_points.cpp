@@ -1,33 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/split_points.h"
 
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
 
 namespace sherd {
+namespace {
+
+/// What the corners of a point that look the same have in common.
+using Look = std::tuple<std::int32_t, double, double, Colour, std::size_t>;
+
+Look look_of(const TriangleSheet& sheet, std::size_t t, int corner) {
+    const Eigen::Vector2d uv = sheet.texture.empty() ? Eigen::Vector2d::Zero() : sheet.texture[t][corner];
+    // Pairs of triangles at the end make the edges of a solid.
+    const bool is_side = sheet.shading.empty() || sheet.shading[t] == Shading::smooth;
+    return {sheet.triangles[t][corner], uv.x(), uv.y(), sheet.colour.empty() ? white : sheet.colour[t],
+            is_side ? std::numeric_limits<std::size_t>::max() : (sheet.triangles.size() - t - 1) / 2};
+}
+
+}  // namespace
 
 SplitPoints split_points(const TriangleSheet& sheet) {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     SplitPoints split;
     split.points.resize(sheet.points.size());
     std::iota(split.points.begin(), split.points.end(), std::size_t{0});
+    split.corners.assign(sheet.points.size(), {none, 0});
     split.triangles = sheet.triangles;
-    if (sheet.texture.empty()) return split;
-    split.texture.assign(sheet.points.size(), Eigen::Vector2d::Zero());
-    std::vector<bool> met(sheet.points.size(), false);
-    std::map<std::tuple<std::int32_t, double, double>, std::int32_t> number;
+    std::map<Look, std::int32_t> number;
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k) {
             std::int32_t& point = split.triangles[t][k];
-            const Eigen::Vector2d& uv = sheet.texture[t][k];
-            const bool is_first = !met[point];
+            const std::array<std::size_t, 2> corner{t, static_cast<std::size_t>(k)};
+            const bool is_first = split.corners[point][0] == none;
             const auto next = static_cast<std::int32_t>(split.points.size());
-            const auto [entry, is_new] = number.try_emplace({point, uv.x(), uv.y()}, is_first ? point : next);
-            met[point] = true;
-            if (is_new && is_first) split.texture[point] = uv;
+            const auto [entry, is_new] = number.try_emplace(look_of(sheet, t, k), is_first ? point : next);
+            if (is_first) split.corners[point] = corner;
             if (is_new && !is_first) {
                 split.points.push_back(static_cast<std::size_t>(point));
-                split.texture.push_back(uv);
+                split.corners.push_back(corner);
             }
             point = entry->second;
         }

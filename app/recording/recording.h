@@ -42,17 +42,15 @@ struct RecordingHeader {
     std::string
         scene_text;  ///< TOML, as read, with variant and overrides of the command line appended as comments
     std::int64_t seed = 0;
-    std::string time_unit = "s";                    ///< of all its times; "load" or "path" in statics
-    std::vector<std::string> sheet_names;           ///< by face_sheet
-    Positions rest_position;                        ///< [3, V0] of the unbroken mesh, m
-    std::vector<std::array<Index, 3>> rest_faces;   ///< [F]
-    std::vector<double> rest_area;                  ///< [F] m^2
-    std::vector<double> rest_thickness;             ///< [F] m; empty in recordings of before there was any
-    CornerTexture rest_texture = {};                ///< [6, F]; empty without any
-    std::vector<Index> rest_surface_material = {};  ///< [F] as in RestMesh
-    std::vector<SurfaceMaterial> surface_materials = {};
-    std::vector<RecordedSupport> supports = {};  ///< in the order of StepReport::reactions
-    std::vector<RecordedGauge> gauges = {};      ///< in the order of StepReport::gauges
+    std::string time_unit = "s";                   ///< of all its times; "load" or "path" in statics
+    std::vector<std::string> sheet_names;          ///< by face_sheet
+    Positions rest_position;                       ///< [3, V0] of the unbroken mesh, m
+    std::vector<std::array<Index, 3>> rest_faces;  ///< [F]
+    std::vector<double> rest_area;                 ///< [F] m^2
+    std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
+    SurfaceLook rest_look = {};                    ///< of it
+    std::vector<RecordedSupport> supports = {};    ///< in the order of StepReport::reactions
+    std::vector<RecordedGauge> gauges = {};        ///< in the order of StepReport::gauges
 };
 
 /// A natural mode of vibration of the sheets.

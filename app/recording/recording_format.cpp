@@ -48,18 +48,29 @@ std::string outside(const char* name, const Numbers& numbers, std::size_t end, c
     return any_outside(numbers, end) ? fmt::format("{} names a {} that does not exist", name, what) : "";
 }
 
-std::size_t texture_rows(const CornerTexture& texture, std::size_t without) {
-    return texture.cols() == 0 ? without : static_cast<std::size_t>(texture.cols());
+std::size_t rows_of(const CornerTexture& texture) {
+    return static_cast<std::size_t>(texture.cols());
+}
+template <class T>
+std::size_t rows_of(const std::vector<T>& values) {
+    return values.size();
 }
 
-/// materials: of the faces, as in RestMesh; count: of these.
-std::string material_fault(const std::vector<Index>& materials, std::size_t faces, std::size_t count) {
-    if (!materials.empty() && materials.size() != faces)
-        return fmt::format("rest/faces and rest/{} differ in length", surface_material);
-    const auto is_row = [count](Index i) { return i >= -1 && i < static_cast<Index>(count); };
-    return std::ranges::all_of(materials, is_row)
+/// faces, vertices: numbers of them at rest.
+std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t vertices) {
+    std::string fault;
+    visit_look_arrays(look, [&](const char* name, hdf5::Meaning, const auto& values) {
+        const bool is_of_vertices = static_cast<const void*>(&values) == &look.vertex_colour;
+        const std::size_t count = rows_of(values);
+        if (fault.empty() && count != 0 && count != (is_of_vertices ? vertices : faces))
+            fault = fmt::format("rest/{} and rest/{} differ in length", is_of_vertices ? "position" : "faces",
+                                name);
+    });
+    if (!fault.empty()) return fault;
+    const auto is_row = [&](Index i) { return i >= -1 && i < static_cast<Index>(look.materials.size()); };
+    return std::ranges::all_of(look.material, is_row)
                ? ""
-               : fmt::format("rest/{} names a material that does not exist", surface_material);
+               : "rest/surface_material names a material that does not exist";
 }
 
 std::string length_fault(const Snapshot& s) {
@@ -76,7 +87,6 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/area", rest.area.size()},
                      {"rest/thickness", rest.thickness.empty() ? s.faces.size() : rest.thickness.size()},
                      {"rest/face_parent", rest.face_parent.size()},
-                     {"rest/texture", texture_rows(rest.texture, s.faces.size())},
                      {"rest/face_mixed", rest.face_mixed.empty() ? s.faces.size() : rest.face_mixed.size()}}),
          difference({{"edge/vertices", s.edges.size()},
                      {"edge/state", s.edge_state.size()},
@@ -185,16 +195,14 @@ bool is_recorded(const RecordedGauge& gauge, std::string_view column) {
 RestMesh unbroken_mesh(const RecordingHeader& header) {
     RestMesh rest = sherd::unbroken_mesh(header.rest_position, header.rest_faces, header.rest_area,
                                          header.rest_thickness);
-    rest.texture = header.rest_texture;
-    rest.surface_material = header.rest_surface_material;
-    rest.surface_materials = header.surface_materials;
+    rest.look = header.rest_look;
     return rest;
 }
 
 std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
     if (std::string fault = first_of(
             {length_fault(s), field_fault(s), number_fault(s, unbroken_vertices),
-             material_fault(s.rest.surface_material, s.faces.size(), s.rest.surface_materials.size())});
+             look_fault(s.rest.look, s.faces.size(), static_cast<std::size_t>(s.rest.position.cols()))});
         !fault.empty())
         return fault;
     if (std::ranges::any_of(s.edge_state, [](EdgeState state) { return state > EdgeState::boundary; }))
@@ -209,12 +217,10 @@ std::string inconsistency(const RecordingHeader& header) {
         return "/rest/faces and /rest/area differ in length";
     if (!header.rest_thickness.empty() && header.rest_thickness.size() != header.rest_faces.size())
         return "/rest/faces and /rest/thickness differ in length";
-    if (texture_rows(header.rest_texture, header.rest_faces.size()) != header.rest_faces.size())
-        return "/rest/faces and /rest/texture differ in length";
     if (any_outside(header.rest_faces, static_cast<std::size_t>(header.rest_position.cols())))
         return "a face of /rest/faces names a vertex that does not exist";
-    return material_fault(header.rest_surface_material, header.rest_faces.size(),
-                          header.surface_materials.size());
+    return look_fault(header.rest_look, header.rest_faces.size(),
+                      static_cast<std::size_t>(header.rest_position.cols()));
 }
 
 std::string inconsistency(const RecordedObstacle& obstacle) {

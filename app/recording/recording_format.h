@@ -65,12 +65,19 @@ void visit_rest_arrays(R& rest, Visit visit) {
 /// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
 inline constexpr const char* mixed_faces = "face_mixed";
 
-/// What has RestMesh::texture, in the group of a mesh at rest that has texture coordinates.
-inline constexpr const char* corner_texture = "texture";
+/// Calls visit(name, meaning, array) for each array of SurfaceLook, in the group of a mesh at rest. Those
+/// that are empty are not there.
+template <class Look, class Visit>
+void visit_look_arrays(Look& look, Visit visit) {
+    visit("texture", hdf5::Meaning{"1", "texture coordinates u0 v0 u1 v1 u2 v2 of the corners"},
+          look.texture);
+    visit("surface_material", hdf5::Meaning{"1", "row of surface_material_names; -1: none"}, look.material);
+    visit("face_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.face_colour);
+    visit("vertex_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.vertex_colour);
+}
 
-/// What have RestMesh::surface_material, names and definitions of RestMesh::surface_materials, likewise.
-inline constexpr const char *surface_material = "surface_material",
-                            *material_names = "surface_material_names",
+/// What have names and definitions of SurfaceLook::materials, if there are any.
+inline constexpr const char *material_names = "surface_material_names",
                             *material_definitions = "surface_material_definitions";
 
 /// What has Snapshot::edge_held, in frames in which an edge opens gradually.

@@ -27,19 +27,19 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
-/// Texture coordinates and materials, as far as the group `rest` below `where` has them.
-void read_looks(hid_t where, CornerTexture& texture, std::vector<Index>& material,
-                std::vector<SurfaceMaterial>& materials) {
+/// Of the group `rest` below `where`.
+void read_look(hid_t where, SurfaceLook& look) {
     const auto in_rest = [](const char* name) { return std::string("rest/") + name; };
-    if (hdf5::contains(where, in_rest(corner_texture))) read_array(where, in_rest(corner_texture), texture);
-    if (!hdf5::contains(where, in_rest(surface_material))) return;
-    read_array(where, in_rest(surface_material), material);
+    visit_look_arrays(look, [&](const char* name, hdf5::Meaning, auto& values) {
+        if (hdf5::contains(where, in_rest(name))) read_array(where, in_rest(name), values);
+    });
+    if (look.material.empty()) return;
     const std::vector<std::string> names = hdf5::read_texts(where, in_rest(material_names)),
                                    definitions = hdf5::read_texts(where, in_rest(material_definitions));
     if (names.size() != definitions.size())
         throw Error(
             fmt::format("rest/{} and rest/{} differ in length", material_names, material_definitions));
-    for (std::size_t i = 0; i < names.size(); ++i) materials.push_back({names[i], definitions[i]});
+    for (std::size_t i = 0; i < names.size(); ++i) look.materials.push_back({names[i], definitions[i]});
 }
 
 void read_unbroken_mesh(hid_t file, RecordingHeader& header) {
@@ -47,7 +47,7 @@ void read_unbroken_mesh(hid_t file, RecordingHeader& header) {
     read_array(file, "rest/faces", header.rest_faces);
     read_array(file, "rest/area", header.rest_area);
     if (hdf5::contains(file, "rest/thickness")) read_array(file, "rest/thickness", header.rest_thickness);
-    read_looks(file, header.rest_texture, header.rest_surface_material, header.surface_materials);
+    read_look(file, header.rest_look);
     if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
 }
 
@@ -65,7 +65,7 @@ RestMesh read_rest(hid_t file, hid_t frame) {
     });
     const std::string mixed = std::string("rest/") + mixed_faces;
     if (hdf5::contains(frame, mixed)) read_array(frame, mixed, rest.face_mixed);
-    read_looks(frame, rest.texture, rest.surface_material, rest.surface_materials);
+    read_look(frame, rest.look);
     read_array(file, "rest/faces", rest.unbroken_faces);
     read_array(file, "rest/position", rest.unbroken_position);
     if (rest.thickness.empty() && hdf5::row_count(file, "rest/thickness", 1) > 0)

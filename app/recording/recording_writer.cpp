@@ -43,6 +43,20 @@ void write_array(hid_t where, const std::string& name, const hdf5::Meaning& mean
     hdf5::write<T>(where, name, values, meaning);
 }
 
+void write_look(hid_t where, const std::string& group, const SurfaceLook& look) {
+    visit_look_arrays(look, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
+        if (values.size() > 0) write_array(where, group + "/" + name, meaning, values);
+    });
+    if (look.material.empty()) return;
+    std::vector<std::string> names, definitions;
+    for (const SurfaceMaterial& material : look.materials) {
+        names.push_back(material.name);
+        definitions.push_back(material.definition);
+    }
+    hdf5::write_texts(where, group + "/" + material_names, names);
+    hdf5::write_texts(where, group + "/" + material_definitions, definitions);
+}
+
 void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
     visit_rest_arrays(rest, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
         write_array(where, group + "/" + name, meaning, values);
@@ -50,19 +64,7 @@ void write_rest(hid_t where, const std::string& group, const RestMesh& rest) {
     if (!rest.face_mixed.empty())
         write_array(where, group + "/" + mixed_faces, {"1", "1: has parts of other faces of /rest, too"},
                     rest.face_mixed);
-    if (rest.texture.cols() > 0)
-        write_array(where, group + "/" + corner_texture,
-                    {"1", "texture coordinates u0 v0 u1 v1 u2 v2 of the corners"}, rest.texture);
-    if (rest.surface_material.empty()) return;
-    std::vector<std::string> names, definitions;
-    for (const SurfaceMaterial& material : rest.surface_materials) {
-        names.push_back(material.name);
-        definitions.push_back(material.definition);
-    }
-    write_array(where, group + "/" + surface_material, {"1", "row of surface_material_names; -1: none"},
-                rest.surface_material);
-    hdf5::write_texts(where, group + "/" + material_names, names);
-    hdf5::write_texts(where, group + "/" + material_definitions, definitions);
+    write_look(where, group, rest.look);
 }
 
 /// Creates the group `path` of a table beside the steps, with the next number in `group`.
@@ -211,20 +213,16 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-template <int N>
-bool same_bits(const Eigen::Matrix<double, N, Eigen::Dynamic>& a,
-               const Eigen::Matrix<double, N, Eigen::Dynamic>& b) {
+bool same_bits(const Positions& a, const Positions& b) {
     return a.size() == b.size() &&
-           (a.size() == 0 ||
-            std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0);
+           std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
 
 bool same_bits(const RestMesh& a, const RestMesh& b) {
     return same_bits(a.position, b.position) && same_bits(a.faces, b.faces) && same_bits(a.area, b.area) &&
            same_bits(a.thickness, b.thickness) && same_bits(a.vertex_parents, b.vertex_parents) &&
            same_bits(a.vertex_weights, b.vertex_weights) && same_bits(a.face_parent, b.face_parent) &&
-           same_bits(a.face_mixed, b.face_mixed) && same_bits(a.texture, b.texture) &&
-           same_bits(a.surface_material, b.surface_material) && a.surface_materials == b.surface_materials;
+           same_bits(a.face_mixed, b.face_mixed) && a.look == b.look;
 }
 
 void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::string& times) {
@@ -247,11 +245,11 @@ void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::str
 /// What HDF5 itself takes for a head, an append or an attribute at most, measured and doubled.
 constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, attribute_overhead = 16 << 10;
 
-std::size_t rest_bytes(std::size_t vertices, std::size_t faces, std::span<const SurfaceMaterial> materials) {
+std::size_t rest_bytes(std::size_t vertices, std::size_t faces, const SurfaceLook& look) {
     std::size_t texts = 0;
-    for (const SurfaceMaterial& material : materials)
+    for (const SurfaceMaterial& material : look.materials)
         texts += 2 * (material.name.size() + material.definition.size() + 64);
-    return 72 * vertices + 92 * faces + texts;
+    return 76 * vertices + 96 * faces + texts;
 }
 
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
@@ -270,15 +268,14 @@ std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<con
     });
     return 80 * snapshot.position.cols() + 24 * snapshot.faces.size() + 32 * snapshot.edges.size() +
            2 * sizeof(StepReport) * steps.size() + of_events + of_lists + of_fields +
-           (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size(),
-                                   snapshot.rest.surface_materials)
+           (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size(), snapshot.rest.look)
                       : 0) +
            append_overhead;
 }
 
 std::size_t head_bytes(const RecordingHeader& header) {
     return 2 * attribute_overhead * (header.supports.size() + header.gauges.size()) +
-           rest_bytes(header.rest_position.cols(), header.rest_faces.size(), header.surface_materials) +
+           rest_bytes(header.rest_position.cols(), header.rest_faces.size(), header.rest_look) +
            header.scene_text.size() + head_overhead;
 }
 

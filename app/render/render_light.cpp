@@ -156,4 +156,8 @@ Vector3f linear_colour(std::uint32_t rgb) {
     return {linear(rgb >> 16), linear(rgb >> 8), linear(rgb)};
 }
 
+Vector3f linear_colour(const Colour& colour) {
+    return linear_colour(static_cast<std::uint32_t>(colour[0] << 16 | colour[1] << 8 | colour[2]));
+}
+
 }  // namespace sherd

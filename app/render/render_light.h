@@ -4,6 +4,7 @@
 #include "app/render/camera.h"
 #include "app/render/render_scene.h"
 #include "app/render/render_tracer.h"
+#include "meshops/surface_colour.h"
 
 namespace sherd {
 
@@ -48,5 +49,6 @@ Eigen::Vector3f developed(const Eigen::Vector3f& light);
 
 /// The albedo of a colour that is written as 0xRRGGBB (sRGB).
 Eigen::Vector3f linear_colour(std::uint32_t rgb);
+Eigen::Vector3f linear_colour(const Colour& colour);
 
 }  // namespace sherd

@@ -17,9 +17,7 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.rest_faces = rest.faces;
     header.rest_area = rest.area;
     header.rest_thickness = rest.thickness;
-    header.rest_texture = rest.texture;
-    header.rest_surface_material = rest.surface_material;
-    header.surface_materials = rest.surface_materials;
+    header.rest_look = rest.look;
     for (const auto& [name, kind] : support_names(scene)) header.supports.push_back({name, kind});
     const Shell& mechanics = simulation.shell().mechanics();
     for (std::size_t i = 0; i < scene.gauges.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "meshops/file_weights.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_colour.h"
 #include "meshops/surface_material.h"
 
 namespace sherd {
@@ -52,32 +53,55 @@ void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& b
     }
 }
 
+void carry_vertex_colour(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
+    const auto [colour, exists] = surface.mesh.property_map<Vertex, Colour>(property::vertex_colour);
+    if (!exists) return;
+    auto carried = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
+    for (const Vertex v : mesh.vertices()) {
+        const InputSurface::Site at = surface.nearest(below[v], position(mesh, v));
+        const std::array<Vertex, 3> corners = face_corners(surface.mesh, at.face);
+        ColourMean mean;
+        for (int k = 0; k < 3; ++k) mean.add(colour[corners[k]], at.weights[k]);
+        carried[v] = mean.colour();
+    }
+}
+
+/// Whether there is something that faces carry.
+bool has_face_values(const Mesh& mesh) {
+    return mesh.property_map<Face, FaceTexture>(property::texture).second ||
+           mesh.property_map<Face, GroupNames>(property::groups).second ||
+           mesh.property_map<Face, Vector3d>(property::axis).second ||
+           mesh.property_map<Face, FaceMaterial>(property::surface_material).second ||
+           mesh.property_map<Face, Colour>(property::face_colour).second;
+}
+
+/// side: [F] the face of the surface below each face, which has its value.
+template <class Value>
+void carry_values(const InputSurface& surface, const std::vector<Face>& side, const char* name, Mesh& mesh) {
+    const auto [values, exists] = surface.mesh.property_map<Face, Value>(name);
+    if (!exists) return;
+    auto carried = mesh.add_property_map<Face, Value>(name).first;
+    for (const Face face : mesh.faces()) carried[face] = values[side[face]];
+}
+
 }  // namespace
 
 void carry_properties(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
     carry_file_vertices(surface, below, mesh);
+    carry_vertex_colour(surface, below, mesh);
+    if (!has_face_values(surface.mesh)) return;
     const auto [texture, has_texture] = surface.mesh.property_map<Face, FaceTexture>(property::texture);
-    const auto [groups, has_groups] = surface.mesh.property_map<Face, GroupNames>(property::groups);
-    const auto [axis, has_axis] = surface.mesh.property_map<Face, Vector3d>(property::axis);
-    const auto [material, has_material] =
-        surface.mesh.property_map<Face, FaceMaterial>(property::surface_material);
-    if (!has_texture && !has_groups && !has_axis && !has_material) return;
     Mesh::Property_map<Face, FaceTexture> new_texture;
-    Mesh::Property_map<Face, GroupNames> new_groups;
-    Mesh::Property_map<Face, Vector3d> new_axis;
-    Mesh::Property_map<Face, FaceMaterial> new_material;
     if (has_texture) new_texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
-    if (has_groups) new_groups = mesh.add_property_map<Face, GroupNames>(property::groups).first;
-    if (has_axis) new_axis = mesh.add_property_map<Face, Vector3d>(property::axis).first;
-    if (has_material)
-        new_material = mesh.add_property_map<Face, FaceMaterial>(property::surface_material).first;
+    std::vector<Face> side;
     for (const Face face : mesh.faces()) {
-        const Face side = face_below(surface, below, mesh, face);
-        if (has_texture) new_texture[face] = texture_on(surface, texture, side, mesh, face);
-        if (has_groups) new_groups[face] = groups[side];
-        if (has_axis) new_axis[face] = axis[side];
-        if (has_material) new_material[face] = material[side];
+        side.push_back(face_below(surface, below, mesh, face));
+        if (has_texture) new_texture[face] = texture_on(surface, texture, side.back(), mesh, face);
     }
+    carry_values<GroupNames>(surface, side, property::groups, mesh);
+    carry_values<Vector3d>(surface, side, property::axis, mesh);
+    carry_values<FaceMaterial>(surface, side, property::surface_material, mesh);
+    carry_values<Colour>(surface, side, property::face_colour, mesh);
 }
 
 }  // namespace sherd

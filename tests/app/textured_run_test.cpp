@@ -8,10 +8,12 @@
 #include "app/recording/recording.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_colour.h"
 #include "meshops/surface_material.h"
 #include "tests/support/glb_content.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/vtp_array.h"
 
 namespace sherd::test {
 namespace {
@@ -116,15 +118,16 @@ TEST_F(TexturedRun, KeepsCoordinatesAndMaterialsOfFacesThatBreak) {
     const Snapshot frame = last();
     const Mesh plate = read("plate.obj");
     ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
-    ASSERT_EQ(frame.rest.texture.cols(), static_cast<Eigen::Index>(frame.faces.size()));
-    ASSERT_EQ(frame.rest.surface_material.size(), frame.faces.size());
+    ASSERT_EQ(frame.rest.look.texture.cols(), static_cast<Eigen::Index>(frame.faces.size()));
+    ASSERT_EQ(frame.rest.look.material.size(), frame.faces.size());
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        const std::string name = frame.rest.surface_materials[frame.rest.surface_material[f]].name;
+        const std::string name = frame.rest.look.materials[frame.rest.look.material[f]].name;
         Vector3d middle = Vector3d::Zero();
         for (int k = 0; k < 3; ++k) middle += in_plate(frame.rest, f, k, plate) / 3;
         EXPECT_EQ(name, middle.x() < 0 ? "glaze" : "bare clay");
         for (int k = 0; k < 3; ++k) {
-            const Eigen::Vector2d found = frame.rest.texture.col(static_cast<Index>(f)).segment<2>(2 * k);
+            const Eigen::Vector2d found =
+                frame.rest.look.texture.col(static_cast<Index>(f)).segment<2>(2 * k);
             const Eigen::Vector2d expected = texture_at(in_plate(frame.rest, f, k, plate), name == "glaze");
             EXPECT_LT((found - expected).norm(), 1e-9) << "corner " << k << " of face " << f;
         }
@@ -141,9 +144,9 @@ TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
     ASSERT_TRUE(has_texture && has_material);
     ASSERT_EQ(mesh.number_of_faces(), frame.faces.size());
     for (const Face face : mesh.faces()) {
-        const auto uv = frame.rest.texture.col(face.idx());
+        const auto uv = frame.rest.look.texture.col(face.idx());
         for (int k = 0; k < 3; ++k) EXPECT_EQ(texture[face][k], Eigen::Vector2d(uv.segment<2>(2 * k)));
-        EXPECT_EQ(*material[face], frame.rest.surface_materials[frame.rest.surface_material[face.idx()]]);
+        EXPECT_EQ(*material[face], frame.rest.look.materials[frame.rest.look.material[face.idx()]]);
     }
     const std::string mtl = folder.contents().at(folder.path / "elsewhere/last.mtl");
     EXPECT_NE(mtl.find("map_Kd -s 1 1 ../pictures/blue glaze.png\n"), std::string::npos) << mtl;
@@ -182,7 +185,7 @@ TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
     const Snapshot frame = last();
     std::set<std::array<float, 2>> expected, found;
-    for (const auto& uv : frame.rest.texture.colwise())
+    for (const auto& uv : frame.rest.look.texture.colwise())
         for (int k = 0; k < 3; ++k)
             expected.insert({static_cast<float>(uv[2 * k]), static_cast<float>(1 - uv[2 * k + 1])});
     std::size_t vertices = 0;
@@ -196,6 +199,131 @@ TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
     }
     EXPECT_EQ(found, expected);
     EXPECT_LE(vertices, static_cast<std::size_t>(frame.position.cols()) + 2 * 11) << "only the seam is split";
+}
+
+/// The names of materials of a mesh's parts.
+std::set<std::string> part_materials(const Glb& glb) {
+    std::set<std::string> names;
+    for (const nlohmann::json& mesh : glb.json["meshes"])
+        for (const nlohmann::json& part : mesh["primitives"])
+            names.insert(glb.json["materials"][part["material"].get<std::size_t>()]["name"]);
+    return names;
+}
+
+// Without them an artist sets up every material of every shot anew.
+TEST_F(TexturedRun, GlbHasTheMaterialsAndTheirPictures) {
+    succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
+    const Glb glb(folder.contents().at(folder.path / "run.glb"));
+    EXPECT_EQ(part_materials(glb), (std::set<std::string>{"glaze", "bare clay", "inside"}));
+    for (const nlohmann::json& material : glb.json["materials"]) {
+        const nlohmann::json& look = material["pbrMetallicRoughness"];
+        const bool has_picture = material["name"] == "glaze";
+        EXPECT_EQ(look.contains("baseColorTexture"), has_picture);
+        if (material["name"] == "bare clay") {
+            EXPECT_NEAR(look["baseColorFactor"][0], 0.7, 1e-6);
+        }
+    }
+    ASSERT_EQ(glb.json["images"].size(), 1u);
+    EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/png");
+    const nlohmann::json& view =
+        glb.json["bufferViews"][glb.json["images"][0]["bufferView"].get<std::size_t>()];
+    EXPECT_EQ(glb.data.substr(view["byteOffset"], view["byteLength"]), png);
+}
+
+TEST_F(TexturedRun, APictureThatIsNotThereIsToldAndTheRestIsWritten) {
+    fs::remove(folder.path / "pictures/blue glaze.png");
+    const ProgramResult result = run_sherd({"export", "run.h5", "--to", "glb", "-o", "run.glb"}, folder.path);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.err.find("pictures/blue glaze.png' of a material cannot be read"), std::string::npos)
+        << result.err;
+    const Glb glb(folder.contents().at(folder.path / "run.glb"));
+    EXPECT_FALSE(glb.json.contains("images"));
+}
+
+// A shard whose edges are shaded round looks like soap.
+TEST_F(TexturedRun, NormalsOfSolidsAreSmoothOutsideAndHardAtTheBreak) {
+    succeeds({"export", "run.h5", "--to", "glb", "--sheets-only", "--solid", "-o", "run.glb"});
+    const Glb glb(folder.contents().at(folder.path / "run.glb"));
+    std::size_t broken = 0;
+    for (const nlohmann::json& mesh : glb.json["meshes"])
+        for (const nlohmann::json& part : mesh["primitives"]) {
+            const std::string name = glb.json["materials"][part["material"].get<std::size_t>()]["name"];
+            if (name != "inside") continue;
+            const Cloud points = glb.cloud(part["attributes"]["POSITION"].get<std::size_t>()),
+                        normals = glb.cloud(part["attributes"]["NORMAL"].get<std::size_t>());
+            const auto corners = glb.values<std::uint32_t>(part["indices"].get<std::size_t>(), 1);
+            for (std::size_t i = 0; i < corners.size(); i += 3) {
+                const Eigen::Vector3f& a = points[corners[i]];
+                const Eigen::Vector3f flat =
+                    (points[corners[i + 1]] - a).cross(points[corners[i + 2]] - a).normalized();
+                for (int k = 0; k < 3; ++k) EXPECT_GT(normals[corners[i + k]].dot(flat), 0.9);
+                ++broken;
+            }
+        }
+    EXPECT_GT(broken, 0u);
+}
+
+// ParaView shows a picture on the sheet by them.
+TEST_F(TexturedRun, VtpHasTextureCoordinatesOfPointsAndMaterialsOfFaces) {
+    succeeds({"export", "run.h5", "--to", "pvd", "--frames", "-1", "-o", "run.pvd"});
+    const std::string vtp = folder.contents().at(folder.path / "run_000004.vtp");
+    EXPECT_NE(vtp.find("TCoords=\"texture\""), std::string::npos);
+    const Snapshot frame = last();
+    const auto texture = vtp_array<double>(vtp, "Float64", "texture");
+    const auto corners = vtp_array<std::int32_t>(vtp, "Int32", "connectivity");
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        for (int i = 0; i < 6; ++i)
+            EXPECT_EQ(texture[2 * corners[3 * f + i / 2] + i % 2], frame.rest.look.texture(i, f));
+    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "material"), frame.rest.look.material);
+}
+
+/// The plate as .ply, whose colours follow its places.
+std::string painted_plate() {
+    std::ostringstream ply;
+    ply << "ply\nformat ascii 1.0\nelement vertex 121\nproperty float x\nproperty float y\nproperty float z\n"
+           "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 100\n"
+           "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+           "property uchar blue\nend_header\n";
+    for (int i = 0; i <= 10; ++i)
+        for (int j = 0; j <= 10; ++j)
+            ply << 0.02 * i - 0.1 << " " << 0.02 * j - 0.1 << " 0 " << 20 * i << " " << 20 * j << " 9\n";
+    for (int i = 0; i < 10; ++i)
+        for (int j = 0; j < 10; ++j) {
+            const int a = 11 * i + j;
+            ply << "4 " << a << " " << a + 11 << " " << a + 12 << " " << a + 1 << " " << (i < 5 ? 1 : 2)
+                << " 3 4\n";
+        }
+    return ply.str();
+}
+
+// A painted scan breaks into white pieces.
+TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
+    folder.write("plate.ply", painted_plate());
+    succeeds({"run", "scene.toml", "-o", "painted.h5", "--set", "sheet.plate.mesh=plate.ply"});
+    succeeds({"export", "painted.h5", "--to", "ply", "--sheets-only", "-o", "painted.ply"});
+    succeeds({"export", "painted.h5", "--to", "glb", "--sheets-only", "-o", "painted.glb"});
+    const Recording recording(folder.path / "painted.h5");
+    const Snapshot frame = recording.frame(recording.frame_count() - 1);
+    ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
+    const Mesh plate = read("plate.ply"), mesh = read("painted.ply");
+    const auto vertex = mesh.property_map<Vertex, Colour>(property::vertex_colour).first;
+    const auto face = mesh.property_map<Face, Colour>(property::face_colour).first;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        Vector3d middle = Vector3d::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const Vector3d place = in_plate(frame.rest, f, k, plate);
+            middle += place / 3;
+            const Colour& colour = vertex[Vertex(frame.faces[f][k])];
+            EXPECT_NEAR(colour[0], 1000 * (place.x() + 0.1), 0.51);
+            EXPECT_NEAR(colour[1], 1000 * (place.y() + 0.1), 0.51);
+        }
+        if (std::abs(middle.x()) > 0.01) {
+            EXPECT_EQ(face[Face(f)][0], middle.x() < 0 ? 1 : 2);
+        }
+    }
+    const Glb glb(folder.contents().at(folder.path / "painted.glb"));
+    for (const nlohmann::json& fragment : glb.json["meshes"])
+        EXPECT_TRUE(fragment["primitives"][0]["attributes"].contains("COLOR_0"));
 }
 
 }  // namespace

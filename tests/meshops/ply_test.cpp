@@ -11,6 +11,8 @@
 #include "meshops/ply_header.h"
 #include "meshops/polygon_soup.h"
 #include "meshops/read_mesh.h"
+#include "meshops/surface_colour.h"
+#include "meshops/write_mesh.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/thrown_by.h"
@@ -179,6 +181,39 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
     EXPECT_EQ(read_vertex_property(directory.write("a.ply", with), "q").back(), 9);
     EXPECT_NE(thrown_by([&] { read_vertex_property("a.obj", "q"); }).find("a.obj: only a PLY file"),
               std::string::npos);
+}
+
+// A painted scan would come out of a run in white, or in other colours than it had.
+TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
+    std::string content = replaced(good, "property float z\n",
+                                   "property float z\nproperty uchar red\nproperty uchar green\n"
+                                   "property uchar blue\nproperty uchar alpha\n");
+    content = replaced(content, "vertex_indices\n",
+                       "vertex_indices\nproperty float diffuse_red\nproperty float diffuse_green\n"
+                       "property float diffuse_blue\n");
+    content = replaced(content, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                       "0 0 0 1 2 3 4\n1 0 0 250 251 252 255\n0 1 0 0 0 0 0\n3 0 1 2 0 0.5 7\n");
+    const TemporaryDirectory folder;
+    folder.write("a.ply", content);
+    std::vector<std::string> warnings;
+    const Mesh mesh = read_mesh(folder.path / "a.ply", {}, warnings);
+    write_mesh(triangle_sheet(mesh), folder.path / "b.ply");
+    for (const Mesh& known : {mesh, read_mesh(folder.path / "b.ply", {}, warnings)}) {
+        const auto [vertex, has_vertex] = known.property_map<Vertex, Colour>(property::vertex_colour);
+        const auto [face, has_face] = known.property_map<Face, Colour>(property::face_colour);
+        ASSERT_TRUE(has_vertex && has_face);
+        EXPECT_EQ(vertex[Vertex(0)], (Colour{1, 2, 3, 4}));
+        EXPECT_EQ(vertex[Vertex(1)], (Colour{250, 251, 252, 255}));
+        EXPECT_EQ(vertex[Vertex(2)], (Colour{0, 0, 0, 0}));
+        EXPECT_EQ(face[Face(0)], (Colour{0, 128, 255, 255})) << "a part out of range is cut off";
+    }
+}
+
+// Two of three parts are something else, such as a measured value.
+TEST(Ply, APartOfAColourIsNone) {
+    EXPECT_TRUE(parse(replaced(replaced(good, "property float z\n", "property float z\nproperty uchar red\n"),
+                               "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 1\n1 0 0 1\n0 1 0 1\n"))
+                    .point_colour.empty());
 }
 
 }  // namespace

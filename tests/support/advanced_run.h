@@ -19,9 +19,7 @@ inline RecordingHeader advanced_header(const Snapshot& first) {
     header.rest_faces = first.rest.faces;
     header.rest_area = first.rest.area;
     header.rest_thickness = first.rest.thickness;
-    header.rest_texture = first.rest.texture;
-    header.rest_surface_material = first.rest.surface_material;
-    header.surface_materials = first.rest.surface_materials;
+    header.rest_look = first.rest.look;
     return header;
 }
 

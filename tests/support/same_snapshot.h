@@ -19,8 +19,7 @@ void visit_arrays_of(const Snapshot& frame, Visit visit) {
     recording_format::visit_arrays(frame, pass_on);
     recording_format::visit_rest_arrays(frame.rest, pass_on);
     pass_on("unbroken faces", {}, frame.rest.unbroken_faces);
-    pass_on(recording_format::corner_texture, {}, frame.rest.texture);
-    pass_on(recording_format::surface_material, {}, frame.rest.surface_material);
+    recording_format::visit_look_arrays(frame.rest.look, pass_on);
     pass_on(recording_format::held_edges, {}, frame.edge_held);
     visit_fields(frame.fields, [&](const char* name, const auto& values, const FieldMeaning&) {
         pass_on(name, {}, values);
@@ -31,7 +30,7 @@ void visit_arrays_of(const Snapshot& frame, Visit visit) {
 inline void expect_same(const Snapshot& found, const Snapshot& expected) {
     EXPECT_EQ(found.step, expected.step);
     EXPECT_EQ(found.time, expected.time);
-    EXPECT_TRUE(found.rest.surface_materials == expected.rest.surface_materials);
+    EXPECT_TRUE(found.rest.look.materials == expected.rest.look.materials);
     std::vector<std::vector<char>> wanted;
     visit_arrays_of(expected, [&](const char*, const std::vector<char>& bytes) { wanted.push_back(bytes); });
     auto next = wanted.begin();

@@ -9,6 +9,7 @@
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh/remesh.h"
+#include "meshops/surface_colour.h"
 #include "tests/support/temporary_directory.h"
 
 namespace sherd {
@@ -75,6 +76,29 @@ TEST(CarriedProperties, AxesAreThoseBelow) {
         if (const double y = centroid(result, face).y(); std::abs(y - 10) > 0.5) {
             EXPECT_EQ(carried[face], y < 10 ? Vector3d::UnitX() : Vector3d::UnitY());
         }
+}
+
+// A painted scan would lose its paint, or have it elsewhere.
+TEST(CarriedProperties, ColoursAreThoseBelow) {
+    Mesh mesh = two_halves("halves.obj");
+    auto at_vertex = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
+    for (const Vertex v : mesh.vertices()) {
+        const auto ramp = static_cast<std::uint8_t>(10 * position(mesh, v).x());
+        at_vertex[v] = {ramp, 7, 0, 255};
+    }
+    auto of_face = mesh.add_property_map<Face, Colour>(property::face_colour).first;
+    for (const Face face : mesh.faces())
+        of_face[face] = centroid(mesh, face).x() < 10 ? Colour{1, 2, 3, 255} : Colour{4, 5, 6, 255};
+    const Mesh result = remesh(mesh, {1.3}).mesh;
+    const auto [vertex, has_vertex] = result.property_map<Vertex, Colour>(property::vertex_colour);
+    const auto [face_colour, has_face] = result.property_map<Face, Colour>(property::face_colour);
+    ASSERT_TRUE(has_vertex && has_face);
+    for (const Vertex v : result.vertices()) {
+        EXPECT_NEAR(vertex[v][0], 10 * position(result, v).x(), 0.5 + 1e-9);
+        EXPECT_EQ(vertex[v][1], 7);
+    }
+    for (const Face face : result.faces())
+        EXPECT_EQ(face_colour[face][0], centroid(result, face).x() < 10 ? 1 : 4);
 }
 
 // Were all seams kept, nothing could be remeshed.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/surface_look.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace sherd {
+namespace {
+
+CornerTexture corner_texture(const Mesh& mesh) {
+    CornerTexture corners;
+    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    if (!exists) return corners;
+    corners.resize(6, static_cast<Eigen::Index>(mesh.number_of_faces()));
+    for (const Face face : mesh.faces())
+        corners.col(face.idx()) << texture[face][0], texture[face][1], texture[face][2];
+    return corners;
+}
+
+void set_materials(const Mesh& mesh, SurfaceLook& look) {
+    const auto [material, exists] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    if (!exists) return;
+    std::map<std::pair<std::string, std::string>, Index> number;
+    for (const Face face : mesh.faces()) {
+        if (!material[face]) {
+            look.material.push_back(-1);
+            continue;
+        }
+        const auto next = static_cast<Index>(look.materials.size());
+        const auto [entry, is_new] =
+            number.try_emplace({material[face]->name, material[face]->definition}, next);
+        if (is_new) look.materials.push_back(*material[face]);
+        look.material.push_back(entry->second);
+    }
+}
+
+template <class Element, class Value>
+void take_property(Mesh& mesh, const Mesh& of, const char* name, const Value& otherwise) {
+    if (of.property_map<Element, Value>(name).second) mesh.add_property_map<Element, Value>(name, otherwise);
+}
+
+}  // namespace
+
+bool SurfaceLook::operator==(const SurfaceLook& other) const {
+    return texture.cols() == other.texture.cols() && texture == other.texture && material == other.material &&
+           materials == other.materials && face_colour == other.face_colour &&
+           vertex_colour == other.vertex_colour;
+}
+
+SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std::size_t count) {
+    SurfaceLook look;
+    look.texture = corner_texture(mesh);
+    set_materials(mesh, look);
+    if (const auto [colour, exists] = mesh.property_map<Face, Colour>(property::face_colour); exists)
+        for (const Face face : mesh.faces()) look.face_colour.push_back(colour[face]);
+    if (const auto [colour, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour); exists) {
+        look.vertex_colour.assign(count, white);
+        for (const Vertex v : mesh.vertices()) look.vertex_colour[original[v]] = colour[v];
+    }
+    return look;
+}
+
+void take_looks(Mesh& mesh, const Mesh& of) {
+    const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
+    take_property<Face>(mesh, of, property::texture, FaceTexture{zero, zero, zero});
+    take_property<Face>(mesh, of, property::surface_material, FaceMaterial());
+    take_property<Face>(mesh, of, property::face_colour, white);
+    take_property<Vertex>(mesh, of, property::vertex_colour, white);
+}
+
+}  // namespace sherd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace sherd {
+
+/// Appends the shortest text that reads back as the same number.
+inline void append(std::string& text, double value) {
+    char digits[32];
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+inline void append(std::string& text, std::size_t value) {
+    text += std::to_string(value);
+}
+inline void append(std::string& text, const char* value) {
+    text += value;
+}
+
+template <typename... Values>
+void append_all(std::string& text, const Values&... values) {
+    (append(text, values), ...);
+}
+
+}  // namespace sherd
