@@ -231,7 +231,7 @@ void add_render(CLI::App& program, Command& chosen) {
     option("--frames", options->frames,
            "last (default), all (default of a film), numbers and START:STOP:STEP as in Python", "WHICH");
     option("--color", options->colour, "What the colours show (default: fragment)",
-           "fragment|strain|speed|stress|curvature|axis|tips|none");
+           "fragment|strain|speed|stress|curvature|axis|tips|material|none");
     option("--range", options->range,
            "Of strain, curvature (1/m), speed (m/s), stress (Pa) or tips (1); default: all of the recording",
            "LOW:HIGH");

@@ -13,7 +13,7 @@ struct RenderOptions {
     std::filesystem::path recording;
     std::filesystem::path output;     ///< folder, or for one picture a file (NAME.png); a film needs none
     std::string frames;               ///< as of ExportOptions; empty: all of a film, else the last
-    std::string colour = "fragment";  ///< fragment, strain, speed, axis, none
+    std::string colour = "fragment";  ///< a name of render_colours
     std::string range;                ///< LOW:HIGH of the scalar's colours; empty: that of the recording
     std::string size = "960x540";     ///< WxH, pixels
     int samples = 32;                 ///< of each pixel

@@ -21,8 +21,6 @@ namespace {
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-constexpr png_uint_32 most_pixels_a_side = 16384;
-
 void keep_message(png_structp png, png_const_charp message) {
     *static_cast<std::string*>(png_get_error_ptr(png)) = message;
     png_longjmp(png, 1);
@@ -47,7 +45,7 @@ class PngReader {
     bool read(std::FILE* file) {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, file);
-        png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
+        png_set_user_limits(png, largest_image, largest_image);
         png_read_png(png, info,
                      PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
                      nullptr);

@@ -17,10 +17,18 @@ struct Image {
     }
 };
 
+inline constexpr int largest_image = 16384;  ///< pixels to a side, that are read
+
 /// Reads a PNG file of any kind: palettes are looked up, grey becomes three equal colours, transparency is
 /// dropped, 16 bits are kept and no gamma is applied. Throws Error naming the file when it is missing,
-/// unreadable, no PNG, damaged, or larger than 16384 x 16384.
+/// unreadable, no PNG, damaged, or larger than largest_image.
 Image read_png(const std::filesystem::path& file);
+
+/// Reads a JPEG file; grey becomes three equal colours. Throws Error like read_png.
+Image read_jpeg(const std::filesystem::path& file);
+
+/// Reads a PNG or JPEG file, by what is in it.
+Image read_picture(const std::filesystem::path& file);
 
 /// The bytes of a PNG file of 8 bits a channel that shows the image; the same bytes for the same image.
 std::string png_bytes(const Image& image);

@@ -47,8 +47,8 @@ std::vector<double> mean_of_faces(const Snapshot& frame, const VectorXd& values)
 }
 
 std::string name_of(RenderColour colour) {
-    constexpr std::array<const char*, 8> names{"fragment",  "strain", "speed", "stress",
-                                               "curvature", "axis",   "tips",  "none"};
+    constexpr std::array<const char*, 9> names{"fragment", "strain", "speed",    "stress", "curvature",
+                                               "axis",     "tips",   "material", "none"};
     return names.at(static_cast<std::size_t>(colour));
 }
 

@@ -11,7 +11,7 @@
 namespace sherd {
 
 /// What the colours of a picture tell.
-enum class RenderColour { fragment, strain, speed, stress, curvature, axis, tips, none };
+enum class RenderColour { fragment, strain, speed, stress, curvature, axis, tips, material, none };
 
 /// Whether it shows numbers, by a colour map.
 bool is_scalar(RenderColour colour);
@@ -23,8 +23,9 @@ std::string colour_names(std::span<const RenderColour> colours);
 RenderColour parse_render_colour(const std::string& name, std::span<const RenderColour> colours);
 
 inline constexpr std::array render_colours{
-    RenderColour::fragment,  RenderColour::strain, RenderColour::speed, RenderColour::stress,
-    RenderColour::curvature, RenderColour::axis,   RenderColour::tips,  RenderColour::none};
+    RenderColour::fragment, RenderColour::strain,    RenderColour::speed,
+    RenderColour::stress,   RenderColour::curvature, RenderColour::axis,
+    RenderColour::tips,     RenderColour::material,  RenderColour::none};
 /// Those that a page can show: its meshes may be thinned, to which no velocities belong.
 inline constexpr std::array view_colours{RenderColour::strain, RenderColour::stress, RenderColour::curvature};
 inline constexpr std::array scalar_colours{RenderColour::strain, RenderColour::speed, RenderColour::stress,

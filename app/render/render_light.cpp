@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "app/files/texels.h"
 #include "app/render/render_sample.h"
 
 namespace sherd {
@@ -14,6 +16,11 @@ using Eigen::Vector3f;
 const Vector3f ground_colour(0.58f, 0.575f, 0.565f), lamp_light(1.02f, 0.97f, 0.89f),
     zenith_light(0.52f, 0.56f, 0.63f), horizon_light(0.34f, 0.36f, 0.40f), backdrop(0.52f, 0.53f, 0.545f),
     clay(0.62f, 0.52f, 0.41f), dark_stripe(0.02f, 0.09f, 0.22f);
+
+/// Of sRGB, 0 to 1.
+float linear_part(float x) {
+    return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
+}
 
 float smooth(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -61,6 +68,20 @@ float weighted(const RenderHit& hit, float RenderVertex::*member) {
            hit.v * vertices[c].*member;
 }
 
+/// Of the picture that the triangle has; none if it has no picture.
+std::optional<Vector3f> picture_colour(const RenderHit& hit) {
+    const RenderMesh& mesh = *hit.mesh;
+    if (mesh.picture.empty() || mesh.picture[hit.triangle] < 0) return std::nullopt;
+    const auto& [a, b, c] = mesh.triangles[hit.triangle];
+    const Eigen::Vector2f uv = (1 - hit.u - hit.v) * mesh.vertices[a].texture +
+                               hit.u * mesh.vertices[b].texture + hit.v * mesh.vertices[c].texture;
+    Vector3f colour = Vector3f::Zero();
+    for (const WeightedColour& texel :
+         texels_around(*mesh.pictures[mesh.picture[hit.triangle]], uv.cast<double>()))
+        colour += static_cast<float>(texel.weight) * texel.colour.unaryExpr(&linear_part);
+    return colour;
+}
+
 /// The rough, unglazed inside that a crack shows: grains that stay with the matter.
 void roughen(LitPoint& point, const RenderHit& hit) {
     constexpr float grain = 6e-4f;  // m
@@ -90,6 +111,7 @@ LitPoint point_on_mesh(const RenderHit& hit, const RenderRay& ray) {
     point.position = ray.origin + hit.distance * ray.direction;
     point.normal = weighted(hit, &RenderVertex::normal).normalized();
     point.colour = weighted(hit, &RenderVertex::colour);
+    if (const auto pictured = picture_colour(hit)) point.colour = *pictured;
     point.gloss = 0.5f;
     if (hit.mesh->striped) {
         const float stripe = weighted(hit, &RenderVertex::stripe);
@@ -149,10 +171,7 @@ Vector3f developed(const Vector3f& light) {
 }
 
 Vector3f linear_colour(std::uint32_t rgb) {
-    const auto linear = [](std::uint32_t byte) {
-        const float x = static_cast<float>(byte & 255) / 255;
-        return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-    };
+    const auto linear = [](std::uint32_t byte) { return linear_part(static_cast<float>(byte & 255) / 255); };
     return {linear(rgb >> 16), linear(rgb >> 8), linear(rgb)};
 }
 

@@ -4,7 +4,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
+
+#include "app/files/image.h"
 
 namespace sherd {
 
@@ -16,12 +19,16 @@ struct RenderVertex {
     Eigen::Vector3f material;  ///< m, a place that stays with the matter: at rest
     float stripe = 0;          ///< where it is near an even number is a stripe, if the mesh has them
     float broken = 0;          ///< 1: the rough inside that a crack laid open
+    Eigen::Vector2f texture = Eigen::Vector2f::Zero();  ///< coordinates in the triangle's picture, v upwards
 };
 
 struct RenderMesh {
     std::vector<RenderVertex> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     bool striped = false;
+    /// [T] number of the picture that each has instead of its colours, -1: none; empty: none has one.
+    std::vector<std::int32_t> picture = {};
+    std::vector<std::shared_ptr<const Image>> pictures = {};
 };
 
 /// A half-space behind a plane, seen from its front only.

@@ -68,7 +68,8 @@ class SolidBuilder {
 
     RenderMesh build() {
         mesh.striped = paint.stripe.size() > 0;
-        mesh.striped ? add_striped_sides() : add_sides();
+        mesh.pictures = paint.pictures;
+        mesh.striped || !paint.corner_colour.empty() ? add_sides_by_face() : add_sides();
         add_walls();
         return std::move(mesh);
     }
@@ -79,7 +80,8 @@ class SolidBuilder {
     RenderVertex corner(std::size_t f, int k, double side) const;
     void add_sides();
     void add_walls();
-    void add_striped_sides();
+    void add_sides_by_face();
+    void add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t f, bool broken = false);
     void add_wall(std::size_t f, int k, const std::array<Vector3d, 2>& outward, bool broken);
     Vector3d outward(Index a, Index b) const;
 
@@ -106,17 +108,25 @@ RenderVertex SolidBuilder::vertex(Index v, double side) const {
 RenderVertex SolidBuilder::corner(std::size_t f, int k, double side) const {
     RenderVertex corner = vertex(frame.faces[f][k], side);
     if (mesh.striped) corner.stripe = paint.stripe(k, f);
+    if (!paint.corner_colour.empty()) corner.colour = paint.corner_colour[f][k];
+    if (paint.texture.cols() > 0) corner.texture = paint.texture.col(f).segment<2>(2 * k).cast<float>();
     return corner;
 }
 
-/// With corners of its own for each face: stripes are counted anew in each.
-void SolidBuilder::add_striped_sides() {
+/// Sides that broke show no picture.
+void SolidBuilder::add_triangle(const std::array<std::uint32_t, 3>& corners, std::size_t f, bool broken) {
+    mesh.triangles.push_back(corners);
+    if (!paint.picture.empty()) mesh.picture.push_back(broken ? -1 : paint.picture[f]);
+}
+
+/// With corners of its own for each face: stripes are counted anew in each, and colours may change there.
+void SolidBuilder::add_sides_by_face() {
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         for (const double side : {1.0, -1.0}) {
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             for (const int k : {0, side > 0 ? 1 : 2, side > 0 ? 2 : 1})
                 mesh.vertices.push_back(corner(f, k, side));
-            mesh.triangles.push_back({first, first + 1, first + 2});
+            add_triangle({first, first + 1, first + 2}, f);
         }
 }
 
@@ -170,8 +180,8 @@ void SolidBuilder::add_wall(std::size_t f, int k, const std::array<Vector3d, 2>&
         mesh.vertices.back().normal = outward[end].cast<float>();
         mesh.vertices.back().broken = broken;
     }
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
+    add_triangle({first, first + 1, first + 2}, f, broken);
+    add_triangle({first, first + 2, first + 3}, f, broken);
 }
 
 }  // namespace

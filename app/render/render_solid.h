@@ -13,7 +13,12 @@ namespace sherd {
 /// What is drawn on a sheet.
 struct SheetPaint {
     std::vector<Eigen::Vector3f> colour;  ///< [V] albedo
-    Eigen::Matrix3Xf stripe;              ///< [3, F] RenderVertex::stripe at corners; empty: none
+    Eigen::Matrix3Xf stripe = {};         ///< [3, F] RenderVertex::stripe at corners; empty: none
+    /// [F] at corners, instead of the vertices' colours; empty: none.
+    std::vector<std::array<Eigen::Vector3f, 3>> corner_colour = {};
+    CornerTexture texture = {};              ///< [6, F]; empty: none
+    std::vector<std::int32_t> picture = {};  ///< [F] RenderMesh::picture; empty: none has one
+    std::vector<std::shared_ptr<const Image>> pictures = {};
 };
 
 /// Which edges of each face (corner i to the next one) no other face has.

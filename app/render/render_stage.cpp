@@ -50,6 +50,7 @@ RenderStage::RenderStage(const Recording& recording, const StageOptions& options
     measure(recording);
     if (options.colour == RenderColour::tips) measure_tips(recording);
     measure_obstacles(recording);
+    if (options.colour == RenderColour::material) surface.emplace(header.rest_look, warnings);
     if (options.colour == RenderColour::axis) {
         double area = 0;
         for (const double a : header.rest_area) area += a;
@@ -170,6 +171,7 @@ void RenderStage::add_ground() {
 }
 
 SheetPaint RenderStage::paint(const Snapshot& frame) const {
+    if (surface) return surface->paint(frame, linear_colour(porcelain));
     SheetPaint paint;
     paint.colour.assign(frame.position.cols(), linear_colour(porcelain));
     if (options.colour == RenderColour::fragment)

@@ -13,6 +13,7 @@
 #include "app/render/render_colour.h"
 #include "app/render/render_scene.h"
 #include "app/render/render_solid.h"
+#include "app/render/surface_paint.h"
 #include "app/scene/scene.h"
 
 namespace sherd {
@@ -79,9 +80,10 @@ class RenderStage {
     double end = 0;                                       ///< s, time of the last frame
     std::pair<double, double> range{0, 0}, extent{0, 0};  ///< of the colours, of the values
     std::string scalar_name, scalar_unit;
-    std::optional<TipHistory> tips;   ///< that are drawn
-    Eigen::Matrix3Xd stripes;         ///< [3, F0] of the material's axes, at corners of the unbroken mesh
-    std::vector<RenderPlane> planes;  ///< that are no recorded obstacles
+    std::optional<TipHistory> tips;       ///< that are drawn
+    std::optional<SurfacePaint> surface;  ///< that is drawn
+    Eigen::Matrix3Xd stripes;             ///< [3, F0] of the material's axes, at corners of the unbroken mesh
+    std::vector<RenderPlane> planes;      ///< that are no recorded obstacles
     Camera placed;
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/build/texture.h"
+#include "app/files/texels.h"
 
 namespace sherd {
 namespace {

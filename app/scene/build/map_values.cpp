@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/texels.h"
 #include "app/scene/build/texture.h"
 #include "meshops/error.h"
 #include "meshops/file_weights.h"

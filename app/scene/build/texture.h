@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-
-#include "app/files/image.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -12,16 +8,5 @@ namespace sherd {
 /// Returns the texture coordinates of the faces' corners. Throws Error when the mesh has none, or some are
 /// not finite.
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh);
-
-/// A texel, and its weight in a bilinear mean.
-struct WeightedColour {
-    Eigen::Vector3f colour;
-    double weight;
-};
-
-/// Returns the four texels around texture coordinates (u, v); their weights add up to one. (0, 0) is the
-/// lower left corner of the image and (1, 1) the upper right one. A texel's colour holds at its centre, and
-/// the image repeats in both directions.
-std::array<WeightedColour, 4> texels_around(const Image& image, const Eigen::Vector2d& uv);
 
 }  // namespace sherd

@@ -188,7 +188,7 @@ TEST(RenderColour, SaysHowToRecordWhatIsNotThere) {
     EXPECT_NE(message.find("output.fields = [\"stress\"]"), std::string::npos) << message;
     EXPECT_NE(thrown_by([] {
                   parse_render_colour("stres", render_colours);
-              }).find("give fragment, strain, speed, stress, curvature, axis, tips or none"),
+              }).find("give fragment, strain, speed, stress, curvature, axis, tips, material or none"),
               std::string::npos);
 }
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/surface_paint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/render/render_light.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+using Eigen::Vector3f;
+
+/// What colours of PLY multiply a corner's albedo by.
+Vector3f tint(const Snapshot& frame, std::size_t face, int corner) {
+    const SurfaceLook& look = frame.rest.look;
+    if (!look.vertex_colour.empty())
+        return linear_colour(look.vertex_colour[frame.original[frame.faces[face][corner]]]);
+    return look.face_colour.empty() ? Vector3f::Ones() : linear_colour(look.face_colour[face]);
+}
+
+}  // namespace
+
+SurfacePaint::SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings) {
+    if (look.materials.empty() && look.face_colour.empty() && look.vertex_colour.empty())
+        throw Error(
+            "--color material: the recording has no materials and no colours; they are those of meshes from "
+            ".obj (usemtl) and .ply, recorded by this version or a later one");
+    for (const SurfaceMaterial& material : look.materials) add(material, warnings);
+}
+
+void SurfacePaint::add(const SurfaceMaterial& material, std::vector<std::string>& warnings) {
+    const MaterialLook look = material_look(material);
+    known.push_back({material, look.colour, -1});
+    if (look.picture.empty()) return;
+    try {
+        pictures.push_back(std::make_shared<const Image>(read_picture(look.picture)));
+        known.back().picture = static_cast<std::int32_t>(pictures.size()) - 1;
+    } catch (const Error& error) {
+        warnings.push_back(
+            fmt::format("the material '{}' is drawn in one colour: {}", material.name, error.what()));
+    }
+}
+
+std::vector<const SurfacePaint::Known*> SurfacePaint::known_of(const SurfaceLook& look) const {
+    std::vector<const Known*> result;
+    for (const SurfaceMaterial& material : look.materials) {
+        const auto found = std::ranges::find(known, material, &Known::material);
+        result.push_back(found == known.end() ? nullptr : &*found);
+    }
+    return result;
+}
+
+SheetPaint SurfacePaint::paint(const Snapshot& frame, const Vector3f& plain) const {
+    const SurfaceLook& look = frame.rest.look;
+    const bool is_coloured = !look.vertex_colour.empty() || !look.face_colour.empty();
+    const std::vector<const Known*> materials = known_of(look);
+    SheetPaint paint;
+    paint.colour.assign(frame.position.cols(), plain);
+    paint.texture = look.texture;
+    paint.pictures = pictures;
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        const Index number = look.material.empty() ? -1 : look.material[f];
+        const Known* material = number < 0 ? nullptr : materials[number];
+        const Vector3f base = material ? material->colour : is_coloured ? Vector3f(Vector3f::Ones()) : plain;
+        auto& corners = paint.corner_colour.emplace_back();
+        for (int k = 0; k < 3; ++k) corners[k] = base.cwiseProduct(tint(frame, f, k));
+        paint.picture.push_back(material && look.texture.cols() > 0 ? material->picture : -1);
+    }
+    return paint;
+}
+
+}  // namespace sherd
