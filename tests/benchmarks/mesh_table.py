@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """mesh_table SHERD [FILE | NAME]...: what `sherd check` says of rough meshes, 0.2 m long, as they are and remeshed, at
-three thicknesses. FILE is a mesh file, NAME one of tests/support/rough_meshes.py; without any, all of these
-but noisy_scan, for which a check at 5 mm takes over 17 GiB."""
+three thicknesses. FILE is a mesh file, NAME one of tests/support/rough_meshes.py; without any, all of these."""
 import pathlib
 import re
 import subprocess
@@ -58,7 +57,7 @@ def main():
     names = [name for name in chosen if not pathlib.Path(name).is_file()]
     with tempfile.TemporaryDirectory() as folder:
         if not chosen:
-            names = [make.__name__ for make in rough_meshes.MESHES if make is not rough_meshes.noisy_scan]
+            names = [make.__name__ for make in rough_meshes.MESHES]
         meshes = rough_meshes.write(folder, names) if names else {}
         meshes |= {file.stem: file for file in files}
         print("| mesh | remeshed | faces before | faces | edges (mm) | smallest angle | distance (m) | pairs that cross | seconds "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/scene/build/body_start.h"
+#include "app/scene/build/contact_pairs.h"
 #include "app/scene/build/gauges.h"
 #include "app/scene/build/loads.h"
 #include "app/scene/build/obstacle_start.h"
@@ -81,6 +82,7 @@ void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::strin
 
 BuiltScene build_scene(const Scene& scene, std::vector<SheetInput> inputs,
                        std::vector<std::string>& warnings) {
+    require_few_pairs(scene, inputs);
     BreakableShell all(inputs);
     BuiltScene built{std::move(inputs), std::move(all), plain_options(scene)};
     require_stability(scene, built.inputs, built.sheets);

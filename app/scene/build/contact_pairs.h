@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/scene/scene.h"
+#include "fracture/sheet_input.h"
+
+namespace sherd {
+
+/// Throws Error (input), naming the sheet and what to do, if the edges of a sheet are so much shorter than it
+/// is thick that contact would have more pairs of elements to watch than memory and time allow. Inputs are
+/// those of the scene, in its order.
+void require_few_pairs(const Scene& scene, const std::vector<SheetInput>& inputs);
+
+}  // namespace sherd
