@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/vector.h"
@@ -20,8 +21,10 @@ struct SurfaceLook {
     CornerTexture texture = {};        ///< [6, F]; empty: none
     std::vector<Index> material = {};  ///< [F] rows of materials, -1: none; empty: no face has one
     std::vector<SurfaceMaterial> materials = {};
-    std::vector<Colour> face_colour = {};    ///< [F]; empty: none
-    std::vector<Colour> vertex_colour = {};  ///< [R] of its vertices; empty: none
+    std::vector<Index> group = {};  ///< [F] rows of groups, -1: in none; empty: no face is in one
+    std::vector<std::vector<std::string>> groups = {};  ///< names of groups and objects that faces share
+    std::vector<Colour> face_colour = {};               ///< [F]; empty: none
+    std::vector<Colour> vertex_colour = {};             ///< [R] of its vertices; empty: none
 
     bool operator==(const SurfaceLook& other) const;
 };

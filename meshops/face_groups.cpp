@@ -32,4 +32,11 @@ bool is_in_group(const Mesh& mesh, Vertex vertex, std::string_view group) {
     return false;
 }
 
+GroupNames one_word_names(const GroupNames& names) {
+    if (!names) return names;
+    std::vector<std::string> words = *names;
+    for (std::string& word : words) std::ranges::replace(word, ' ', '_');
+    return std::make_shared<const std::vector<std::string>>(std::move(words));
+}
+
 }  // namespace sherd

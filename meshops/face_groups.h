@@ -23,4 +23,7 @@ std::vector<std::string> group_names(const Mesh& mesh);
 /// Whether a face at the vertex belongs to the group.
 bool is_in_group(const Mesh& mesh, Vertex vertex, std::string_view group);
 
+/// The names as OBJ's groups have them, one word each: spaces become underscores.
+GroupNames one_word_names(const GroupNames& names);
+
 }  // namespace sherd

@@ -186,6 +186,7 @@ TriangleSheet thickened(const TriangleSheet& sheet, std::span<const double> thic
         if (!sheet.texture.empty()) body.texture.push_back(texture_of(sheet.texture[t], corners));
         if (!sheet.material.empty()) body.material.push_back(sheet.material[t]);
         if (!sheet.colour.empty()) body.colour.push_back(sheet.colour[t]);
+        if (!sheet.named_groups.empty()) body.named_groups.push_back(sheet.named_groups[t]);
     }
     body.shading.assign(2 * sheet.triangles.size(), Shading::smooth);
     body.shading.resize(body.triangles.size(), Shading::rim);

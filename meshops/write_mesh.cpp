@@ -132,14 +132,6 @@ std::string lower_extension(const fs::path& file) {
     return extension;
 }
 
-/// Only a name of one word is a group in OBJ; others would be objects.
-GroupNames as_groups(const GroupNames& names) {
-    if (!names) return names;
-    std::vector<std::string> words = *names;
-    for (std::string& word : words) std::ranges::replace(word, ' ', '_');
-    return std::make_shared<const std::vector<std::string>>(std::move(words));
-}
-
 /// Adds the values of `count` elements to those of `before` ones; `otherwise` is the value of either without
 /// any.
 template <class Value>
@@ -201,7 +193,7 @@ void add_group(TriangleSheet& all, const TriangleSheet& mesh, const std::string&
     if (!mesh.named_groups.empty() || !all.named_groups.empty()) {
         all.named_groups.resize(before + count);
         for (std::size_t i = 0; i < mesh.named_groups.size(); ++i)
-            all.named_groups[before + i] = as_groups(mesh.named_groups[i]);
+            all.named_groups[before + i] = one_word_names(mesh.named_groups[i]);
     }
 }
 

@@ -94,6 +94,7 @@ PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<doub
     mesh.triangles = clip->topology().triangles;
     mesh.texture = clip->topology().texture;
     mesh.material = clip->topology().material;
+    mesh.named_groups = clip->topology().named_groups;
     return {mesh, times, [clip](std::size_t i) { return clip->points(i); }};
 }
 

@@ -48,6 +48,10 @@ void add_look(const Snapshot& frame, TriangleSheet& sheet) {
         materials.push_back(std::make_shared<const SurfaceMaterial>(material));
     for (const Index material : look.material)
         sheet.material.push_back(material < 0 ? nullptr : materials[material]);
+    std::vector<GroupNames> groups;
+    for (const std::vector<std::string>& names : look.groups)
+        groups.push_back(one_word_names(std::make_shared<const std::vector<std::string>>(names)));
+    for (const Index group : look.group) sheet.named_groups.push_back(group < 0 ? nullptr : groups[group]);
     sheet.colour = look.face_colour;
     if (look.vertex_colour.empty()) return;
     for (const Index vertex : frame.original) sheet.point_colour.push_back(look.vertex_colour[vertex]);
@@ -107,6 +111,7 @@ TriangleSheet group_part(const TriangleSheet& sheet, std::int32_t group) {
         keep(sheet.shading, part.shading);
         keep(sheet.normal, part.normal);
         keep(sheet.colour, part.colour);
+        keep(sheet.named_groups, part.named_groups);
     }
     return part;
 }

@@ -2,6 +2,7 @@
 #include "app/export/export_vtp.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -88,19 +89,28 @@ std::string vertex_arrays(const Snapshot& frame, const TriangleSheet& sheet, con
            point_array(chosen_columns(frame.position, split.points).data(), points);
 }
 
-/// Of which `material` of faces are rows.
-std::string material_names(const SurfaceLook& look) {
-    if (look.material.empty()) return "";
+/// A list of names in the file.
+std::string text_array(const char* name, const std::vector<std::string>& texts) {
     std::string letters;
-    for (const SurfaceMaterial& material : look.materials) {
-        for (const char letter : material.name)
-            letters += std::to_string(static_cast<unsigned char>(letter)) + " ";
+    for (const std::string& text : texts) {
+        for (const char letter : text) letters += std::to_string(static_cast<unsigned char>(letter)) + " ";
         letters += "0\n";
     }
     return fmt::format(
-        "<FieldData>\n<DataArray type=\"String\" Name=\"material_names\" NumberOfTuples=\"{}\" "
-        "format=\"ascii\">\n{}</DataArray>\n</FieldData>\n",
-        look.materials.size(), letters);
+        "<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n{}</DataArray>\n",
+        name, texts.size(), letters);
+}
+
+/// Of which `material` and `group` of faces are rows.
+std::string name_lists(const SurfaceLook& look) {
+    std::string lists;
+    std::vector<std::string> materials, groups;
+    for (const SurfaceMaterial& material : look.materials) materials.push_back(material.name);
+    for (const std::vector<std::string>& names : look.groups)
+        groups.push_back(fmt::format("{}", fmt::join(names, ", ")));
+    if (!look.material.empty()) lists += text_array("material_names", materials);
+    if (!look.group.empty()) lists += text_array("group_names", groups);
+    return lists.empty() ? "" : "<FieldData>\n" + lists + "</FieldData>\n";
 }
 
 /// Each field, and its principal values, the larger ones first.
@@ -116,8 +126,8 @@ std::string field_arrays(const FaceFields& fields) {
     return text;
 }
 
-std::string material_array(const std::vector<Index>& material) {
-    return material.empty() ? "" : array("Int32", "material", 1, material.data(), material.size());
+std::string row_array(const char* name, const std::vector<Index>& rows) {
+    return rows.empty() ? "" : array("Int32", name, 1, rows.data(), rows.size());
 }
 
 std::string face_arrays(const Snapshot& frame) {
@@ -126,8 +136,9 @@ std::string face_arrays(const Snapshot& frame) {
            array("Int32", "fragment", 1, frame.face_fragment.data(), faces) +
            array("Int32", "sheet", 1, frame.face_sheet.data(), faces) +
            array("Float64", "strain", 1, face_quality(frame, "strain").data(), faces) +
-           field_arrays(frame.fields) + material_array(frame.rest.look.material) +
-           colour_array(frame.rest.look.face_colour) + "</CellData>\n";
+           field_arrays(frame.fields) + row_array("material", frame.rest.look.material) +
+           row_array("group", frame.rest.look.group) + colour_array(frame.rest.look.face_colour) +
+           "</CellData>\n";
 }
 
 std::string triangles(const std::vector<std::array<Index, 3>>& faces) {
@@ -184,7 +195,7 @@ std::string vtp_bytes(const Snapshot& frame) {
     sheet.colour.clear();  // faces have theirs, so that no point is split for them
     const SplitPoints split = split_points(sheet);
     return vtp_text(split.points.size(), split.triangles,
-                    vertex_arrays(frame, sheet, split) + face_arrays(frame), material_names(frame.rest.look));
+                    vertex_arrays(frame, sheet, split) + face_arrays(frame), name_lists(frame.rest.look));
 }
 
 std::string vtp_bytes(const TriangleSheet& mesh) {

@@ -67,10 +67,12 @@ std::string look_fault(const SurfaceLook& look, std::size_t faces, std::size_t v
                                 name);
     });
     if (!fault.empty()) return fault;
-    const auto is_row = [&](Index i) { return i >= -1 && i < static_cast<Index>(look.materials.size()); };
-    return std::ranges::all_of(look.material, is_row)
-               ? ""
-               : "rest/surface_material names a material that does not exist";
+    const auto fits = [](const std::vector<Index>& rows, std::size_t count) {
+        return std::ranges::all_of(rows, [&](Index i) { return i >= -1 && i < static_cast<Index>(count); });
+    };
+    if (!fits(look.material, look.materials.size()))
+        return "rest/surface_material names a material that does not exist";
+    return fits(look.group, look.groups.size()) ? "" : "rest/group names a group that does not exist";
 }
 
 std::string length_fault(const Snapshot& s) {

@@ -72,13 +72,16 @@ void visit_look_arrays(Look& look, Visit visit) {
     visit("texture", hdf5::Meaning{"1", "texture coordinates u0 v0 u1 v1 u2 v2 of the corners"},
           look.texture);
     visit("surface_material", hdf5::Meaning{"1", "row of surface_material_names; -1: none"}, look.material);
+    visit("group", hdf5::Meaning{"1", "row of group_names; -1: none"}, look.group);
     visit("face_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.face_colour);
     visit("vertex_colour", hdf5::Meaning{"1", "red, green, blue, opacity"}, look.vertex_colour);
 }
 
-/// What have names and definitions of SurfaceLook::materials, if there are any.
+/// What have names and definitions of SurfaceLook::materials, and SurfaceLook::groups, each a text of lines,
+/// if there are any.
 inline constexpr const char *material_names = "surface_material_names",
-                            *material_definitions = "surface_material_definitions";
+                            *material_definitions = "surface_material_definitions",
+                            *group_names = "group_names";
 
 /// What has Snapshot::edge_held, in frames in which an edge opens gradually.
 inline constexpr const char* held_edges = "edge/held";

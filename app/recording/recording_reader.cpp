@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <sstream>
+
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
 
@@ -27,12 +29,22 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
 /// Of the group `rest` below `where`.
 void read_look(hid_t where, SurfaceLook& look) {
     const auto in_rest = [](const char* name) { return std::string("rest/") + name; };
     visit_look_arrays(look, [&](const char* name, hdf5::Meaning, auto& values) {
         if (hdf5::contains(where, in_rest(name))) read_array(where, in_rest(name), values);
     });
+    if (!look.group.empty())
+        for (const std::string& names : hdf5::read_texts(where, in_rest(group_names)))
+            look.groups.push_back(lines_of(names));
     if (look.material.empty()) return;
     const std::vector<std::string> names = hdf5::read_texts(where, in_rest(material_names)),
                                    definitions = hdf5::read_texts(where, in_rest(material_definitions));

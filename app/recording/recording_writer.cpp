@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstring>
 #include <functional>
@@ -47,8 +48,11 @@ void write_look(hid_t where, const std::string& group, const SurfaceLook& look) 
     visit_look_arrays(look, [&](const char* name, hdf5::Meaning meaning, const auto& values) {
         if (values.size() > 0) write_array(where, group + "/" + name, meaning, values);
     });
+    std::vector<std::string> names, definitions, groups;
+    for (const std::vector<std::string>& group : look.groups)
+        groups.push_back(fmt::format("{}", fmt::join(group, "\n")));
+    if (!look.group.empty()) hdf5::write_texts(where, group + "/" + group_names, groups);
     if (look.material.empty()) return;
-    std::vector<std::string> names, definitions;
     for (const SurfaceMaterial& material : look.materials) {
         names.push_back(material.name);
         definitions.push_back(material.definition);
@@ -249,7 +253,9 @@ std::size_t rest_bytes(std::size_t vertices, std::size_t faces, const SurfaceLoo
     std::size_t texts = 0;
     for (const SurfaceMaterial& material : look.materials)
         texts += 2 * (material.name.size() + material.definition.size() + 64);
-    return 76 * vertices + 96 * faces + texts;
+    for (const std::vector<std::string>& group : look.groups)
+        for (const std::string& name : group) texts += 2 * (name.size() + 64);
+    return 76 * vertices + 100 * faces + texts;
 }
 
 /// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.

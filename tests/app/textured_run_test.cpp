@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/recording/recording.h"
+#include "meshops/face_groups.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/surface_colour.h"
@@ -49,7 +50,7 @@ std::string plate_obj() {
                                 << corner(i + 1, j + 1, left) << corner(i, j + 1, left) << "\n";
         }
     return "mtllib looks.mtl\n" + points.str() + texture.str() + "usemtl glaze\n" + faces[0].str() +
-           "usemtl bare clay\n" + faces[1].str();
+           "usemtl bare clay\ng right half\no plate of two halves\n" + faces[1].str();
 }
 
 constexpr const char* looks =
@@ -151,6 +152,34 @@ TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
     const std::string mtl = folder.contents().at(folder.path / "elsewhere/last.mtl");
     EXPECT_NE(mtl.find("map_Kd -s 1 1 ../pictures/blue glaze.png\n"), std::string::npos) << mtl;
     EXPECT_EQ(mtl.find("unused"), std::string::npos);
+}
+
+// Who has the handle of a cup in a group of its own wants it on the pieces.
+TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
+    succeeds(
+        {"export", "run.h5", "--to", "obj", "--sheets-only", "--fragments", "--solid", "-o", "last.obj"});
+    succeeds({"export", "run.h5", "--to", "pvd", "--frames", "-1", "-o", "run.pvd"});
+    const Snapshot frame = last();
+    ASSERT_EQ(frame.rest.look.groups,
+              (std::vector<std::vector<std::string>>{{"right", "half", "plate of two halves"}}));
+    for (std::size_t f = 0; f < frame.faces.size(); ++f)
+        EXPECT_EQ(frame.rest.look.group[f], frame.rest.look.material[f] == 0 ? -1 : 0);
+    const Mesh mesh = read("last.obj");
+    const auto groups = mesh.property_map<Face, GroupNames>(property::groups).first;
+    const auto material = mesh.property_map<Face, FaceMaterial>(property::surface_material).first;
+    for (const Face face : mesh.faces()) {
+        const std::vector<std::string>& names = *groups[face];
+        EXPECT_TRUE(names.back().starts_with("fragment_"));
+        if ((*material[face]).name == "inside") continue;
+        const bool is_right = (*material[face]).name == "bare clay";
+        EXPECT_EQ(names.size(), is_right ? 4u : 1u);
+        if (is_right) {
+            EXPECT_EQ(names[2], "plate_of_two_halves");
+        }
+    }
+    const std::string vtp = folder.contents().at(folder.path / "run_000004.vtp");
+    EXPECT_EQ(vtp_array<std::int32_t>(vtp, "Int32", "group"), frame.rest.look.group);
+    EXPECT_NE(vtp.find("Name=\"group_names\" NumberOfTuples=\"1\""), std::string::npos);
 }
 
 // An artist gives the broken sides a texture of their own, as large as the object.

@@ -31,6 +31,7 @@ inline void expect_same(const Snapshot& found, const Snapshot& expected) {
     EXPECT_EQ(found.step, expected.step);
     EXPECT_EQ(found.time, expected.time);
     EXPECT_TRUE(found.rest.look.materials == expected.rest.look.materials);
+    EXPECT_EQ(found.rest.look.groups, expected.rest.look.groups);
     std::vector<std::vector<char>> wanted;
     visit_arrays_of(expected, [&](const char*, const std::vector<char>& bytes) { wanted.push_back(bytes); });
     auto next = wanted.begin();
