@@ -56,7 +56,7 @@ ChildProcess::~ChildProcess() {
 }
 
 void ChildProcess::interrupt() const {
-    if (process != 0) kill(process, SIGINT);
+    if (process != 0) kill(process, SIGTERM);
 }
 
 int ChildProcess::wait() {

@@ -19,7 +19,7 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Does to it what Ctrl-C does.
+    /// Sends it SIGTERM.
     void interrupt() const;
     /// Waits for its end. Returns its exit code; 128 + signal when one ended it.
     int wait();

@@ -7,18 +7,28 @@
 #include "app/export/export_formats.h"
 #include "app/progress/interruption.h"
 #include "app/slow_motion_options.h"
+#include "meshops/error.h"
 
 namespace sherd {
 
 namespace {
 
-int print_export(const ExportOptions& options) {
-    watch_for_interruption();
-    const ExportReport report = export_recording(options);
+void print_report(const ExportReport& report) {
     for (const std::string& warning : report.warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     if (!report.pace.empty()) fmt::print(stderr, "sherd: {}\n", report.pace);
     for (const std::filesystem::path& file : report.files) fmt::print("{}\n", file.string());
-    return 0;
+}
+
+int print_export(const ExportOptions& options) {
+    watch_for_interruption();
+    try {
+        print_report(export_recording(options));
+        return 0;
+    } catch (const Error& error) {
+        if (!interrupted()) throw;
+        fmt::print(stderr, "sherd: {}\n", error.what());
+        return interruption_exit_code();
+    }
 }
 
 /// "obj|ply|..."

@@ -254,6 +254,7 @@ struct InfoOptions {
 
 int print_info(const InfoOptions& options) {
     const RunInfo info = read_run_info(options.recording);
+    if (!info.mended.empty()) fmt::print(stderr, "sherd: warning: {}\n", info.mended);
     fmt::print("{}", options.json ? run_info_json(info) : run_info_text(info));
     return 0;
 }
@@ -264,6 +265,7 @@ RunInfo read_run_info(const std::filesystem::path& file) try {
     const Recording recording(file);
     const RecordingHeader header = recording.header();
     RunInfo info;
+    info.mended = recording.mended();
     info.scene_file = header.scene_file;
     info.seed = header.seed;
     info.time_unit = header.time_unit;

@@ -51,6 +51,7 @@ struct SheetInfo {
 /// What happened in a run, as `sherd info` tells it; of a run that goes on, what happened so far.
 struct RunInfo {
     std::string scene_file, end;
+    std::string mended;  ///< Recording::mended()
     std::int64_t seed = 0;
     std::string time_unit = "s";  ///< RecordingHeader::time_unit
     LoadHistory load;             ///< factor of all loads

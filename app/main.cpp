@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/progress/interruption.h"
 #include "app/usage_message.h"
 #include "meshops/error.h"
 
@@ -41,6 +42,7 @@ int run(const sherd::Command& command) {
 // NOLINTNEXTLINE(bugprone-exception-escape): before run() catches them, only a lack of memory could throw.
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
+    sherd::end_on_interruption();
     CLI::App program(
         "Sherd breaks plates and shells: a scene goes in, fragments and the crack history come out.",
         "sherd");

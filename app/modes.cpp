@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/progress/interruption.h"
 #include "app/scene/build/built_scene.h"
 #include "meshops/error.h"
 
@@ -86,7 +87,7 @@ int print_all_modes(const ModesOptions& options) {
         if (i > 0 && !options.json) fmt::print("\n");
         if (!print_modes(scenes[i], options, json)) {
             fmt::print(stderr, "sherd: interrupted; the recording has the frames up to there\n");
-            return 1;
+            return interruption_exit_code();
         }
     }
     const bool several = options.scene.choice.variant.empty() && !scenes.front().variant.empty();

@@ -221,6 +221,7 @@ int plot(PlotOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".svg");
     const Recording recording(options.recording);
+    if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
     const OutputLock lock(options.output);
     check_free(options.output, options.force);
     PendingFile pending(lock, Fault::input);

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/files/disk_room.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/probe.h"
+#include "app/recording/hdf5_file.h"
 #include "app/recording/recording_format.h"
 
 namespace sherd {
@@ -145,18 +145,10 @@ std::string probe_text(const Probe& probe) {
 }
 
 void write_probe(const Probe& probe, const std::filesystem::path& file, bool force) {
-    // The bare numbers, and generously for HDF5's own.
-    const std::size_t bytes = (256 << 10) + 24 * probe.energies.size() * probe.energies.front().force.cols() +
-                              48 * probe.hinges.size() + (12 + 4 * 24) * probe.faces.size();
     const OutputLock lock(file);
     check_free(file, force);
     PendingFile pending(lock, Fault::input);
-    {
-        const DiskRoom room(pending.path(), bytes);
-        hdf5::Handle created = hdf5::create_file(pending.path());
-        write_datasets(created, probe);
-        created.close("'" + file.string() + "'");
-    }
+    hdf5::write_new(pending, [&probe](hid_t created) { write_datasets(created, probe); });
     pending.publish(force);
 }
 

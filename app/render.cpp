@@ -170,7 +170,7 @@ int print_rendering(const RenderOptions& options) {
     if (rendering.interrupted)
         fmt::print(stderr, "sherd: interrupted; {} pictures are complete{}\n", rendering.files.size(),
                    options.film.empty() ? "" : ", the film is not");
-    return rendering.interrupted ? 1 : 0;
+    return rendering.interrupted ? interruption_exit_code() : 0;
 }
 
 }  // namespace

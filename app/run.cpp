@@ -15,6 +15,7 @@
 #include "app/run_variants.h"
 #include "app/scene/build/built_scene.h"
 #include "app/time_table.h"
+#include "app/words/moment_words.h"
 
 namespace sherd {
 namespace {
@@ -22,7 +23,10 @@ namespace {
 /// Ctrl-C and SIGTERM end the run after the step that is going on.
 class EndOnInterruption : public RunObserver {
   public:
-    EndOnInterruption() { watch_for_interruption(); }
+    explicit EndOnInterruption(bool is_part) {
+        watch_for_interruption();
+        if (is_part) leave_interruption_to_parent();
+    }
     bool wants_end() const override { return interrupted(); }
 };
 
@@ -33,7 +37,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     Runner runner(scene, std::move(built));
     const Simulation& simulation = runner.simulation();
-    EndOnInterruption interruption;
+    EndOnInterruption interruption(options.progress_to >= 0);
     RunRecorder recorder(std::move(output), scene, simulation);
     RunTotals totals;
     ProgressObserver progress(scene.duration, scene.time_unit(), totals, options.progress_to);
@@ -45,7 +49,10 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
     fmt::print("{}", run_summary(totals, end, file, scene, simulation));
     std::fflush(stdout);  // before what goes to stderr
     fmt::print(stderr, "{}", time_table(simulation.time_spent(), recorder.seconds(), end.wall_seconds));
-    return end.is_complete() ? 0 : 1;
+    if (end.is_complete()) return 0;
+    fmt::print(stderr, "sherd: interrupted; '{}' has the run up to {}\n", file.string(),
+               moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
+    return interruption_exit_code();
 }
 
 int run(const RunOptions& options) {

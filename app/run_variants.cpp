@@ -58,6 +58,8 @@ class VariantRunner {
     std::vector<std::string> run();
     /// Whether an interruption has ended them.
     bool stopped = false;
+    /// How many have not been run to their end.
+    std::size_t left() const { return variants.size() - complete; }
 
   private:
     static std::size_t longest_name(std::span<const Scene> variants);
@@ -74,6 +76,7 @@ class VariantRunner {
     ProgressDisplay display;
     std::list<VariantRun> running;
     std::size_t next = 0;  ///< of the variants
+    std::size_t complete = 0;
     std::vector<std::string> failed;
 };
 
@@ -114,7 +117,10 @@ void VariantRunner::listen() {
 }
 
 void VariantRunner::finish(VariantRun& run) {
-    if (run.finish() != 0) failed.push_back(run.variant);
+    if (run.finish() == 0)
+        ++complete;
+    else
+        failed.push_back(run.variant);
     display.make_way();
     display.leave(run.meter);
     if (!run.results.empty()) fmt::print("variant {}\n{}\n", run.variant, run.results);
@@ -160,7 +166,11 @@ int run_variants(std::span<const Scene> variants, const RunOptions& options) {
     watch_for_interruption();
     VariantRunner runner(variants, files, options);
     const std::vector<std::string> failed = runner.run();
-    if (runner.stopped) return 1;
+    if (runner.stopped) {
+        fmt::print(stderr, "sherd: interrupted; of {} variants {} were not run to their end\n",
+                   variants.size(), runner.left());
+        return interruption_exit_code();
+    }
     if (!failed.empty())
         throw Error(fmt::format("{} of {} variants failed: {}", failed.size(), variants.size(),
                                 fmt::join(failed, ", ")),

@@ -24,8 +24,8 @@ std::filesystem::path recording_name(const Scene& scene);
 
 /// Runs the variants of a scene, `jobs` at a time, each in a process of its own: what happens in one stays
 /// there. Nothing is run unless all recordings can be written and nobody writes them. Returns the exit code:
-/// 1 after an interruption, which ends all of them. Throws Error (run) when some variants failed, after all
-/// have ended.
+/// interruption_exit_code() after an interruption, which ends all of them. Throws Error (run) when some
+/// variants failed, after all have ended.
 int run_variants(std::span<const Scene> variants, const RunOptions& options);
 
 }  // namespace sherd

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 ExportSource::ExportSource(const ExportOptions& options_, const std::string& extension, bool all_frames)
     : options(options_), recording(options.recording), playback(recording) {
+    if (!recording.mended().empty()) warnings.push_back(recording.mended());
     const std::string wanted = !options.frames.empty() ? options.frames : all_frames ? "all" : "last";
     chosen = selected_frames(wanted, recording.frame_count());
     const RecordingHeader header = recording.header();

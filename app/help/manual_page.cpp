@@ -99,10 +99,16 @@ constexpr const char* last_sections = R"(.SH "EXIT STATUS"
 done
 .TP
 .B 1
-the run failed, or was interrupted; what was recorded until then is usable
+the run failed; what was recorded until then is usable
 .TP
 .B 2
 bad usage or bad input; nothing was written
+.TP
+.B 130
+interrupted by Ctrl\-C; what was recorded until then is usable
+.TP
+.B 143
+interrupted by SIGTERM, likewise
 .SH FILES
 .TP
 .I share/sherd/scenes

@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/progress/interruption.h"
 
+#include <sys/prctl.h>
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
 
 namespace sherd {
 namespace {
 
+constexpr int signal_base = 128;  // of exit codes, as shells have it
+
 volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which can reach nothing else
 
-void interrupt(int) {
-    signalled = 1;
+void end_at_once(int signal) {
+    constexpr std::string_view words = "\nsherd: interrupted\n";  // behind a line that is not complete
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words.size());
+    _exit(signal_base + signal);
+}
+
+void interrupt(int signal) {
+    if (signalled != 0) end_at_once(signal);
+    signalled = signal;
 }
 
 }  // namespace
+
+void end_on_interruption() {
+    std::signal(SIGINT, end_at_once);
+    std::signal(SIGTERM, end_at_once);
+}
 
 void watch_for_interruption() {
     std::signal(SIGINT, interrupt);
@@ -21,6 +39,15 @@ void watch_for_interruption() {
 
 bool interrupted() {
     return signalled != 0;
+}
+
+int interruption_exit_code() {
+    return signal_base + signalled;
+}
+
+void leave_interruption_to_parent() {
+    std::signal(SIGINT, SIG_IGN);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
 }
 
 }  // namespace sherd

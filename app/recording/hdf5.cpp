@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/hdf5.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
+#include "app/recording/hdf5_error.h"
 #include "meshops/error.h"
 
 namespace sherd::hdf5 {
 
 namespace {
-
-herr_t keep_innermost(unsigned depth, const H5E_error2_t* entry, void* text) {
-    if (depth == 0 && entry->desc) *static_cast<std::string*>(text) = entry->desc;
-    return 0;
-}
-
-/// Why the last call of HDF5 failed.
-std::string last_reason() {
-    std::string reason;
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
-    return reason;
-}
-
-[[noreturn]] void fail(const std::string& what) {
-    const std::string reason = last_reason();
-    throw Error(what + (reason.empty() ? "" : " (HDF5: " + reason + ")"), Fault::run);
-}
-
-template <class Result>
-Result checked(Result result, const std::string& what) {
-    if (result < 0) fail(what);
-    return result;
-}
 
 Handle open_dataset(hid_t where, const std::string& name) {
     return Handle(checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), "cannot open dataset '" + name + "'"));
@@ -127,81 +99,10 @@ int rank_of(hsize_t width) {
     return width == 1 ? 1 : 2;
 }
 
-Handle file_access(bool locking) {
-    // HDF5 prints its error stack unless told not to; ours goes into the Error.
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    Handle access(checked(H5Pcreate(H5P_FILE_ACCESS), "cannot prepare HDF5"));
-    // Closing the file closes what is still open in it, so that it is closed for good when we say so.
-    checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "cannot prepare HDF5");
-    checked(H5Pset_file_locking(access, locking, true), "cannot prepare HDF5");
-    return access;
-}
-
-/// Opens `file`, waiting up to `patience` for others who have locked it; an invalid handle when that was not
-/// enough.
-Handle open_patiently(const std::filesystem::path& file, unsigned flags, std::chrono::milliseconds patience) {
-    const auto deadline = std::chrono::steady_clock::now() + patience;
-    const Handle access = file_access(true);
-    for (;;) {
-        const hid_t id = H5Fopen(file.c_str(), flags, access);
-        if (id >= 0) return Handle(id);
-        if (last_reason().find("unable to lock file") == std::string::npos)
-            fail("cannot open '" + file.string() + "'");
-        if (std::chrono::steady_clock::now() > deadline) return Handle();
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-}
-
-bool only_readers_hold(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool shared = descriptor >= 0 && ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
-    if (descriptor >= 0) ::close(descriptor);
-    return shared;
-}
-
 }  // namespace
 
 void Handle::close(const std::string& what) {
     checked(H5Idec_ref(std::exchange(id, H5I_INVALID_HID)), "cannot close " + what);
-}
-
-Handle create_file(const std::filesystem::path& file) {
-    const Handle access = file_access(true);
-    return Handle(checked(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
-                          "cannot create '" + file.string() + "'"));
-}
-
-Handle open_to_read(const std::filesystem::path& file) {
-    const std::string name = "'" + file.string() + "'";
-    if (!std::filesystem::exists(file)) throw Error("there is no file " + name + "; check the path");
-    if (!std::filesystem::is_regular_file(file)) throw Error(name + " is not a file; name a recording (.h5)");
-    if (::access(file.c_str(), R_OK) != 0) throw Error("cannot read " + name + "; check its permissions");
-    file_access(true);
-    if (H5Fis_hdf5(file.c_str()) == 0)
-        throw Error(name + " is not an HDF5 file; name a recording written by 'sherd run'");
-    Handle opened;
-    try {
-        opened = open_patiently(file, H5F_ACC_RDONLY, std::chrono::seconds(10));
-    } catch (const Error& error) {
-        throw Error(std::string(error.what()) + "; the file is damaged or cut off");
-    }
-    if (opened < 0)
-        throw Error(name + " is locked by a program that writes to it; try again later", Fault::run);
-    return opened;
-}
-
-Handle open_to_write(const std::filesystem::path& file) {
-    Handle opened = open_patiently(file, H5F_ACC_RDWR, std::chrono::seconds(2));
-    if (opened < 0 && only_readers_hold(file)) {
-        // A run of hours must not die because somebody left a notebook open on its recording.
-        const Handle access = file_access(false);
-        opened = Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access));
-    }
-    if (opened < 0)
-        throw Error(
-            "cannot write to '" + file.string() + "': another program has locked it; close that program",
-            Fault::run);
-    return opened;
 }
 
 Handle create_group(hid_t where, const std::string& name) {

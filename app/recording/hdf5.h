@@ -6,7 +6,6 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -76,13 +75,6 @@ struct Meaning {
     const char* unit = "1";
     const char* description = "";
 };
-
-Handle create_file(const std::filesystem::path& file);
-/// Waits for a writer to finish. Throws Error (input) when the file is missing or not HDF5.
-Handle open_to_read(const std::filesystem::path& file);
-/// Waits a moment for readers to close the file, then goes on beside them (they may have to open it again to
-/// see what is new). Never goes on beside another writer.
-Handle open_to_write(const std::filesystem::path& file);
 
 /// Objects are named by their path below `where`; groups on the way are created when they are missing.
 Handle create_group(hid_t where, const std::string& name);

@@ -10,7 +10,6 @@ namespace sherd::recording_format {
 namespace {
 
 /// What HDF5 itself takes for an obstacle at most, measured and doubled.
-constexpr std::size_t obstacle_overhead = 16 << 10;
 
 std::string points_in(std::size_t frame, std::size_t obstacle) {
     return fmt::format("{}/obstacle/{}/position", frame_group(frame), obstacle);
@@ -70,22 +69,6 @@ void write_places(hid_t file, std::size_t frame, std::span<const RecordedObstacl
         {"1",
          "of each row of /obstacles/names: the three rows of rotation | translation (m), from the "
          "obstacle's own frame to space"});
-}
-
-std::size_t obstacle_bytes(std::span<const RecordedObstacle> obstacles) {
-    std::size_t bytes = 0;
-    for (const auto& [name, surface, plane] : obstacles)
-        bytes += 32 * (surface.points.size() + surface.triangles.size()) + name.size() + obstacle_overhead;
-    return bytes;
-}
-
-std::size_t place_bytes(std::size_t frame, std::span<const RecordedObstacle> obstacles,
-                        const ObstaclePlaces& places) {
-    std::size_t bytes = 2 * sizeof(StoredPose) * obstacles.size();
-    for (std::size_t i = 0; i < obstacles.size(); ++i)
-        if (places.points[i] == points_in(frame, i))
-            bytes += 32 * obstacles[i].surface.points.size() + obstacle_overhead;
-    return bytes;
 }
 
 }  // namespace sherd::recording_format

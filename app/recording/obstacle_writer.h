@@ -23,9 +23,4 @@ ObstaclePlaces next_places(const ObstaclePlaces& before, std::size_t frame,
 void write_places(hid_t file, std::size_t frame, std::span<const RecordedObstacle> obstacles,
                   const ObstaclePlaces& places);
 
-// Bytes that they take at the very most.
-std::size_t obstacle_bytes(std::span<const RecordedObstacle> obstacles);
-std::size_t place_bytes(std::size_t frame, std::span<const RecordedObstacle> obstacles,
-                        const ObstaclePlaces& places);
-
 }  // namespace sherd::recording_format

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/journaled_file.h"
 #include "app/files/output_lock.h"
 #include "app/recording/recorded_obstacle.h"
 #include "app/recording/xdmf.h"
@@ -73,11 +74,10 @@ struct RecordingOutput {
     bool force;  ///< replace what is there
 };
 
-/// Writes a run to an .h5 file and the .xdmf index beside it. The .h5 is closed between appends and the .xdmf
-/// is replaced atomically, so both can be read while the run goes on; what was appended stays readable if a
-/// later append fails. A mesh at rest is written when it is another one than in the frame before. The layout
-/// of the file is in app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error
-/// like a full disk.
+/// Writes a run to an .h5 file and the .xdmf index beside it. Each append is in the .h5 as a whole or not at
+/// all (JournaledFile), and the .xdmf is replaced atomically, so both can be read while the run goes on. A
+/// mesh at rest is written when it is another one than in the frame before. The layout of the file is in
+/// app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error like a full disk.
 class RecordingWriter {
   public:
     /// Creates the file. Throws Error (input) when it cannot be created; nothing is left behind then.
@@ -103,6 +103,7 @@ class RecordingWriter {
     const std::filesystem::path& file() const { return output.recording.output(); }
 
     RecordingOutput output;
+    JournaledFile recording;
     std::vector<XdmfFrame> frames;
     std::vector<RecordedObstacle> obstacles;
     ObstaclePlaces places;  ///< of the last frame, or their own frames
@@ -112,13 +113,17 @@ class RecordingWriter {
     std::size_t unbroken_vertices = 0;
 };
 
-/// Reads a recording, while it is being written too. Every member throws Error (input) when what it reads is
-/// damaged, or when the file is not the one any more that was opened at first.
+/// Reads a recording, while it is being written too: each call has it as it was committed last. Every member
+/// throws Error (input) when what it reads is damaged, or when the file is not the one any more that was
+/// opened at first.
 class Recording {
   public:
-    /// Opens the recording. Throws Error when the file is missing, not HDF5, not a recording of ours, or of a
-    /// version that is not read.
+    /// Opens the recording, and mends it if its writer was killed. Throws Error when the file is missing, not
+    /// HDF5, not a recording of ours, or of a version that is not read.
     explicit Recording(const std::filesystem::path& file);
+
+    /// What was mended, for people; "" when it was whole.
+    const std::string& mended() const { return mending; }
 
     RecordingHeader header() const;
     std::size_t frame_count() const;
@@ -140,6 +145,7 @@ class Recording {
     auto read_with(Read read) const;
 
     std::filesystem::path file;
+    std::string mending;
     std::int64_t version = 0;
     std::pair<dev_t, ino_t> identity;  ///< a run with --force puts another file in its place
 };

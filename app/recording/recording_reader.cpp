@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "app/recording/hdf5_file.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
 
@@ -126,7 +127,7 @@ bool is_recording(hid_t file) {
 
 template <class Read>
 auto Recording::read_with(Read read) const {
-    const hdf5::Handle opened = hdf5::open_to_read(file);
+    const hdf5::ReadableFile opened(file);
     if (identity_of(file) != identity)
         throw Error(
             fmt::format("the recording '{}' has been replaced by another run while it was read; start again",
@@ -138,8 +139,9 @@ auto Recording::read_with(Read read) const {
     }
 }
 
-Recording::Recording(const std::filesystem::path& file) : file(file), identity(identity_of(file)) {
-    const hdf5::Handle opened = hdf5::open_to_read(file);
+Recording::Recording(const std::filesystem::path& file)
+    : file(file), mending(mend(file)), identity(identity_of(file)) {
+    const hdf5::ReadableFile opened(file);
     if (!is_recording(opened))
         throw Error(
             fmt::format("'{}' is an HDF5 file, but not a recording written by 'sherd run'", file.string()));

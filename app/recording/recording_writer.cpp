@@ -3,10 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <cstring>
-#include <functional>
 
-#include "app/files/disk_room.h"
 #include "app/files/pending_file.h"
+#include "app/recording/hdf5_file.h"
 #include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
 #include "app/recording/recording_table.h"
@@ -165,51 +164,22 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
         hdf5::create_link(group, "rest", same_rest);
 }
 
-/// Rows of each table of a recording.
-std::vector<std::size_t> extent(hid_t file) {
-    std::vector<std::size_t> rows;
-    visit_tables([&]<class Row>(std::type_identity<Row>) { rows.push_back(table_rows<Row>(file)); });
-    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
-        for (const std::string& table : numbered_groups(file, group))
-            rows.push_back(table_rows<Row>(file, table));
-    });
-    return rows;
-}
-
-/// Makes the file what it was before an append that failed half-way.
-void roll_back(hid_t file, std::size_t frame, std::span<const std::size_t> rows_before) {
-    if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
-    auto rows = rows_before.begin();
-    visit_tables([&]<class Row>(std::type_identity<Row>) { shorten_table<Row>(file, *rows++); });
-    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
-        for (const std::string& table : numbered_groups(file, group))
-            shorten_table<Row>(file, *rows++, table);
-    });
-}
-
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
          std::span<const StepReport> steps, const CrackEvents& events,
          std::span<const RecordedObstacle> obstacles, const ObstaclePlaces& places) {
-    const std::vector<std::size_t> before = extent(file);
-    try {
-        append_table<StepReport>(file, steps);
-        visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
-            const std::vector<std::string> tables = numbered_groups(file, group);
-            for (std::size_t i = 0; i < tables.size(); ++i) {
-                std::vector<Row> rows;
-                for (const StepReport& step : steps) rows.push_back((step.*list)[i]);
-                append_table<Row>(file, rows, tables[i]);
-            }
-        });
-        visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
-            append_table<Event>(file, events.*kind);
-        });
-        write_frame(file, frame, snapshot, same_rest);
-        write_places(file, frame, obstacles, places);
-    } catch (const Error&) {
-        roll_back(file, frame, before);
-        throw;
-    }
+    append_table<StepReport>(file, steps);
+    visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
+        const std::vector<std::string> tables = numbered_groups(file, group);
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            std::vector<Row> rows;
+            for (const StepReport& step : steps) rows.push_back((step.*list)[i]);
+            append_table<Row>(file, rows, tables[i]);
+        }
+    });
+    visit_kinds(
+        [&]<class Event>(std::vector<Event> CrackEvents::*kind) { append_table<Event>(file, events.*kind); });
+    write_frame(file, frame, snapshot, same_rest);
+    write_places(file, frame, obstacles, places);
 }
 
 template <class T>
@@ -246,45 +216,6 @@ void write_modes(hid_t file, std::span<const RecordedMode> modes, const std::str
     hdf5::write_attribute(file, "times", times);
 }
 
-/// What HDF5 itself takes for a head, an append or an attribute at most, measured and doubled.
-constexpr std::size_t head_overhead = 128 << 10, append_overhead = 256 << 10, attribute_overhead = 16 << 10;
-
-std::size_t rest_bytes(std::size_t vertices, std::size_t faces, const SurfaceLook& look) {
-    std::size_t texts = 0;
-    for (const SurfaceMaterial& material : look.materials)
-        texts += 2 * (material.name.size() + material.definition.size() + 64);
-    for (const std::vector<std::string>& group : look.groups)
-        for (const std::string& name : group) texts += 2 * (name.size() + 64);
-    return 76 * vertices + 100 * faces + texts;
-}
-
-/// Bytes that an append takes at the very most: the bare numbers, and generously for HDF5's own.
-std::size_t append_bytes(const Snapshot& snapshot, bool with_rest, std::span<const StepReport> steps,
-                         const CrackEvents& events) {
-    std::size_t of_events = 0, of_lists = 0;
-    for (const StepReport& step : steps)
-        of_lists +=
-            2 * (sizeof(Reaction) * step.reactions.size() + sizeof(GaugeReading) * step.gauges.size());
-    visit_kinds([&]<class Event>(std::vector<Event> CrackEvents::*kind) {
-        of_events += 2 * sizeof(Event) * (events.*kind).size();
-    });
-    std::size_t of_fields = 0;  // 3 components, 2 principal values; and the axes
-    visit_fields(snapshot.fields, [&](const char*, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
-        of_fields += (3 + 2 + 6) * sizeof(double) * static_cast<std::size_t>(values.cols());
-    });
-    return 80 * snapshot.position.cols() + 24 * snapshot.faces.size() + 32 * snapshot.edges.size() +
-           2 * sizeof(StepReport) * steps.size() + of_events + of_lists + of_fields +
-           (with_rest ? rest_bytes(snapshot.rest.position.cols(), snapshot.faces.size(), snapshot.rest.look)
-                      : 0) +
-           append_overhead;
-}
-
-std::size_t head_bytes(const RecordingHeader& header) {
-    return 2 * attribute_overhead * (header.supports.size() + header.gauges.size()) +
-           rest_bytes(header.rest_position.cols(), header.rest_faces.size(), header.rest_look) +
-           header.scene_text.size() + head_overhead;
-}
-
 std::vector<XdmfObstacle> xdmf_obstacles(std::span<const RecordedObstacle> obstacles) {
     std::vector<XdmfObstacle> result;
     for (const RecordedObstacle& obstacle : obstacles)
@@ -292,12 +223,19 @@ std::vector<XdmfObstacle> xdmf_obstacles(std::span<const RecordedObstacle> obsta
     return result;
 }
 
-/// Opens a recording, changes it and closes it, with room for `bytes` more.
-void change(const std::filesystem::path& file, std::size_t bytes, const std::function<void(hid_t)>& edit) {
-    const DiskRoom room(file, bytes);
-    hdf5::Handle opened = hdf5::open_to_write(file);
-    edit(opened);
-    opened.close("'" + file.string() + "'");
+/// Makes a recording of no frames, and returns its name.
+const std::filesystem::path& create(const RecordingOutput& output, const RecordingHeader& header,
+                                    std::span<const RecordedObstacle> obstacles) {
+    PendingFile pending(output.recording, Fault::input);
+    hdf5::write_new(pending, [&](hid_t created) {
+        write_head(created, header);
+        write_obstacles(created, obstacles);
+    });
+    remove_journal(output.recording.output());  // of what it replaces
+    pending.publish(output.force);
+    std::error_code ignored;
+    std::filesystem::remove(output.index.output(), ignored);
+    return output.recording.output();
 }
 
 }  // namespace
@@ -311,24 +249,13 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
                                  std::span<const RecordedObstacle> obstacles_)
     : output(std::move(output_)),
+      recording(create(output, header, obstacles_)),
       obstacles(obstacles_.begin(), obstacles_.end()),
       places(first_places(obstacles_)),
       supports(header.supports.size()),
       gauges(header.gauges.size()),
       rest(unbroken_mesh(header)),
-      unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {
-    PendingFile pending(output.recording, Fault::input);
-    {
-        const DiskRoom room(pending.path(), head_bytes(header) + obstacle_bytes(obstacles));
-        hdf5::Handle created = hdf5::create_file(pending.path());
-        write_head(created, header);
-        write_obstacles(created, obstacles);
-        created.close("'" + file().string() + "'");
-    }
-    pending.publish(output.force);
-    std::error_code ignored;
-    std::filesystem::remove(output.index.output(), ignored);
-}
+      unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {}
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                                  std::span<const RecordedObstacle> obstacles)
@@ -353,12 +280,10 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
         if (values.size() > 0) longer.back().fields.push_back(name);
     });
-    // All that needs space comes before the recording is touched; what follows it is only a change of name.
+    // What needs space comes before the recording is changed; what follows is only a change of name.
     PendingFile index(output.index, Fault::run);
     index.write(xdmf_text(file().filename().string(), longer, xdmf_obstacles(obstacles)));
-    const std::size_t bytes =
-        append_bytes(snapshot, new_rest, steps, events) + place_bytes(frames.size(), obstacles, next);
-    change(file(), bytes, [&](hid_t opened) {
+    hdf5::change(recording, [&](hid_t opened) {
         add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next);
     });
     if (new_rest) {
@@ -376,20 +301,17 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
 }
 
 void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::string& times) try {
-    std::size_t bytes = append_overhead + times.size();
-    for (const RecordedMode& mode : modes) {
+    for (const RecordedMode& mode : modes)
         if (mode.shape.cols() != rest.position.cols())
             throw Error("a mode's shape has another number of vertices than the sheets");
-        bytes += 2 * sizeof(double) * (mode.shape.size() + 2);
-    }
-    change(file(), bytes, [&](hid_t opened) { write_modes(opened, modes, times); });
+    hdf5::change(recording, [&](hid_t opened) { write_modes(opened, modes, times); });
 } catch (const Error& error) {
     throw Error(fmt::format("cannot record the modes in '{}': {}", file().string(), error.what()),
                 Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
-    change(file(), attribute_overhead, [&](hid_t opened) {
+    hdf5::change(recording, [&](hid_t opened) {
         hdf5::write_attribute(opened, "wall_seconds", wall_seconds);
         hdf5::write_attribute(opened, "end", end);
     });

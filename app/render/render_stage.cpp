@@ -43,6 +43,7 @@ Scene recorded_scene(const RecordingHeader& header) {
 RenderStage::RenderStage(const Recording& recording, const StageOptions& options,
                          std::vector<std::string>& warnings)
     : options(options), header(recording.header()), obstacles(recording.obstacles()) {
+    if (!recording.mended().empty()) warnings.push_back(recording.mended());
     for (const RecordedMode& mode : recording.modes())
         modes.push_back(fmt::format("mode {}: {}", modes.size() + 1, mode.words()));
     read_scene(warnings);

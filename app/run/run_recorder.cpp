@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/run/recording_header.h"
+#include "meshops/error.h"
 
 namespace sherd {
 
@@ -26,8 +27,10 @@ void RunRecorder::frame_due(const Simulation& simulation) {
     spent += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void RunRecorder::ended(const RunEnd& end) {
+void RunRecorder::ended(const RunEnd& end) try {
     writer.finish(end.wall_seconds, end.how);
+} catch (const Error&) {
+    if (!end.has_failed()) throw;  // else it is why the run has failed that counts
 }
 
 }  // namespace sherd

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meshops/error.h"
+#include "tests/support/edited_file.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 
@@ -247,7 +248,7 @@ TEST(Info, RefusesWhatIsNoRecording) {
         record(synthetic_run(), file);
         std::vector<std::array<Index, 3>> faces = run.header.rest_faces;
         shorter ? faces.pop_back() : void(faces[5][1] = 1000000);
-        const hdf5::Handle opened = hdf5::open_to_write(file);
+        const hdf5::Handle opened = open_to_edit(file);
         hdf5::remove(opened, "rest/faces");
         hdf5::write<std::array<Index, 3>>(opened, "rest/faces", faces, {});
     }

@@ -247,7 +247,7 @@ TEST_F(ModesCommand, CanBeInterrupted) {
     };
     const ProgramResult result = run_sherd({"modes", "scene.toml", "-o", "modes.h5", "--frames", "1000"},
                                            directory.path, {}, interrupt);
-    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.exit_code, 130);
     EXPECT_TRUE(mentions(result.err, "interrupted")) << result.err;
     EXPECT_EQ(Recording(file).end(), "interrupted");
 }

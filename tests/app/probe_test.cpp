@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/recording/hdf5.h"
+#include "app/recording/hdf5_file.h"
 #include "tests/support/program.h"
 #include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
@@ -64,7 +65,7 @@ TEST_F(ProbeTest, NumbersOfTheFileWithZeroForceWhereNoFaceIs) {
     const auto hinge = probed["largest_strain"]["bending"]["vertices"].get<std::array<Index, 4>>();
     EXPECT_TRUE((hinge == std::array<Index, 4>{0, 1, 3, 4} || hinge == std::array<Index, 4>{1, 0, 4, 3}));
     ASSERT_EQ(run({"-o", "probe.h5"}).exit_code, 0);
-    const hdf5::Handle file = hdf5::open_to_read(directory.path / "probe.h5");
+    const hdf5::ReadableFile file(directory.path / "probe.h5");
     EXPECT_EQ((hdf5::read<std::array<Index, 4>>(file, "hinge/vertices").at(0)), hinge);
     for (const auto& [name, energy] : probed["energy"].items()) {
         const std::vector<Vector3d> force = hdf5::read<Vector3d>(file, "force/" + name);
@@ -143,7 +144,7 @@ TEST_F(ProbeTest, SheetOfOneTriangleHasNoHinge) {
     EXPECT_NEAR(probed["largest_stress"]["stress"].get<double>(), stress, 1e-8 * stress);
     EXPECT_EQ(probed["largest_curvature"]["curvature"], 0);
     EXPECT_EQ(run({"-o", "probe.h5"}).exit_code, 0);
-    const hdf5::Handle file = hdf5::open_to_read(directory.path / "probe.h5");
+    const hdf5::ReadableFile file(directory.path / "probe.h5");
     const std::vector<Vector3d> bottom = hdf5::read<Vector3d>(file, "face/stress_bottom");
     ASSERT_EQ(bottom.size(), 1u);
     EXPECT_NEAR(bottom[0].head<2>().maxCoeff(), stress, 1e-8 * stress);
@@ -198,7 +199,7 @@ TEST_F(ProbeTest, OutputThatExistsIsKeptUnlessForced) {
     directory.write("probe.h5", "precious");
     expect_error({"'probe.h5' exists", "--force"});
     EXPECT_EQ(run({"-o", "probe.h5", "--force"}).exit_code, 0);
-    EXPECT_TRUE(hdf5::contains(hdf5::open_to_read(directory.path / "probe.h5"), "force/membrane"));
+    EXPECT_TRUE(hdf5::contains(hdf5::ReadableFile(directory.path / "probe.h5"), "force/membrane"));
     expect_error({"cannot create 'nowhere/probe.h5'"}, {"-o", "nowhere/probe.h5"});
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/recording/recording.h"
 #include "app/recording/recording_format.h"
+#include "tests/support/edited_file.h"
 
 namespace sherd::test {
 
@@ -250,7 +251,7 @@ inline void record(const SyntheticRun& run, const std::filesystem::path& file) {
 
 /// Takes the balance of energy out of a recording, as in those of before there was one.
 inline void forget_balance(const std::filesystem::path& file) {
-    const hdf5::Handle opened = hdf5::open_to_write(file);
+    const hdf5::Handle opened = open_to_edit(file);
     for (const std::string& name : hdf5::member_names(opened, "steps"))
         if (name == "unexplained" || name.starts_with("work_of_") || name.starts_with("lost_to_"))
             hdf5::remove(opened, "steps/" + name);

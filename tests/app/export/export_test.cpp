@@ -8,6 +8,7 @@
 
 #include "app/recording/hdf5.h"
 #include "meshops/components.h"
+#include "tests/support/edited_file.h"
 #include "tests/support/export_fixture.h"
 
 namespace sherd::test {
@@ -110,7 +111,7 @@ TEST_F(Export, TellsWhatIsCompleteWhenASequenceFails) {
     wanted.recording = folder.path / "damaged.h5";
     run.frames[2].face_fragment.assign(96, 0);
     record(run, wanted.recording);
-    hdf5::remove(hdf5::open_to_write(wanted.recording), "frames/000002/vertex/mass");
+    hdf5::remove(open_to_edit(wanted.recording), "frames/000002/vertex/mass");
     const std::string error = error_of(wanted);
     EXPECT_NE(error.find("2 of 3 files are complete, up to "), std::string::npos) << error;
     EXPECT_TRUE(fs::exists(folder.path / "out_000001.obj"));

@@ -187,7 +187,7 @@ TEST(OutputLock, ASecondRunIsRefusedAndTheFirstOnesRecordingStays) {
                     "--set duration=1000' (process " +
                         first + " on "))
         << second.err;
-    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_EQ(result.exit_code, 130) << result.err;
     const Recording recording(directory.path / "out.h5");
     EXPECT_EQ(recording.end(), "interrupted");
     EXPECT_GE(recording.frame_count(), 1u);

@@ -149,7 +149,7 @@ TEST_F(ProgressOnATerminal, FitsAfterTheTerminalHasBecomeNarrower) {
     program.type("\x03");
     const std::string end = program.read_to_end();
     after.add(end);
-    EXPECT_EQ(program.exit_code, 1);
+    EXPECT_EQ(program.exit_code, 130);
     EXPECT_EQ(wrapped_bars(after), 0) << "what Ctrl-C echoes made the line wrap";
     EXPECT_EQ(after.column, 0u) << "a shell's prompt would come behind something";
     EXPECT_TRUE(has(after.text().at(0), "] ")) << after.text().at(0);
@@ -181,7 +181,7 @@ TEST_F(ProgressOnATerminal, OfVariantsIsALineForEachThatIsDrawnInPlace) {
 
         program.type("\x03");
         screen.add(program.read_to_end());
-        EXPECT_EQ(program.exit_code, 1);
+        EXPECT_EQ(program.exit_code, 130);
         EXPECT_EQ(wrapped_bars(screen), 0);
         EXPECT_EQ(screen.column, 0u);
         const auto text = screen.text();

@@ -3,10 +3,12 @@
 
 #include "app/files/image.h"
 #include "app/recording/hdf5.h"
+#include "app/recording/hdf5_file.h"
 #include "app/recording/recording.h"
 #include "app/render.h"
 #include "app/render/render_stage.h"
 #include "meshops/error.h"
+#include "tests/support/edited_file.h"
 #include "tests/support/program.h"
 #include "tests/support/recorded_obstacles.h"
 #include "tests/support/temporary_directory.h"
@@ -51,7 +53,7 @@ TEST(RecordedObstacles, KeepEveryBitOfTheirShapesAndPoses) {
 TEST(RecordedObstacles, AreNoneWhereNothingIsSaidOfThem) {
     const TemporaryDirectory folder;
     record(synthetic_run(), folder.path / "run.h5");
-    EXPECT_FALSE(hdf5::contains(hdf5::open_to_read(folder.path / "run.h5"), "obstacles"));
+    EXPECT_FALSE(hdf5::contains(hdf5::ReadableFile(folder.path / "run.h5"), "obstacles"));
     const Recording recording(folder.path / "run.h5");
     EXPECT_TRUE(recording.obstacles().empty());
     EXPECT_TRUE(recording.poses(0).empty());
@@ -64,14 +66,14 @@ TEST(RecordedObstacles, ThatAreDamagedAreRefused) {
     record_with_obstacles(synthetic_run(), file);
     EXPECT_EQ(damage(Recording(file)), "");
     {
-        const hdf5::Handle opened = hdf5::open_to_write(file);
+        const hdf5::Handle opened = open_to_edit(file);
         hdf5::remove(opened, "frames/000001/obstacle/pose");
         const std::vector<std::array<double, 12>> one(1);
         hdf5::write<std::array<double, 12>>(opened, "frames/000001/obstacle/pose", one, {});
     }
     EXPECT_NE(damage(Recording(file)).find("frame 1 has 1 poses of 3 obstacles"), std::string::npos);
     {
-        const hdf5::Handle opened = hdf5::open_to_write(file);
+        const hdf5::Handle opened = open_to_edit(file);
         hdf5::remove(opened, "obstacles/1/face");
         const std::vector<std::array<Index, 3>> wrong{{0, 1, 4}};
         hdf5::write<std::array<Index, 3>>(opened, "obstacles/1/face", wrong, {});
@@ -84,10 +86,10 @@ TEST(RecordedObstacles, OfEarlierVersionsAreSolids) {
     const TemporaryDirectory folder;
     const fs::path file = folder.path / "run.h5";
     record_with_obstacles(synthetic_run(), file);
-    hdf5::remove(hdf5::open_to_write(file), "obstacles/plane");
+    hdf5::remove(open_to_edit(file), "obstacles/plane");
     for (const RecordedObstacle& obstacle : Recording(file).obstacles()) EXPECT_FALSE(obstacle.plane);
     {
-        const hdf5::Handle opened = hdf5::open_to_write(file);
+        const hdf5::Handle opened = open_to_edit(file);
         const std::vector<std::uint8_t> few{1};
         hdf5::write<std::uint8_t>(opened, "obstacles/plane", few, {});
     }

@@ -249,7 +249,7 @@ TEST_F(Render, LeavesWholePicturesWhenInterrupted) {
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(WEXITSTATUS(status), 130);
     EXPECT_EQ(read_png(first).width, 400);
     for (const auto& entry : fs::directory_iterator(folder.path / "pictures")) {
         EXPECT_EQ(entry.path().extension(), ".png") << entry.path();

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "app/files/descriptor.h"
+
+namespace sherd {
+
+/// An open file on disk. Members throw Error (run) with its name and the reason.
+class DiskFile {
+  public:
+    /// flags: those of open(2).
+    DiskFile(std::filesystem::path file, int flags);
+
+    std::uint64_t size() const;
+    /// What lies behind the end reads as zero.
+    void read(std::uint64_t offset, std::span<std::byte> bytes) const;
+    void write(std::uint64_t offset, std::span<const std::byte> bytes);
+    void resize(std::uint64_t size);
+    /// Returns when all of it is on the disk.
+    void sync();
+    /// Whether its name still leads to it.
+    bool is_in_place() const;
+
+    /// Locks it as HDF5 does, for as long as it is open or until unlock(): shared by those who read,
+    /// exclusive for one who writes. False when others have it, also after `patience`; true where the file
+    /// system has no locks.
+    bool lock_shared(std::chrono::milliseconds patience = {}) const;
+    bool lock_exclusive(std::chrono::milliseconds patience = {}) const;
+    void unlock() const;
+
+    const std::filesystem::path& path() const { return file; }
+
+  private:
+    [[noreturn]] void fail(const char* what) const;
+    bool lock(int kind, std::chrono::milliseconds patience) const;
+
+    std::filesystem::path file;
+    Descriptor opened;
+};
+
+/// Returns when the names in the folder of a file are on the disk. Throws Error (run).
+void sync_folder_of(const std::filesystem::path& file);
+
+}  // namespace sherd

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+
+namespace sherd {
+
+/// Parts of a file that begin at multiples of what a disk writes as a whole.
+constexpr std::size_t block_size = 512;
+using Block = std::array<std::byte, block_size>;
+/// By their number: that of block_size bytes before them.
+using Blocks = std::map<std::uint64_t, Block>;
+
+inline std::uint64_t block_of(std::uint64_t offset) {
+    return offset / block_size;
+}
+
+/// Calls visit(number of the block, offset in it, part of `bytes`) for each block that the bytes lie in.
+template <class Byte, class Visit>
+void visit_blocks(std::uint64_t offset, std::span<Byte> bytes, Visit visit) {
+    while (!bytes.empty()) {
+        const std::size_t inside = offset % block_size;
+        const std::size_t count = std::min(bytes.size(), block_size - inside);
+        visit(block_of(offset), inside, bytes.first(count));
+        offset += count;
+        bytes = bytes.subspan(count);
+    }
+}
+
+/// Puts the blocks over what was read of the file at `offset`.
+inline void overlay(const Blocks& blocks, std::uint64_t offset, std::span<std::byte> bytes) {
+    if (blocks.empty() || bytes.empty()) return;
+    const auto last = blocks.upper_bound(block_of(offset + bytes.size() - 1));
+    for (auto block = blocks.lower_bound(block_of(offset)); block != last; ++block) {
+        const std::uint64_t start = block->first * block_size;
+        const std::uint64_t from = std::max(start, offset);
+        const std::uint64_t to = std::min(start + block_size, offset + bytes.size());
+        std::copy_n(block->second.begin() + static_cast<std::ptrdiff_t>(from - start), to - from,
+                    bytes.begin() + static_cast<std::ptrdiff_t>(from - offset));
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/hdf5_driver.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+#include "app/recording/hdf5_error.h"
+
+namespace sherd::hdf5 {
+namespace {
+
+/// What HDF5 passes on to open().
+struct DriverInfo {
+    ByteFile* file;
+};
+
+/// An open file, for HDF5, which knows the base and fills it in.
+struct OpenFile : H5FD_t {
+    ByteFile* bytes = nullptr;
+    haddr_t end_of_addresses = 0;
+};
+
+OpenFile& open_file(H5FD_t* file) {
+    return *static_cast<OpenFile*>(file);
+}
+
+const OpenFile& open_file(const H5FD_t* file) {
+    return *static_cast<const OpenFile*>(file);
+}
+
+/// No exception may pass through HDF5, which is told of them as of its own errors.
+template <class Action>
+herr_t without_exceptions(Action action) {
+    try {
+        action();
+        return 0;
+    } catch (const std::exception& error) {
+        H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_VFL, H5E_SYSERRSTR, "%s",
+                 error.what());
+        return -1;
+    }
+}
+
+H5FD_t* open(const char*, unsigned, hid_t access, haddr_t) {
+    const auto* info = static_cast<const DriverInfo*>(H5Pget_driver_info(access));
+    if (info == nullptr) return nullptr;
+    auto opened = std::make_unique<OpenFile>();
+    opened->bytes = info->file;
+    return opened.release();
+}
+
+herr_t close(H5FD_t* file) {
+    const std::unique_ptr<OpenFile> closed(&open_file(file));
+    return 0;
+}
+
+/// Those of HDF5's own driver of files that change the layout: recordings do not depend on the driver.
+herr_t query(const H5FD_t*, unsigned long* features) {
+    *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
+                H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+    return 0;
+}
+
+haddr_t get_end_of_addresses(const H5FD_t* file, H5FD_mem_t) {
+    return open_file(file).end_of_addresses;
+}
+
+herr_t set_end_of_addresses(H5FD_t* file, H5FD_mem_t, haddr_t address) {
+    open_file(file).end_of_addresses = address;
+    return 0;
+}
+
+haddr_t get_end_of_file(const H5FD_t* file, H5FD_mem_t) {
+    return open_file(file).bytes->size();
+}
+
+herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
+    return without_exceptions([&] {
+        open_file(file).bytes->read(address, {static_cast<std::byte*>(buffer), size});
+    });
+}
+
+herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, const void* buffer) {
+    return without_exceptions([&] {
+        open_file(file).bytes->write(address, {static_cast<const std::byte*>(buffer), size});
+    });
+}
+
+herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
+    OpenFile& opened = open_file(file);
+    return without_exceptions([&] {
+        if (opened.bytes->size() != opened.end_of_addresses) opened.bytes->resize(opened.end_of_addresses);
+    });
+}
+
+Handle register_driver() {
+    H5FD_class_t driver{};
+    driver.name = "sherd";
+    driver.maxaddr = HADDR_MAX / 2;
+    driver.fc_degree = H5F_CLOSE_STRONG;
+    driver.fapl_size = sizeof(DriverInfo);
+    driver.open = open;
+    driver.close = close;
+    driver.query = query;
+    driver.get_eoa = get_end_of_addresses;
+    driver.set_eoa = set_end_of_addresses;
+    driver.get_eof = get_end_of_file;
+    driver.read = read;
+    driver.write = write;
+    driver.truncate = truncate;
+    constexpr std::array<H5FD_mem_t, H5FD_MEM_NTYPES> map = H5FD_FLMAP_DICHOTOMY;
+    std::ranges::copy(map, driver.fl_map);
+    return Handle(H5FDregister(&driver));
+}
+
+/// HDF5 closes what is still open in a file with it, so that it is closed for good when we say so.
+Handle access_to(ByteFile& file) {
+    const DriverInfo info{&file};
+    const Handle driver = register_driver();
+    Handle access(H5Pcreate(H5P_FILE_ACCESS));
+    if (driver < 0 || access < 0 || H5Pset_driver(access, driver, &info) < 0 ||
+        H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) < 0)
+        fail("cannot prepare HDF5");
+    return access;
+}
+
+}  // namespace
+
+Handle open_in(ByteFile& file, const std::string& name, Access access) {
+    be_quiet();
+    const Handle how = access_to(file);
+    if (access == Access::create)
+        return Handle(checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how),
+                              "cannot create '" + name + "'"));
+    const unsigned flags = access == Access::write ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
+    return Handle(checked(H5Fopen(name.c_str(), flags, how), "cannot open '" + name + "'"));
+}
+
+}  // namespace sherd::hdf5

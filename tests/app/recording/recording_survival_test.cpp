@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever ends the program or the machine while a recording is written, all frames that were appended are
+// there.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "app/recording/recording.h"
+#include "tests/support/same_snapshot.h"
+#include "tests/support/simulated_disk.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A recording that is begun, and what the system is asked for while frames are appended.
+struct Appends {
+    Appends() : run(synthetic_run()) {
+        RecordingWriter writer(folder.path / "run.h5", run.header, false);
+        before = folder.contents();
+        SystemCalls calls(folder.path);
+        for (std::size_t k = 0; k < run.frames.size(); ++k) {
+            writer.append(run.frames[k], run.steps[k], run.events[k]);
+            done.push_back(calls.made.size());
+        }
+        made = std::move(calls.made);
+    }
+
+    TemporaryDirectory folder;
+    SyntheticRun run;
+    std::map<std::string, std::string> before;
+    std::vector<SystemCall> made;
+    std::vector<std::size_t> done;  ///< how many calls there were at the end of each append
+};
+
+/// A recording of the first frames of a run, to the last bit.
+void expect_begins(const Recording& recording, const SyntheticRun& run, std::size_t frames) {
+    ASSERT_EQ(recording.frame_count(), frames);
+    std::size_t steps = 0;
+    for (std::size_t k = 0; k < frames; ++k) {
+        expect_same(recording.frame(k), run.frames[k]);
+        steps += run.steps[k].size();
+    }
+    EXPECT_EQ(recording.steps().size(), steps);
+    recording.events();
+}
+
+/// After an end before the call of this number.
+void expect_survived(const Appends& appends, std::size_t call, const fs::path& file) {
+    const auto appended = static_cast<std::size_t>(
+        std::ranges::count_if(appends.done, [&](std::size_t i) { return i <= call; }));
+    const Recording recording(file);
+    const std::size_t frames = recording.frame_count();
+    ASSERT_TRUE(frames == appended || (frames == appended + 1 && appended < 3))
+        << frames << " frames of " << appended << " at call " << call << " of " << appends.made.size();
+    expect_begins(recording, appends.run, frames);
+    EXPECT_FALSE(has_journal(file));
+}
+
+TEST(RecordingSurvival, EveryFrameIsThereAfterAnyEnd) {
+    const Appends appends;
+    std::mt19937 random(1);
+    const TemporaryDirectory after;
+    SimulatedDisk disk(appends.before);
+    for (std::size_t call = 0; call <= appends.made.size(); ++call) {
+        for (int draw = 0; draw < 4; ++draw) {
+            disk.show(after.path, draw == 0, random);
+            expect_survived(appends, call, after.path / "run.h5");
+            if (HasFatalFailure()) return;
+        }
+        if (call < appends.made.size()) disk.make(appends.made[call]);
+    }
+}
+
+// On a medium that cannot be written, or in somebody else's folder, the journal stays where it is.
+TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
+    const Appends appends;
+    std::mt19937 random(1);
+    const TemporaryDirectory after;
+    const fs::path file = after.path / "run.h5";
+    SimulatedDisk disk(appends.before);
+    for (std::size_t call = 0; call < appends.made.size(); ++call) {
+        disk.make(appends.made[call]);
+        disk.show(after.path, true, random);
+        const auto left = after.contents();
+        const OutputLock lock(file);  // as of one who writes it
+        const Recording recording(file);
+        EXPECT_EQ(recording.mended(), "");
+        expect_begins(recording, appends.run, recording.frame_count());
+        for (const auto& [name, bytes] : left) EXPECT_TRUE(after.contents().at(name) == bytes) << name;
+    }
+}
+
+TEST(RecordingSurvival, SaysWhatHasBeenMended) {
+    const Appends appends;
+    std::mt19937 random(1);
+    const TemporaryDirectory after;
+    std::set<std::string> words;
+    SimulatedDisk disk(appends.before);
+    for (const SystemCall& call : appends.made) {
+        disk.make(call);
+        disk.show(after.path, true, random);
+        const std::string said = Recording(after.path / "run.h5").mended();
+        words.insert(said.substr(0, said.find_last_of(' ')));
+        EXPECT_EQ(Recording(after.path / "run.h5").mended(), "") << "it is mended once";
+    }
+    EXPECT_GE(words.size(), 3u) << "complete, cut off, or whole";
+}
+
+}  // namespace
+}  // namespace sherd::test
