@@ -13,6 +13,7 @@
 #include "app/files/output_lock.h"
 #include "app/recording/recorded_obstacle.h"
 #include "app/recording/xdmf.h"
+#include "core/state_visitor.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
@@ -79,9 +80,11 @@ struct RecordingOutput {
 /// like a full disk.
 class RecordingWriter {
   public:
-    /// Creates the file. Throws Error (input) when it cannot be created; nothing is left behind then.
+    /// Creates the file, or, with `resumes`, takes the one that is there, whose state visit_state() and
+    /// go_on() then have to put back. Throws Error (input) when it cannot be created; nothing is left behind
+    /// then.
     RecordingWriter(RecordingOutput output, const RecordingHeader& header,
-                    std::span<const RecordedObstacle> obstacles = {});
+                    std::span<const RecordedObstacle> obstacles = {}, bool resumes = false);
     RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                     std::span<const RecordedObstacle> obstacles = {});
 
@@ -98,7 +101,16 @@ class RecordingWriter {
     /// Stores how the run ended: its wall time and whether it was complete, interrupted or failed.
     void finish(double wall_seconds, const std::string& end);
 
+    /// What has been recorded so far.
+    void visit_state(StateVisitor& visit);
+    /// Cuts the file off behind what had been recorded when its state was written down. scene_text: that of
+    /// the run that goes on. Throws Error (run) when there is less.
+    void go_on(const std::string& scene_text);
+    const OutputLock& lock() const { return output.recording; }
+
   private:
+    void create(const RecordingHeader& header);
+
     const std::filesystem::path& file() const { return output.recording.output(); }
 
     RecordingOutput output;
@@ -108,6 +120,7 @@ class RecordingWriter {
     std::size_t supports = 0, gauges = 0;
     RestMesh rest;                    ///< of the last frame, or unbroken
     std::string rest_path = "/rest";  ///< where it stands
+    std::vector<std::size_t> rows;    ///< of each table
     std::size_t unbroken_vertices = 0;
 };
 

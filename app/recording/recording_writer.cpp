@@ -8,6 +8,7 @@
 #include "app/files/pending_file.h"
 #include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
+#include "app/recording/recording_extent.h"
 #include "app/recording/recording_table.h"
 #include "core/elements/membrane.h"
 
@@ -146,28 +147,6 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
         hdf5::create_link(group, "rest", same_rest);
 }
 
-/// Rows of each table of a recording.
-std::vector<std::size_t> extent(hid_t file) {
-    std::vector<std::size_t> rows;
-    visit_tables([&]<class Row>(std::type_identity<Row>) { rows.push_back(table_rows<Row>(file)); });
-    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
-        for (const std::string& table : numbered_groups(file, group))
-            rows.push_back(table_rows<Row>(file, table));
-    });
-    return rows;
-}
-
-/// Makes the file what it was before an append that failed half-way.
-void roll_back(hid_t file, std::size_t frame, std::span<const std::size_t> rows_before) {
-    if (hdf5::contains(file, frame_group(frame))) hdf5::remove(file, frame_group(frame));
-    auto rows = rows_before.begin();
-    visit_tables([&]<class Row>(std::type_identity<Row>) { shorten_table<Row>(file, *rows++); });
-    visit_lists([&]<class Row>(std::vector<Row> StepReport::*, const std::string& group) {
-        for (const std::string& table : numbered_groups(file, group))
-            shorten_table<Row>(file, *rows++, table);
-    });
-}
-
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
          std::span<const StepReport> steps, const CrackEvents& events,
          std::span<const RecordedObstacle> obstacles, const ObstaclePlaces& places) {
@@ -284,7 +263,7 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 }
 
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
-                                 std::span<const RecordedObstacle> obstacles_)
+                                 std::span<const RecordedObstacle> obstacles_, bool resumes)
     : output(std::move(output_)),
       obstacles(obstacles_.begin(), obstacles_.end()),
       places(first_places(obstacles_)),
@@ -292,12 +271,17 @@ RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader&
       gauges(header.gauges.size()),
       rest(unbroken_mesh(header)),
       unbroken_vertices(static_cast<std::size_t>(header.rest_position.cols())) {
+    if (!resumes) create(header);
+}
+
+void RecordingWriter::create(const RecordingHeader& header) {
     PendingFile pending(output.recording, Fault::input);
     {
         const DiskRoom room(pending.path(), head_bytes(header) + obstacle_bytes(obstacles));
         hdf5::Handle created = hdf5::create_file(pending.path());
         write_head(created, header);
         write_obstacles(created, obstacles);
+        rows = extent(created);
         created.close("'" + file().string() + "'");
     }
     pending.publish(output.force);
@@ -335,6 +319,7 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
         append_bytes(snapshot, new_rest, steps, events) + place_bytes(frames.size(), obstacles, next);
     change(file(), bytes, [&](hid_t opened) {
         add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next);
+        rows = extent(opened);
     });
     if (new_rest) {
         rest = snapshot.rest;
@@ -361,6 +346,27 @@ void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::
 } catch (const Error& error) {
     throw Error(fmt::format("cannot record the modes in '{}': {}", file().string(), error.what()),
                 Fault::run);
+}
+
+void RecordingWriter::visit_state(StateVisitor& visit) {
+    auto& [output, frames, obstacles, places, supports, gauges, rest, rest_path, rows, unbroken_vertices] =
+        *this;
+    visit(frames, places, rest, rest_path, rows);
+}
+
+void RecordingWriter::go_on(const std::string& scene_text) try {
+    PendingFile index(output.index, Fault::run);
+    index.write(xdmf_text(file().filename().string(), frames, xdmf_obstacles(obstacles)));
+    change(file(), attribute_overhead + scene_text.size(), [&](hid_t opened) {
+        cut(opened, frames.size(), rows);
+        hdf5::write_attribute(opened, "end", std::string("running"));
+        if (hdf5::read_text(opened, "scene") == scene_text) return;
+        hdf5::remove(opened, "scene");
+        hdf5::write_text(opened, "scene", scene_text);
+    });
+    index.publish(true);
+} catch (const Error& error) {
+    throw Error(fmt::format("cannot go on with '{}': {}", file().string(), error.what()), Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
