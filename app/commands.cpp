@@ -33,11 +33,8 @@ std::filesystem::path part_file(const std::filesystem::path& file, const std::st
 }
 
 void require_no_input(const std::filesystem::path& output, const Scene& scene) {
-    std::vector<std::filesystem::path> inputs{scene.file};
-    for (const SheetSpec& sheet : scene.sheets)
-        if (const auto* mesh = std::get_if<MeshFile>(&sheet.mesh)) inputs.push_back(mesh->path);
-    for (const ObstacleSpec& obstacle : scene.obstacles)
-        if (const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape)) inputs.push_back(mesh->file.path);
+    std::vector<std::filesystem::path> inputs = input_files(scene);
+    inputs.push_back(scene.file);
     std::error_code none;  // what is not there is nobody's input
     for (const std::filesystem::path& input : inputs)
         if (std::filesystem::equivalent(output, input, none))

@@ -8,9 +8,11 @@
 #include "app/commands.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_observer.h"
+#include "app/run/checkpoint_keeper.h"
 #include "app/run/run_recorder.h"
 #include "app/run/run_totals.h"
 #include "app/run/runner.h"
+#include "app/run_start.h"
 #include "app/run_summary.h"
 #include "app/run_variants.h"
 #include "app/scene/build/built_scene.h"
@@ -30,28 +32,81 @@ class EndOnInterruption : public RunObserver {
     bool wants_end() const override { return interrupted(); }
 };
 
-int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
-    RecordingOutput output(file, options.force);
+/// Ends a run at a simulated time, s.
+class EndAt : public RunObserver {
+  public:
+    explicit EndAt(double time) : time(time) {}
+    void stepped(const StepReport& report, const CrackEvents&) override { reached = has_come(report.time); }
+    bool wants_end() const override { return reached; }
+    bool has_come(double now) const { return now >= time * (1 - rounding); }
+
+  private:
+    static constexpr double rounding = 1e-12;
+
+    double time;
+    bool reached = false;
+};
+
+Runner built_runner(const Scene& scene) {
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    Runner runner(scene, std::move(built));
+    return Runner(scene, std::move(built));
+}
+
+/// What a run goes on with, frames where it had them included.
+Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
+    if (checkpoint && !scene.settings.contains("output.every"))
+        scene.frame_interval = checkpoint->frame_interval;
+    return scene;
+}
+
+/// Says that a run goes on, and makes its recording what it was then; or says that nothing is left to do.
+/// Returns whether there is.
+bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndAt& end,
+             RunRecorder& recorder) {
+    const double now = runner.simulation().time();
+    const std::string unit = runner.scene().time_unit();
+    const bool all = runner.is_complete() && Recording(file).end() == "complete";
+    if (all || end.has_come(now)) {
+        fmt::print(stderr, "sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), now,
+                   unit);
+        return false;
+    }
+    fmt::print(stderr, "sherd: '{}' goes on from {:g} {}\n", file.string(), now, unit);
+    recorder.go_on(runner.scene());
+    return true;
+}
+
+int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
+    RunStart start = run_start(file, options);
+    Runner runner = built_runner(scene_from(scene, start.checkpoint));
     const Simulation& simulation = runner.simulation();
     EndOnInterruption interruption(options.progress_to >= 0);
-    RunRecorder recorder(std::move(output), scene, simulation);
+    EndAt end_at(options.until);
     RunTotals totals;
-    ProgressObserver progress(scene.duration, scene.time_unit(), totals, options.progress_to);
+    RunRecorder recorder(std::move(start.output), runner.scene(), simulation, start.checkpoint.has_value());
+    CheckpointKeeper keeper({runner, totals, recorder}, run_origin(runner));
+    if (start.checkpoint) {
+        keeper.put_back(*start.checkpoint);
+        if (!goes_on(file, runner, end_at, recorder)) return 0;
+    }
+    ProgressObserver progress(scene.duration, simulation.time(), scene.time_unit(), totals,
+                              options.progress_to);
     for (RunObserver* observer :
-         std::initializer_list<RunObserver*>{&interruption, &totals, &progress, &recorder})
+         std::initializer_list<RunObserver*>{&interruption, &end_at, &totals, &progress, &recorder, &keeper})
         runner.add(*observer);
 
+    const double seconds_before = runner.wall_seconds();
     const RunEnd end = runner.run();
     fmt::print("{}", run_summary(totals, end, file, scene, simulation));
     std::fflush(stdout);  // before what goes to stderr
-    fmt::print(stderr, "{}", time_table(simulation.time_spent(), recorder.seconds(), end.wall_seconds));
-    if (end.is_complete()) return 0;
-    fmt::print(stderr, "sherd: interrupted; '{}' has the run up to {}\n", file.string(),
-               moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
+    fmt::print(stderr, "{}",
+               time_table(simulation.time_spent(), recorder.seconds() + keeper.seconds(),
+                          end.wall_seconds - seconds_before));
+    if (end.is_complete() || end_at.has_come(simulation.time())) return 0;
+    fmt::print(stderr, "sherd: interrupted; '{}' has the run up to {}; with --resume it goes on\n",
+               file.string(), moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
     return interruption_exit_code();
 }
 
@@ -73,6 +128,14 @@ void add_run(CLI::App& program, Command& chosen) {
                         "scene's name. Of all variants: NAME.h5 becomes NAME-VARIANT.h5 for each; anything "
                         "else is a folder for them");
     command->add_flag("--force", options->force, "Replace a recording that exists");
+    command->add_flag("--resume", options->resume,
+                      "Go on from the last checkpoint; only duration may be another than before");
+    command->add_option("--until", options->until, "End at this simulated time; --resume goes on from there")
+        ->check(CLI::PositiveNumber)
+        ->option_text("TIME");
+    command->add_option("--threads", options->threads, "Threads at most; results do not depend on them")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -6,6 +6,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <list>
 
@@ -45,6 +46,10 @@ std::vector<std::string> arguments_of(const std::string& variant, const fs::path
     for (const std::string& assignment : options.scene.choice.overrides)
         arguments.insert(arguments.end(), {"--set", assignment});
     if (options.force) arguments.push_back("--force");
+    if (options.resume) arguments.push_back("--resume");
+    if (std::isfinite(options.until))
+        arguments.insert(arguments.end(), {"--until", fmt::format("{}", options.until)});
+    arguments.insert(arguments.end(), {"--threads", fmt::format("{}", options.threads)});
     return arguments;
 }
 
@@ -162,13 +167,15 @@ int run_variants(std::span<const Scene> variants, const RunOptions& options) {
     const std::vector<fs::path> files = recordings(variants, common);
     make_folder(common.parent_path());
     const OutputLock lock(common);  // each process locks its own recording, when its turn has come
-    for (const fs::path& file : files) RecordingOutput(file, options.force);
+    for (const fs::path& file : files) RecordingOutput(file, options.force || options.resume);
     watch_for_interruption();
     VariantRunner runner(variants, files, options);
     const std::vector<std::string> failed = runner.run();
     if (runner.stopped) {
-        fmt::print(stderr, "sherd: interrupted; of {} variants {} were not run to their end\n",
-                   variants.size(), runner.left());
+        fmt::print(
+            stderr,
+            "sherd: interrupted; of {} variants {} were not run to their end; with --resume they go on\n",
+            variants.size(), runner.left());
         return interruption_exit_code();
     }
     if (!failed.empty())

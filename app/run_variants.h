@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,11 @@ struct RunOptions {
     SceneOptions scene;
     std::filesystem::path output;  ///< empty: named after the scene, in the working directory
     bool force = false;            ///< replace recordings that exist
-    int jobs = 2;                  ///< variants at a time
-    int progress_to = -1;          ///< descriptor for to_line() of RunProgress, instead of stderr; -1: none
+    bool resume = false;           ///< go on from their last checkpoints
+    double until = std::numeric_limits<double>::infinity();  ///< s, simulated; when the run ends early
+    int threads = 1;       ///< at most; a run has one, whose results would be the same with more
+    int jobs = 2;          ///< variants at a time
+    int progress_to = -1;  ///< descriptor for to_line() of RunProgress, instead of stderr; -1: none
 };
 
 /// SCENE.h5, or SCENE-VARIANT.h5.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -40,6 +41,12 @@ class BlockMatrix {
     std::span<const Index> columns() const { return column_start; }             ///< [size + 1]
     std::span<const Index> rows() const { return row; }
     std::span<const double> values() const { return value; }
+    /// The blocks, without their values.
+    void visit_state(StateVisitor& visit) {
+        auto& [block_start, block_row, column_start, row, value, fixed, guide, guides] = *this;
+        visit(block_start, block_row, column_start, row, fixed, guide, guides);
+        value.resize(row.size());
+    }
 
   private:
     bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }

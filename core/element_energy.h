@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/energy.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -69,6 +70,10 @@ class ElementEnergy : public Energy {
     }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
         add_patterns(elements, pairs);
+    }
+    /// Elements without a state are those of the shell, or made by begin().
+    void visit_state(StateVisitor& visit) override {
+        if constexpr (HasState<Elements>) visit(elements);
     }
 
   protected:

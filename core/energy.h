@@ -6,6 +6,7 @@
 
 #include "core/block_matrix.h"
 #include "core/shell_change.h"
+#include "core/state_visitor.h"
 #include "core/step_context.h"
 #include "core/time_spent.h"
 
@@ -46,6 +47,9 @@ struct Energy {
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
     /// The task that the energy's computing time is booked on.
     virtual Task task() const { return Task::elasticity; }
+
+    /// What begin() does not make anew.
+    virtual void visit_state(StateVisitor& visit) = 0;
 };
 
 }  // namespace sherd

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -31,6 +32,11 @@ struct StepContext {
     std::vector<BodyOrigin> bodies;
     double inertia = 1;  ///< share of the masses' inertia that acts: 0 in statics
     double load = 1;     ///< factor of all loads
+
+    void visit_state(StateVisitor& visit) {
+        auto& [begin, length, lag, origin, velocity_origin, bodies, inertia, load] = *this;
+        visit(begin, length, lag, origin, velocity_origin, bodies, inertia, load);
+    }
 
     double end() const { return begin + length; }  ///< s
     /// Velocity at the end of the step, m/s. x: [3, V] m.

@@ -109,6 +109,14 @@ void BreakableShell::add_coincident_vertices() {
     write_pairs();
 }
 
+void BreakableShell::visit_state(StateVisitor& visit) {
+    auto& [crack_mesh, shell, rest_ancestry, lips, exemptions, materials, strengths, toughnesses,
+           art_directions, face_axes, strength_factors, toughness_factors, kept_vertices, kept_edges, time,
+           some_wait] = *this;
+    visit(crack_mesh, shell, rest_ancestry, lips, exemptions, face_axes, strength_factors, toughness_factors,
+          kept_vertices, kept_edges, time, some_wait);
+}
+
 TriangleStencil BreakableShell::stencil(Face face) const {
     const std::array<Index, 3> vertices = face_vertices(mesh(), face);
     const TrianglePositions rest = columns(shell.rest, vertices);

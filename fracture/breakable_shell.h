@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/shell/thickness.h"
+#include "core/state_visitor.h"
 #include "fracture/crack_mesh.h"
 #include "fracture/lips.h"
 #include "fracture/mesh_inheritance.h"
@@ -119,6 +120,7 @@ class BreakableShell {
     /// Passes the lips of cracks, and what overlapped at the start, on to SheetContact where they have moved
     /// apart. Returns whether there were any.
     bool release_apart();
+    void visit_state(StateVisitor& visit);
 
   private:
     void add_vertices(const SheetInput& input, Index sheet, Index first_vertex);

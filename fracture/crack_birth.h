@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/state_visitor.h"
 #include "fracture/growing_tip.h"
 #include "fracture/hinge_measures.h"
 #include "fracture/surface_stress.h"
@@ -18,6 +19,11 @@ class CrackBirth {
     /// births have come nearer since the last call.
     std::optional<Edge> next(const FaceStrains& strains, const HingeMeasures& measures,
                              std::span<const GrowingTip> tips, double waited);
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, timeless, exposure] = *this;
+        visit(exposure);
+    }
 
   private:
     /// What a hinge bears over its strength where a crack may be born: within a sheet the principal tension,

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/state_visitor.h"
 #include "fracture/crack_birth.h"
 #include "fracture/events.h"
 #include "fracture/tip_energy.h"
@@ -63,6 +64,12 @@ class CrackGrowth {
     /// The tips that bear something worth a record, as they were judged last, without step and time; x: [3,
     /// V] m.
     std::vector<TipRecord> records(const Positions& x, double time) const;
+    /// What is known of the energy of tips follows from the mesh.
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, timeless, is_needed, birth, energy, all, judged, numbers] = *this;
+        visit(birth, all, judged, numbers);
+        if (visit.reads()) mesh_changed();
+    }
 
   private:
     /// A tip as it was judged last.

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "fracture/mesh_state.h"
 #include "meshops/error.h"
 #include "meshops/split_vertex.h"
 
@@ -41,6 +42,12 @@ int CrackMesh::boundary_vertices(Edge edge) const {
         });
     }
     return count;
+}
+
+void CrackMesh::visit_state(StateVisitor& visit) {
+    auto& [halfedges, states, vertex_origin, edge_origin, outline, to_open] = *this;
+    visit_mesh(visit, halfedges);
+    visit(states, vertex_origin, edge_origin, outline, to_open);
 }
 
 bool CrackMesh::is_cracked(Vertex vertex) const {

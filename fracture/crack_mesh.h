@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "fracture/edge_state.h"
 #include "meshops/advance_edge.h"
 
@@ -46,6 +47,8 @@ class CrackMesh {
     /// ends at an edge that has failed and is still closed, that opens there when the next edge fails.
     std::optional<AdvancedEdge> advance(Vertex tip, const Eigen::Vector3d& direction,
                                         const AdvanceOptions& options);
+
+    void visit_state(StateVisitor& visit);
 
   private:
     int boundary_vertices(Edge edge) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 #include "meshops/topology_change.h"
 
@@ -88,6 +89,11 @@ struct CrackEvents {
     std::vector<VertexBirth> vertex_births;
     std::vector<FaceBirth> face_births;
     std::vector<TipRecord> tips;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [failures, openings, splits, births, vertex_births, face_births, tips] = *this;
+        visit(failures, openings, splits, births, vertex_births, face_births, tips);
+    }
 };
 
 /// Calls visit(kind) for every kind of event: a pointer to its member of CrackEvents.

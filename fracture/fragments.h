@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 #include "meshops/topology_change.h"
 
@@ -27,6 +28,11 @@ class Fragments {
     /// [fragments] the fragment that each was a part of at its birth; -1 if it exists from the beginning.
     std::span<const Index> parents() const { return parent; }
     Index count() const { return static_cast<Index>(parent.size()); }  ///< so far; none ends
+
+    void visit_state(StateVisitor& visit) {
+        auto& [fragment_of_face, parent] = *this;
+        visit(fragment_of_face, parent);
+    }
 
   private:
     std::vector<Index> fragment_of_face, parent;

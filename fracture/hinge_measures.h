@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/state_visitor.h"
 #include "fracture/breakable_shell.h"
 
 namespace sherd {
@@ -19,6 +20,10 @@ struct HingeMeasures {
 
     /// The given measure of a hinge.
     double of(Measure measure, Index hinge) const;
+    void visit_state(StateVisitor& visit) {
+        auto& [bending, strain, stress] = *this;
+        visit(bending, strain, stress);
+    }
 };
 
 /// Computes strain and stress of all hinges. They are means over the edge's two faces of the component across

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/state_visitor.h"
 #include "fracture/hinge_measures.h"
 
 namespace sherd {
@@ -16,6 +17,11 @@ class HingePeaks {
     /// In the order of the unbroken mesh's edges, failed ones included, and as far as later edges have
     /// hinges; 0 where there was none.
     const HingeMeasures& of_edges() const { return peaks; }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [attempt, peaks] = *this;
+        visit(attempt, peaks);
+    }
 
   private:
     HingeMeasures attempt, peaks;

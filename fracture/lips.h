@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 #include "fracture/vertex_pairs.h"
 #include "meshops/topology_change.h"
 
@@ -38,6 +39,11 @@ class Lips {
     void write(const Mesh& mesh, Shell& shell) const;
 
     bool has_twin(Vertex vertex) const { return twins.has(vertex); }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [twins, edges] = *this;
+        visit(twins, edges);
+    }
 
   private:
     using Twins = std::array<Vertex, 2>;

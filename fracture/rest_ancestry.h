@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 #include "fracture/snapshot.h"
 #include "meshops/topology_change.h"
 
@@ -23,6 +24,11 @@ class RestAncestry {
     /// [V] columns of RestMesh::position.
     const std::vector<Index>& columns() const { return column; }
     RestMesh rest(const Shell& shell) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [start, unbroken, area, column, vertex, places, reshaped] = *this;
+        visit(column, vertex, places, reshaped);
+    }
 
   private:
     using Parts = std::map<Index, double>;  ///< of unbroken faces: fractions of their areas

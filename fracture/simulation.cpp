@@ -308,6 +308,14 @@ void Simulation::read_gauges(StepReport& report) const {
     }
 }
 
+void Simulation::visit_state(StateVisitor& visit) {
+    auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
+           hinge_peaks, obstacles_touched, bodies_touched, step_size, ends_at_crack, forbidden, grown] =
+        *this;
+    visit(options.gauges, steps, events, residual, breakable, stepper, growth, fragments, hinge_peaks,
+          obstacles_touched, bodies_touched, step_size, ends_at_crack, forbidden, grown);
+}
+
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;

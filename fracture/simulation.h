@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/state_visitor.h"
 #include "core/time/stepper.h"
 #include "fracture/breaking.h"
 #include "fracture/crack_growth.h"
@@ -76,6 +77,8 @@ class Simulation {
     bool arrived() const { return ends_at_crack || stepper->arrived(); }
     /// The wall time of all steps by task.
     const TimeSpent& time_spent() const { return stepper->time_spent(); }
+    /// All that a simulation of the same input needs to go on from here as this one does, bit for bit.
+    void visit_state(StateVisitor& visit);
 
   private:
     [[noreturn]] void give_up(const StepReport& report) const;

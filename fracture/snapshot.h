@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/shell/face_fields.h"
+#include "core/state_visitor.h"
 #include "fracture/edge_state.h"
 #include "fracture/surface_look.h"
 
@@ -31,6 +32,13 @@ struct RestMesh {
     SurfaceLook look = {};
     std::vector<std::array<Index, 3>> unbroken_faces;  ///< [F0] of the unbroken mesh
     Positions unbroken_position = {};                  ///< [3, V0] m
+
+    void visit_state(StateVisitor& visit) {
+        auto& [position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed,
+               look, unbroken_faces, unbroken_position] = *this;
+        visit(position, faces, area, thickness, vertex_parents, vertex_weights, face_parent, face_mixed, look,
+              unbroken_faces, unbroken_position);
+    }
 };
 
 /// The shell at one moment, as plain arrays: what a recording stores of a frame. From one snapshot of a run

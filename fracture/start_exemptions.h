@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 #include "fracture/start_overlap.h"
 #include "fracture/vertex_pairs.h"
 #include "meshops/topology_change.h"
@@ -30,6 +31,11 @@ class StartExemptions {
 
     bool has(Vertex vertex) const { return pairs.has(vertex); }
     std::size_t count() const { return pairs.all().size(); }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [pairs] = *this;
+        visit(pairs);
+    }
 
   private:
     bool apart(const Mesh& mesh, const Shell& shell, const VertexPairs::Pair& pair) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/energy_balance.h"
+#include "core/state_visitor.h"
 #include "fracture/gauge.h"
 
 namespace sherd {
@@ -44,6 +45,8 @@ struct StepReport : EnergyBalance {
     double peak_stress = 0;          ///< Pa, surface stress
     double peak_bending_strain = 0;  ///< 1/m, the paper's measure
     double peak_overload = 0;        ///< measure over strength; 0 where nothing can break
+
+    void visit_state(StateVisitor& visit);
 };
 
 /// Raises the peaks of `peaks` to those of `step`.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/surface_look.h"
 
-#include <map>
 #include <utility>
 
+#include "fracture/shared_values.h"
 #include "meshops/face_groups.h"
 
 namespace sherd {
@@ -19,24 +19,6 @@ CornerTexture corner_texture(const Mesh& mesh) {
     return corners;
 }
 
-/// Numbers the values that faces share, in the order of the faces. Null is -1.
-template <class Value, class Row>
-void number_values(const Mesh& mesh, const char* name, const auto& key, std::vector<Index>& numbers,
-                   std::vector<Row>& rows) {
-    const auto [values, exists] = mesh.property_map<Face, Value>(name);
-    if (!exists) return;
-    std::map<decltype(key(*values[Face(0)])), Index> known;
-    for (const Face face : mesh.faces()) {
-        if (!values[face]) {
-            numbers.push_back(-1);
-            continue;
-        }
-        const auto [entry, is_new] = known.try_emplace(key(*values[face]), static_cast<Index>(rows.size()));
-        if (is_new) rows.push_back(*values[face]);
-        numbers.push_back(entry->second);
-    }
-}
-
 template <class Element, class Value>
 void take_property(Mesh& mesh, const Mesh& of, const char* name, const Value& otherwise) {
     if (of.property_map<Element, Value>(name).second) mesh.add_property_map<Element, Value>(name, otherwise);
@@ -50,16 +32,30 @@ bool SurfaceLook::operator==(const SurfaceLook& other) const {
            face_colour == other.face_colour && vertex_colour == other.vertex_colour;
 }
 
+void visit_materials(StateVisitor& visit, std::vector<SurfaceMaterial>& materials) {
+    std::vector<std::array<std::string, 2>> texts;
+    for (const auto& [name, definition] : materials) texts.push_back({name, definition});
+    visit(texts);
+    if (!visit.reads()) return;
+    materials.clear();
+    for (const auto& [name, definition] : texts) materials.push_back({name, definition});
+}
+
+void SurfaceLook::visit_state(StateVisitor& visit) {
+    auto& [texture, material, materials, group, groups, face_colour, vertex_colour] = *this;
+    visit(texture, material, group, groups, face_colour, vertex_colour);
+    visit_materials(visit, materials);
+}
+
 SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std::size_t count) {
     SurfaceLook look;
     look.texture = corner_texture(mesh);
-    number_values<FaceMaterial>(
-        mesh, property::surface_material,
-        [](const SurfaceMaterial& material) { return std::pair(material.name, material.definition); },
-        look.material, look.materials);
-    number_values<GroupNames>(
-        mesh, property::groups, [](const std::vector<std::string>& names) { return names; }, look.group,
-        look.groups);
+    auto materials = shared_values<SurfaceMaterial>(mesh, property::surface_material);
+    look.material = std::move(materials.number);
+    look.materials = std::move(materials.rows);
+    auto groups = shared_values<std::vector<std::string>>(mesh, property::groups);
+    look.group = std::move(groups.number);
+    look.groups = std::move(groups.rows);
     if (const auto [colour, exists] = mesh.property_map<Face, Colour>(property::face_colour); exists)
         for (const Face face : mesh.faces()) look.face_colour.push_back(colour[face]);
     if (const auto [colour, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour); exists) {

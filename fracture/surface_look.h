@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 #include "meshops/mesh.h"
 #include "meshops/surface_colour.h"
@@ -27,7 +28,11 @@ struct SurfaceLook {
     std::vector<Colour> vertex_colour = {};             ///< [R] of its vertices; empty: none
 
     bool operator==(const SurfaceLook& other) const;
+    void visit_state(StateVisitor& visit);
 };
+
+/// Visits materials, which know nothing of states.
+void visit_materials(StateVisitor& visit, std::vector<SurfaceMaterial>& materials);
 
 /// original: [V] vertex at rest of each vertex of the mesh, all below `count`.
 SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std::size_t count);

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "meshops/mesh.h"
 
 namespace sherd {
@@ -51,6 +52,11 @@ class VertexPairs {
             for (const auto& [other, reach] : others)
                 if (vertex < other) all.push_back({{vertex, other}, reach});
         return all;
+    }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [partners] = *this;
+        visit(partners);
     }
 
   private:

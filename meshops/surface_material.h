@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <memory>
 #include <string>
 
@@ -13,7 +14,7 @@ struct SurfaceMaterial {
     /// no .mtl has it.
     std::string definition = {};
 
-    bool operator==(const SurfaceMaterial&) const = default;
+    auto operator<=>(const SurfaceMaterial&) const = default;
 };
 
 /// The material of a face, shared by faces that have the same; null: none.

@@ -14,6 +14,13 @@
 
 namespace sherd {
 
+void wait_for_disk(const std::filesystem::path& path) {
+    const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (opened < 0 || (::fsync(opened) != 0 && errno != EINVAL && errno != EROFS))
+        throw Error(fmt::format("cannot bring '{}' to the disk: {}", path.string(), std::strerror(errno)),
+                    Fault::run);
+}
+
 PendingFile::PendingFile(const OutputLock& lock, Fault fault) : PendingFile(lock.output(), fault, lock) {}
 
 PendingFile::PendingFile(std::filesystem::path target_, Fault fault, const OutputLock& whole)
@@ -52,6 +59,12 @@ void PendingFile::publish(bool replace) {
     if (result != 0 && errno == EEXIST) check_free(target, replace);
     if (result != 0)
         throw Error(fmt::format("cannot create '{}': {}", target.string(), std::strerror(errno)), Fault::run);
+}
+
+void PendingFile::publish_durably() {
+    wait_for_disk(temporary);
+    publish(true);
+    wait_for_disk(target.has_parent_path() ? target.parent_path() : ".");
 }
 
 void check_free(const std::filesystem::path& file, bool force) {

@@ -29,11 +29,17 @@ class PendingFile {
     void write(const std::string& text);
     /// Gives it its name. Throws Error (input) when that is taken and not `replace`.
     void publish(bool replace);
+    /// Does so, replacing what has the name, when all of it is on the disk: a power cut leaves one or the
+    /// other whole.
+    void publish_durably();
 
   private:
     std::filesystem::path target, temporary;
     std::optional<OutputLock> own;
 };
+
+/// Waits until a file, or the names in a folder, are on the disk. Throws Error (run).
+void wait_for_disk(const std::filesystem::path& path);
 
 /// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
 void check_free(const std::filesystem::path& file, bool force);

@@ -8,8 +8,8 @@ namespace sherd {
 /// Shows on stderr how far the one thing is that the program does. Its line is ended with it.
 class Progress {
   public:
-    /// total: all there is to do, in s of simulated time or in pieces.
-    explicit Progress(double total) : meter(total) {}
+    /// total: all there is to do, in s of simulated time or in pieces; begun: what of it is done already.
+    explicit Progress(double total, double begun = 0) : meter(total, "", begun) {}
     ~Progress() { finish(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

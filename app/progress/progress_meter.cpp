@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-ProgressMeter::ProgressMeter(double total, std::string name)
-    : total(total), start(std::chrono::steady_clock::now()) {
+ProgressMeter::ProgressMeter(double total, std::string name, double begun)
+    : total(total), begun(begun), start(std::chrono::steady_clock::now()) {
     current.name = std::move(name);
 }
 
@@ -24,7 +24,8 @@ void ProgressMeter::set_parts(const std::string& clock) {
 void ProgressMeter::update(double amount, ProgressText text_) {
     const double done = current.done = std::clamp(amount / total, 0., 1.);
     text = std::move(text_);
-    set_parts(done == 0 ? "" : "ETA " + clock_text(wall_seconds() * (1 - done) / done));
+    const double since = done - begun / total;
+    set_parts(since <= 0 ? "" : "ETA " + clock_text(wall_seconds() * (1 - done) / since));
 }
 
 void ProgressMeter::end(const std::string& how) {

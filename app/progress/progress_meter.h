@@ -15,8 +15,8 @@ struct ProgressText {
 /// How far a piece of work is, and how long it will take.
 class ProgressMeter {
   public:
-    /// total: all there is to do, in s of simulated time or in pieces.
-    explicit ProgressMeter(double total, std::string name = "");
+    /// total: all there is to do, in s of simulated time or in pieces; begun: what of it is done already.
+    explicit ProgressMeter(double total, std::string name = "", double begun = 0);
 
     /// amount: of the total.
     void update(double amount, ProgressText text);
@@ -31,7 +31,7 @@ class ProgressMeter {
   private:
     void set_parts(const std::string& clock);
 
-    double total;
+    double total, begun;
     std::chrono::steady_clock::time_point start;
     ProgressStatus current;
     ProgressText text;

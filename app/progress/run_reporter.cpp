@@ -17,8 +17,8 @@ constexpr double pause = 0.1;  // s between two reports, unless a tenth is done
 
 }  // namespace
 
-RunReporter::RunReporter(double duration, int descriptor)
-    : shown(duration), sent(duration), descriptor(descriptor) {
+RunReporter::RunReporter(double duration, double begun, int descriptor)
+    : shown(duration, begun), sent(duration), descriptor(descriptor) {
     if (descriptor >= 0 && fcntl(descriptor, F_GETFD) < 0)
         throw Error(fmt::format("--progress-to {}: this descriptor is not open", descriptor));
 }

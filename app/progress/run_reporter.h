@@ -9,9 +9,9 @@ namespace sherd {
 /// Tells how far a run is: on stderr, or to the process that started this one and shows it among others.
 class RunReporter {
   public:
-    /// duration: s; descriptor: of the other process's pipe, negative: there is only stderr. Throws Error
-    /// (input) when that is not open.
-    RunReporter(double duration, int descriptor);
+    /// duration: s; begun: s of it that earlier runs have made; descriptor: of the other process's pipe,
+    /// negative: there is only stderr. Throws Error (input) when that is not open.
+    RunReporter(double duration, double begun, int descriptor);
 
     void update(const RunProgress& progress);
     /// Ends the line on stderr, or reports for the last time.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "meshops/signed_distance_grid.h"
 
 namespace sherd {
@@ -20,6 +21,11 @@ struct RecordedObstacle {
 struct ObstaclePlaces {
     std::vector<Eigen::Isometry3d> poses;  ///< from the frame of each to space
     std::vector<std::string> points;       ///< path of the dataset with its points as they stand in space
+
+    void visit_state(StateVisitor& visit) {
+        auto& [poses, points] = *this;
+        visit(poses, points);
+    }
 };
 
 }  // namespace sherd

@@ -14,6 +14,7 @@
 #include "app/files/output_lock.h"
 #include "app/recording/recorded_obstacle.h"
 #include "app/recording/xdmf.h"
+#include "core/state_visitor.h"
 #include "fracture/events.h"
 #include "fracture/snapshot.h"
 #include "fracture/step_report.h"
@@ -80,9 +81,11 @@ struct RecordingOutput {
 /// app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error like a full disk.
 class RecordingWriter {
   public:
-    /// Creates the file. Throws Error (input) when it cannot be created; nothing is left behind then.
+    /// Creates the file, or, with `resumes`, takes the one that is there, whose state visit_state() and
+    /// go_on() then have to put back. Throws Error (input) when it cannot be created; nothing is left behind
+    /// then.
     RecordingWriter(RecordingOutput output, const RecordingHeader& header,
-                    std::span<const RecordedObstacle> obstacles = {});
+                    std::span<const RecordedObstacle> obstacles = {}, bool resumes = false);
     RecordingWriter(const std::filesystem::path& file, const RecordingHeader& header, bool force,
                     std::span<const RecordedObstacle> obstacles = {});
 
@@ -99,10 +102,18 @@ class RecordingWriter {
     /// Stores how the run ended: its wall time and whether it was complete, interrupted or failed.
     void finish(double wall_seconds, const std::string& end);
 
+    /// What has been recorded so far.
+    void visit_state(StateVisitor& visit);
+    /// Cuts the file off behind what had been recorded when its state was written down. scene_text: that of
+    /// the run that goes on. Throws Error (run) when there is less.
+    void go_on(const std::string& scene_text);
+    const OutputLock& lock() const { return output.recording; }
+
   private:
     const std::filesystem::path& file() const { return output.recording.output(); }
 
     RecordingOutput output;
+    std::vector<std::size_t> rows;  ///< of each table
     JournaledFile recording;
     std::vector<XdmfFrame> frames;
     std::vector<RecordedObstacle> obstacles;

@@ -8,6 +8,7 @@
 #include "app/recording/hdf5_file.h"
 #include "app/recording/obstacle_writer.h"
 #include "app/recording/recording.h"
+#include "app/recording/recording_extent.h"
 #include "app/recording/recording_table.h"
 #include "core/elements/membrane.h"
 
@@ -223,13 +224,15 @@ std::vector<XdmfObstacle> xdmf_obstacles(std::span<const RecordedObstacle> obsta
     return result;
 }
 
-/// Makes a recording of no frames, and returns its name.
+/// Makes a recording of no frames, and returns its name. rows: gets those of its tables.
 const std::filesystem::path& create(const RecordingOutput& output, const RecordingHeader& header,
-                                    std::span<const RecordedObstacle> obstacles) {
+                                    std::span<const RecordedObstacle> obstacles,
+                                    std::vector<std::size_t>& rows) {
     PendingFile pending(output.recording, Fault::input);
     hdf5::write_new(pending, [&](hid_t created) {
         write_head(created, header);
         write_obstacles(created, obstacles);
+        rows = extent(created);
     });
     remove_journal(output.recording.output());  // of what it replaces
     pending.publish(output.force);
@@ -247,9 +250,9 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& file, bool force)
 }
 
 RecordingWriter::RecordingWriter(RecordingOutput output_, const RecordingHeader& header,
-                                 std::span<const RecordedObstacle> obstacles_)
+                                 std::span<const RecordedObstacle> obstacles_, bool resumes)
     : output(std::move(output_)),
-      recording(create(output, header, obstacles_)),
+      recording(resumes ? output.recording.output() : create(output, header, obstacles_, rows)),
       obstacles(obstacles_.begin(), obstacles_.end()),
       places(first_places(obstacles_)),
       supports(header.supports.size()),
@@ -280,12 +283,15 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
         if (values.size() > 0) longer.back().fields.push_back(name);
     });
+    std::vector<std::size_t> longer_rows;
     // What needs space comes before the recording is changed; what follows is only a change of name.
     PendingFile index(output.index, Fault::run);
     index.write(xdmf_text(file().filename().string(), longer, xdmf_obstacles(obstacles)));
     hdf5::change(recording, [&](hid_t opened) {
         add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next);
+        longer_rows = extent(opened);
     });
+    rows = std::move(longer_rows);
     if (new_rest) {
         rest = snapshot.rest;
         rest_path = "/" + frame_group(frames.size()) + "/rest";
@@ -308,6 +314,27 @@ void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::
 } catch (const Error& error) {
     throw Error(fmt::format("cannot record the modes in '{}': {}", file().string(), error.what()),
                 Fault::run);
+}
+
+void RecordingWriter::visit_state(StateVisitor& visit) {
+    auto& [output, rows, recording, frames, obstacles, places, supports, gauges, rest, rest_path,
+           unbroken_vertices] = *this;
+    visit(frames, places, rest, rest_path, rows);
+}
+
+void RecordingWriter::go_on(const std::string& scene_text) try {
+    PendingFile index(output.index, Fault::run);
+    index.write(xdmf_text(file().filename().string(), frames, xdmf_obstacles(obstacles)));
+    hdf5::change(recording, [&](hid_t opened) {
+        cut(opened, frames.size(), rows);
+        hdf5::write_attribute(opened, "end", std::string("running"));
+        if (hdf5::read_text(opened, "scene") == scene_text) return;
+        hdf5::remove(opened, "scene");
+        hdf5::write_text(opened, "scene", scene_text);
+    });
+    index.publish(true);
+} catch (const Error& error) {
+    throw Error(fmt::format("cannot go on with '{}': {}", file().string(), error.what()), Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/state_visitor.h"
+
 namespace sherd {
 
 /// Holds what the index says of a frame of a recording.
@@ -13,6 +15,11 @@ struct XdmfFrame {
     std::size_t vertices = 0, faces = 0, edges = 0;
     std::vector<std::string> obstacles = {};  ///< path of the dataset with the points of each
     std::vector<std::string> fields = {};     ///< names of its fields of faces
+
+    void visit_state(StateVisitor& visit) {
+        auto& [time, vertices, faces, edges, obstacles, fields] = *this;
+        visit(time, vertices, faces, edges, obstacles, fields);
+    }
 };
 
 /// Holds what the index says of an obstacle.

@@ -15,6 +15,9 @@ class RunObserver {
     virtual void stepped(const StepReport&, const CrackEvents&) {}
     /// A frame is due: where a run begins, where the scene wants one, and where a run is interrupted.
     virtual void frame_due(const Simulation&) {}
+    /// The run stands between two steps, of which all observers know, and before the frame that may be due
+    /// there. at_end: no step follows.
+    virtual void paused(bool /*at_end*/) {}
     /// Says whether the run is to end after the step that has been done.
     virtual bool wants_end() const { return false; }
     /// The run has ended; no other call follows.

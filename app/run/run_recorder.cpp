@@ -9,9 +9,10 @@
 
 namespace sherd {
 
-RunRecorder::RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation)
+RunRecorder::RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation,
+                         bool resumes)
     : obstacles(scene, simulation),
-      writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles()) {}
+      writer(std::move(output), recording_header(scene, simulation), obstacles.obstacles(), resumes) {}
 
 void RunRecorder::stepped(const StepReport& report, const CrackEvents& events) {
     unrecorded.push_back(report);

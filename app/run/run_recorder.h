@@ -13,15 +13,24 @@ namespace sherd {
 /// Writes a run into a recording.
 class RunRecorder : public RunObserver {
   public:
-    /// Creates the recording of a scene and of its simulation, which has not made a step yet. Throws Error
-    /// (input) when it cannot be created.
-    RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation);
+    /// Creates the recording of a scene and of its simulation, which has not made a step yet, or, with
+    /// `resumes`, takes the one that is there: see RecordingWriter. Throws Error (input) when it cannot be
+    /// created.
+    RunRecorder(RecordingOutput output, const Scene& scene, const Simulation& simulation,
+                bool resumes = false);
 
     void stepped(const StepReport& report, const CrackEvents& events) override;
     void frame_due(const Simulation& simulation) override;
     void ended(const RunEnd& end) override;
 
     double seconds() const { return spent; }  ///< s, of wall time, on frames
+
+    void visit_state(StateVisitor& visit) {
+        auto& [obstacles, writer, unrecorded, unrecorded_events, spent] = *this;
+        visit(writer, unrecorded, unrecorded_events);
+    }
+    void go_on(const Scene& scene) { writer.go_on(scene.text); }
+    const OutputLock& lock() const { return writer.lock(); }
 
   private:
     ObstacleTrack obstacles;

@@ -13,6 +13,11 @@ class RunTotals : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents& events) override;
 
+    void visit_state(StateVisitor& visit) {
+        auto& [cracks, capped, newton_iterations, halvings, smallest_step, load, peaks, last] = *this;
+        visit(cracks, capped, newton_iterations, halvings, smallest_step, load, peaks, last);
+    }
+
     std::size_t cracks = 0, capped = 0;
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s

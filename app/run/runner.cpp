@@ -24,17 +24,14 @@ StepReport Runner::step() {
 }
 
 RunEnd Runner::run() {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto seconds = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    started = Clock::now();
     try {
         step_to_the_end();
     } catch (const std::exception& error) {
-        end({std::string("failed: ") + error.what(), seconds()});
+        end({std::string("failed: ") + error.what(), wall_seconds()});
         throw;
     }
-    const double last = static_cast<double>(step_count(definition)) * definition.solver.step;
-    RunEnd how{stepped.time() == last || stepped.arrived() ? "complete" : "interrupted", seconds()};
+    RunEnd how{is_complete() ? "complete" : "interrupted", wall_seconds()};
     end(how);
     return how;
 }
@@ -42,11 +39,41 @@ RunEnd Runner::run() {
 void Runner::step_to_the_end() {
     const double step_size = definition.solver.step;
     const auto done = static_cast<std::int64_t>(std::floor(stepped.time() / step_size + rounding));
-    record();
+    pause(done >= step_count(definition) || is_over());
+    if (!resumed || has_frame_now(done)) record();
     for (std::int64_t i = done + 1; i <= step_count(definition) && !is_over(); ++i) {
         while (stepped.time() < static_cast<double>(i) * step_size && !is_over()) step();
+        pause(i == step_count(definition) || is_over());
         if (has_frame(definition, i) || is_over()) record();
     }
+}
+
+bool Runner::is_complete() const {
+    const double last = static_cast<double>(step_count(definition)) * definition.solver.step;
+    return stepped.time() == last || stepped.arrived();
+}
+
+double Runner::wall_seconds() const {
+    if (!started) return seconds_before;
+    return seconds_before + std::chrono::duration<double>(Clock::now() - *started).count();
+}
+
+bool Runner::has_frame_now(std::int64_t done) const {
+    const bool between = stepped.time() != static_cast<double>(done) * definition.solver.step;
+    return stepped.arrived() || (!between && has_frame(definition, done));
+}
+
+void Runner::visit_state(StateVisitor& visit) {
+    auto& [definition, stepped, observers, resumed, seconds_before, started] = *this;
+    double seconds = wall_seconds();
+    visit(stepped, seconds);
+    if (!visit.reads()) return;
+    seconds_before = seconds;
+    resumed = true;
+}
+
+void Runner::pause(bool at_end) {
+    for (RunObserver& observer : observers) observer.paused(at_end);
 }
 
 bool Runner::is_over() const {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,18 +31,33 @@ class Runner {
     /// to be halved. Throws Error (run) when it cannot be solved.
     StepReport step();
 
+    /// Says whether the scene's end has been reached.
+    bool is_complete() const;
+    double wall_seconds() const;  ///< s, of run(), in the runs that this one goes on from, too
+
     const Scene& scene() const { return definition; }
     const Simulation& simulation() const { return stepped; }
 
+    /// Where the simulation stands. When it has been put back, run() goes on from there.
+    void visit_state(StateVisitor& visit);
+
   private:
+    using Clock = std::chrono::steady_clock;
+
     void step_to_the_end();
     bool is_over() const;
+    /// Whether a frame is due where the simulation stands, at the end of the scene's step `done` or after it.
+    bool has_frame_now(std::int64_t done) const;
+    void pause(bool at_end);
     void record();
     void end(const RunEnd& how);
 
     Scene definition;
     Simulation stepped;
     std::vector<std::reference_wrapper<RunObserver>> observers;
+    bool resumed = false;
+    double seconds_before = 0;                      ///< s, of wall time, in the runs before
+    std::optional<Clock::time_point> started = {};  ///< none: run() has not begun
 };
 
 }  // namespace sherd

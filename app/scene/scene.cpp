@@ -14,6 +14,15 @@ std::int64_t intervals(const Scene& scene, std::int64_t step) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> input_files(const Scene& scene) {
+    std::vector<std::filesystem::path> files;
+    for (const SheetSpec& sheet : scene.sheets)
+        if (const auto* mesh = std::get_if<MeshFile>(&sheet.mesh)) files.push_back(mesh->path);
+    for (const ObstacleSpec& obstacle : scene.obstacles)
+        if (const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape)) files.push_back(mesh->file.path);
+    return files;
+}
+
 std::int64_t step_count(const Scene& scene) {
     return static_cast<std::int64_t>(std::ceil(scene.duration / scene.solver.step - 1e-6));
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -173,13 +174,19 @@ struct Scene {
     std::vector<GaugeSpec> gauges;
     ContactSpec contact;
     SolverSpec solver;
-    double frame_interval = 0;  ///< s, output.every; at least solver.step
-    FaceFieldChoice fields;     ///< output.fields: that frames have
+    double frame_interval = 0;         ///< s, output.every; at least solver.step
+    FaceFieldChoice fields;            ///< output.fields: that frames have
+    double checkpoint_interval = 600;  ///< s of wall time, output.checkpoint; 0: only at the end
+    std::map<std::string, std::string>
+        settings;  ///< what variant and overrides make of the file: settings_of()
 
     bool is_static() const { return solver.scheme == Scheme::statics; }
     /// What its times are measured in: "s", or "load" or "path" in statics.
     std::string time_unit() const { return !is_static() ? "s" : solver.arc_length ? "path" : "load"; }
 };
+
+/// Returns the mesh files that a scene reads.
+std::vector<std::filesystem::path> input_files(const Scene& scene);
 
 /// Returns the number of steps that cover the duration. A remainder is a whole step, but one due to round-off
 /// is not.

@@ -28,6 +28,10 @@ class PairedBending : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
         jacobian->add_pattern(pairs);
     }
+    void visit_state(StateVisitor& visit) override {
+        auto& [force, jacobian] = *this;
+        visit(force, jacobian);
+    }
 
   private:
     std::unique_ptr<Energy> force, jacobian;

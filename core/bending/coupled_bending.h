@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/bending/face_curvature.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -48,6 +49,11 @@ class CoupledBending : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, reach, slopes] = *this;
+        visit(folds, curvature, of_all, counted, needed, start, scale);
+        if (visit.reads()) reach.clear();
+    }
 
   private:
     /// The vertices on which the curvature of a face depends.

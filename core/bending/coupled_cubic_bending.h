@@ -4,6 +4,7 @@
 #include "core/bending/coupled_bending.h"
 #include "core/bending/cubic_polynomial.h"
 #include "core/bending/fold_tree.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -36,6 +37,10 @@ class CoupledCubicBending : public Energy {
     /// Curvature::convex: the positive part of each face's constant matrix, and that of CoupledBending.
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, angles, form, of_face, polynomial] = *this;
+        visit(angles, form, of_face, polynomial);
+    }
 
   private:
     /// What a face adds to the polynomial. Vertices change with cracks, corners of triangles do not.
@@ -45,6 +50,11 @@ class CoupledCubicBending : public Energy {
             {};  ///< N/m, as in Spring, of corners 1-0, 2-0, 2-1, ...
         std::vector<std::pair<Index, double>> triples = {};  ///< edges with a hinge, and their k, N/m^2
         double constant = 0;                                 ///< J
+
+        void visit_state(StateVisitor& visit) {
+            auto& [corners, springs, triples, constant] = *this;
+            visit(corners, springs, triples, constant);
+        }
     };
 
     void update(Index face);

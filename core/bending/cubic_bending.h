@@ -3,6 +3,7 @@
 
 #include "core/bending/cubic_hinge.h"
 #include "core/bending/hinge_elements.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -15,6 +16,11 @@ struct CubicHinges : HingeElements<CubicHinge> {
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
     CubicHinge made(std::size_t i) const;
     void follow(const ShellChange& change);
+    void visit_state(StateVisitor& visit) {
+        static_assert(
+            has_only<CubicHinges, HingeElements<CubicHinge>, decltype(scale), decltype(cubic_part)>());
+        HingeElements::visit_state(visit);
+    }
 
     double scale;
     bool cubic_part;
@@ -26,6 +32,12 @@ struct CubicHinges2007 : HingeElements<CubicHinge> {
     CubicHinges2007(const std::vector<HingeStencil>& stencils, const Positions& rest, bool cubic_part = true);
     HingeHessian hessian(std::size_t i, const HingePositions& x, Curvature curvature) const;
     void follow(const ShellChange& change);
+    void visit_state(StateVisitor& visit) {
+        static_assert(has_only<CubicHinges2007, HingeElements<CubicHinge>, decltype(in_equilibrium),
+                               decltype(cubic_part)>());
+        HingeElements::visit_state(visit);
+        visit(in_equilibrium);
+    }
 
     std::vector<CubicHinge> in_equilibrium;
     bool cubic_part;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/energy.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -34,6 +35,11 @@ class CubicPolynomial : public Energy {
     /// Curvature::convex: that of the convex springs alone.
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+
+    void visit_state(StateVisitor& visit) override {
+        auto& [springs, triples, constant, error] = *this;
+        visit(springs, triples, constant, error);
+    }
 
   private:
     std::vector<Spring> springs;  ///< each pair once, by ascending first vertex

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bending/patches.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -43,6 +44,11 @@ class FaceCurvature {
 
     /// The faces' sides and what folds are there.
     const Patches& around() const { return patches; }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, folds, patches, shares, faces] = *this;
+        visit(patches, shares, faces);
+    }
 
   private:
     void renumber(const Patches::Change& change);

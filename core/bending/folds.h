@@ -5,6 +5,7 @@
 
 #include "core/bending/mirror_hinge.h"
 #include "core/elements/dihedral_angle.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -70,6 +71,11 @@ class Folds {
                      std::span<const Index> some) const;
     /// Of each mirror. What other folds do to their vertices has neither net force nor net torque.
     std::vector<MirrorGradient> mirror_gradients(const Positions& x, const VectorXd& of_angles) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, mirrors] = *this;
+        visit(mirrors);
+    }
 
   private:
     /// A fold at x as a hinge; the fourth vertex of a mirror is the image.

@@ -5,6 +5,7 @@
 
 #include "core/element_energy.h"
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -41,6 +42,10 @@ struct HingeElements {
         double sum = 0;
         for (const Hinge& hinge : hinges) sum += round_off_of(hinge);
         return sum;
+    }
+    void visit_state(StateVisitor& visit) {
+        auto& [stencils, rest, hinges] = static_cast<HingeElements&>(*this);
+        visit(hinges);
     }
     HingePositions at_rest(std::size_t i) const { return columns(*rest, vertices(i)); }
 };

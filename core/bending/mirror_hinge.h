@@ -6,6 +6,7 @@
 #include "core/bending/cubic_hinge.h"
 #include "core/energy.h"
 #include "core/shell/triangle_edge.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -52,6 +53,10 @@ class Mirrors {
     Matrix3d reflection(std::size_t i) const;
     /// A Hessian by the hinge's vertices, as one by those of the triangle, [9, 9].
     Eigen::Matrix<double, 9, 9> folded(std::size_t i, const HingeHessian& hessian) const;
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, at_rest, hinges, origins] = *this;
+        visit(at_rest, hinges, origins);
+    }
 
   private:
     const Shell& shell;
@@ -80,6 +85,10 @@ class MirrorEnergy : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
 
     const Mirrors& all() const { return mirrors; }  ///< in the open step
+    void visit_state(StateVisitor& visit) override {
+        auto& [mirrors, bending] = *this;
+        visit(mirrors, bending);
+    }
 
   private:
     void find_bending();

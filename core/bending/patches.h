@@ -8,6 +8,7 @@
 
 #include "core/bending/folds.h"
 #include "core/elements/mid_edge.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -58,6 +59,11 @@ class Patches {
     /// patch sees curvatures. target: components 00, 11, 01 in the frame of the side's triangle.
     std::vector<Share> shares(const TriangleEdge& side, const Vector3d& target,
                               std::optional<Share> start = {}) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, folds, sharpest, first_edge, triangles, fold_of_side, sides_of_edge] = *this;
+        visit(first_edge, triangles, fold_of_side, sides_of_edge);
+    }
 
   private:
     /// A triangle of a patch, and the angle (rad) of its rest frame once it is unfolded into that of the

@@ -10,6 +10,7 @@
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/contact/sheets/sheet_friction.h"
 #include "core/energy_balance.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -53,6 +54,10 @@ class Contact {
     std::vector<Reaction> reactions(const Positions& x) const;
     Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, options, body_contact, obstacle_contact, sheet_contact, sheet_friction, lips] = *this;
+        visit(body_contact, obstacle_contact, sheet_contact, sheet_friction, lips);
+    }
 
   private:
     const Shell& shell;

@@ -47,6 +47,11 @@ void StiffnessDamping::begin_membrane(const Positions& origin, double scale) {
     membrane = arcs ? arcs.get() : flat.get();
 }
 
+void StiffnessDamping::visit_state(StateVisitor& visit) {
+    auto& [shell, coefficient, triangles, coupled, arcs, uncoupled, flat, bending, membrane] = *this;
+    visit(coupled, arcs);
+}
+
 double StiffnessDamping::value(const Positions& x) const {
     return bending->value(x) + membrane->value(x);
 }

@@ -6,6 +6,7 @@
 #include "core/bending/bending.h"
 #include "core/forces/vertex_springs.h"
 #include "core/membrane/membrane.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -41,6 +42,7 @@ class StiffnessDamping : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void visit_state(StateVisitor& visit) override;
 
   private:
     void begin_membrane(const Positions& origin, double scale);
@@ -65,6 +67,11 @@ class MassDamping : public ElementEnergy<VertexSprings> {
         elements = {coefficient / step.lag * shell.mass, step.origin};
     }
     Task task() const override { return Task::loads; }
+    void visit_state(StateVisitor& visit) override {
+        static_assert(
+            has_only<MassDamping, ElementEnergy<VertexSprings>, decltype(shell), decltype(coefficient)>());
+        ElementEnergy::visit_state(visit);
+    }
 
   private:
     const Shell& shell;

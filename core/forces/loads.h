@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/forces/edge_moment.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -26,6 +27,11 @@ struct Load {
     double pressure = 0;                   ///< Pa, along the normal of a triangle in its current position
     double ramp = 0;                       ///< s; 0: full size from the start
     std::vector<FaceForce> spread = {};    ///< forces of constant direction, too
+
+    void visit_state(StateVisitor& visit) {
+        auto& [dead, pressed, moments, pressure, ramp, spread] = *this;
+        visit(dead, pressed, moments, spread);
+    }
 };
 
 /// Applies `force` (N) to each of the vertices. Throws std::out_of_range if a vertex has no triangle.
@@ -75,6 +81,10 @@ class LoadEnergy : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     Task task() const override { return Task::loads; }
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, loads, start, force, pressed, turned, start_potential] = *this;
+        visit(loads);
+    }
 
   private:
     /// Sums the loads as they are at the end of the step.

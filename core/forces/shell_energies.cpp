@@ -44,6 +44,12 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
             true);
 }
 
+void ShellEnergies::visit_state(StateVisitor& visit) {
+    auto& [shell, bending, coupled, membrane, arcs, mirrors, mirror_supports, mirror_scripts, others] = *this;
+    visit(bending, membrane, mirrors);
+    for (auto& [part, energy, of_velocity] : others) visit(energy);
+}
+
 std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
     if (coupled == nullptr) return std::nullopt;
     return coupled->curvatures(x);

@@ -12,6 +12,7 @@
 #include "core/forces/wind.h"
 #include "core/membrane/membrane.h"
 #include "core/reaction.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -69,6 +70,8 @@ class ShellEnergies {
     /// Green strain of all faces, [3, F], as the membrane sees it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
+
+    void visit_state(StateVisitor& visit);
 
   private:
     std::vector<Reaction> mirror_reactions(const Positions& x) const;  ///< of each mirror

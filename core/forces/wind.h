@@ -3,6 +3,7 @@
 
 #include "core/element_energy.h"
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -27,6 +28,10 @@ struct Wind {
 
     /// Velocity of the air at a place (m) and a time (s), m/s.
     Vector3d at(const Vector3d& place, double time) const;
+    void visit_state(StateVisitor& visit) {
+        auto& [velocity, gusts, ramp, density, drag, lift, friction, triangles] = *this;
+        visit(triangles);
+    }
 };
 
 /// Corners of triangles that the air drags along.
@@ -74,6 +79,11 @@ class WindEnergy : public ElementEnergy<WindCorners> {
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     Task task() const override { return Task::loads; }
+    void visit_state(StateVisitor& visit) override {
+        static_assert(has_only<WindEnergy, ElementEnergy<WindCorners>, decltype(shell), decltype(winds)>());
+        ElementEnergy::visit_state(visit);
+        visit(winds);
+    }
 
   private:
     const Shell& shell;

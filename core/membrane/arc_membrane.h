@@ -3,6 +3,7 @@
 
 #include "core/elements/arc_triangle.h"
 #include "core/membrane/side_curvature.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -31,6 +32,10 @@ class ArcMembrane : public Energy {
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, folds, curvature, triangles] = *this;
+        visit(folds, curvature, triangles);
+    }
 
   private:
     void measure_from_rest();

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/bending/patches.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -24,6 +25,11 @@ class SideCurvature {
     std::span<const Patches::Share> shares(std::size_t face, int side) const { return sides[face][side]; }
     /// The curvature along the sides of a face, [3] 1/m. angles: of all folds, rad.
     Vector3d of(std::size_t face, const VectorXd& angles) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, folds, patches, sides] = *this;
+        visit(patches, sides);
+    }
 
   private:
     void update(Index face, int side);

@@ -10,6 +10,7 @@
 #include "core/material/material.h"
 #include "core/motion.h"
 #include "core/shell/inheritance.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -46,6 +47,11 @@ struct NearVertices {
 struct StartDepth {
     VectorXd depth;            ///< [V] m, beyond touching, from which on the collider pushes; it only shrinks
     std::vector<char> unseen;  ///< [V] whether elements with this vertex do not meet the collider's surface
+
+    void visit_state(StateVisitor& visit) {
+        auto& [depth, unseen] = *this;
+        visit(depth, unseen);
+    }
 };
 
 /// The mechanics of the shell (all sheets of a simulation), as arrays and index stencils. Whoever holds the
@@ -90,6 +96,16 @@ struct Shell {
     std::vector<Motion> motions;           ///< of scripted vertices, from their rest positions
     std::vector<std::vector<Hold>> holds;  ///< what together holds a vertex, for reactions
     bool uneven = false;                   ///< whether the thickness of a sheet differs from place to place
+
+    /// What is held, and how, is given at the start.
+    void visit_state(StateVisitor& visit) {
+        auto& [rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
+               vertex_sheet, triangles, face_mass, face_sheet, edge_hinge, edge_strength, edge_toughness,
+               hinges, hinge_edge, twins, near, start_depths, lips, guides, motions, holds, uneven] = *this;
+        visit(rest, position, velocity, mass, thickness, young, footprint, fixed, script, guide, held,
+              vertex_sheet, triangles, face_mass, face_sheet, edge_hinge, edge_strength, edge_toughness,
+              hinges, hinge_edge, twins, near, start_depths, lips);
+    }
 };
 
 /// Calls visit(attribute) for every array, and visit(attribute, rule, missing) for every list, that has an

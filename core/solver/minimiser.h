@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/solver/potential.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -22,6 +23,7 @@ struct Minimiser {
     /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations. The potential must be
     /// finite at x; it stays finite along every motion.
     virtual MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) = 0;
+    virtual void visit_state(StateVisitor& visit) = 0;
 };
 
 }  // namespace sherd

@@ -83,6 +83,17 @@ Positions NewtonSystem::solve(const Potential& potential, const Positions& right
     return solver->solve(right_side.reshaped()).reshaped(3, right_side.cols());
 }
 
+void NewtonSystem::visit_state(StateVisitor& visit) {
+    auto& [matrix, solver] = *this;
+    bool known = matrix.has_value();
+    visit(known);
+    if (visit.reads()) matrix.reset();
+    if (!known) return;
+    if (!matrix) matrix.emplace(0, std::vector<std::pair<Index, Index>>(), std::vector<char>());
+    visit(*matrix);
+    if (visit.reads()) solver->analyze(*matrix);
+}
+
 void Newton::topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) {
     system.topology_changed(change, potential, x);
 }

@@ -6,6 +6,7 @@
 
 #include "core/solver/linear_solver.h"
 #include "core/solver/minimiser.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -22,6 +23,8 @@ class NewtonSystem {
     void factorize(const Potential& potential, const Positions& x);
     /// Solves with the last factor. right_side: [3, V].
     Positions solve(const Potential& potential, const Positions& right_side);
+    /// The pattern; factors are made of each matrix anew.
+    void visit_state(StateVisitor& visit);
 
   private:
     void analyze(const Potential& potential, const Positions& x);
@@ -40,6 +43,10 @@ class Newton : public Minimiser {
         : tolerance(tolerance), system(std::move(solver)) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
     MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) override;
+    void visit_state(StateVisitor& visit) override {
+        auto& [tolerance, system] = *this;
+        visit(system);
+    }
 
   private:
     double tolerance;

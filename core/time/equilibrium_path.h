@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/solver/newton.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -31,6 +32,11 @@ class EquilibriumPath {
     void finish(const StepContext& step, const Positions& x);
 
     bool arrived() const { return start_load == last_load; }
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, tolerance, last_load, system, start_load, length, scale, predicted, at_last_load,
+               direction] = *this;
+        visit(system, start_load, length, scale, predicted, at_last_load, direction);
+    }
 
   private:
     /// A change of positions and load that Newton's method proposes.

@@ -104,6 +104,18 @@ void ExplicitStepper::choose_substep() {
     length = step.length / substeps;
 }
 
+void ExplicitStepper::visit_state(StateVisitor& visit) {
+    static_assert(
+        has_only<ExplicitStepper, Stepper, decltype(contact), decltype(opening), decltype(elastic),
+                 decltype(step), decltype(time), decltype(of_shell), decltype(substeps), decltype(length),
+                 decltype(first), decltype(made), decltype(changed), decltype(strain_then), decltype(mode),
+                 decltype(velocity), decltype(acceleration), decltype(forces_now), decltype(energies_now),
+                 decltype(work), decltype(inertia_work)>());
+    Stepper::visit_state(visit);
+    visit(contact, opening, step, time, of_shell, substeps, length, first, made, changed, strain_then, mode,
+          velocity, acceleration, forces_now, energies_now, work, inertia_work);
+}
+
 ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
     Forces all;
     all.elastic = all.damping = Positions::Zero(3, position.cols());

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/contact/explicit/explicit_contact.h"
+#include "core/state_visitor.h"
 #include "core/time/opening_edges.h"
 #include "core/time/stepper.h"
 
@@ -34,6 +35,7 @@ class ExplicitStepper : public Stepper {
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.of_bodies().bodies(); }
 
+    void visit_state(StateVisitor& visit) override;
     double substep() const { return length; }  ///< s, of the open step, or of the last one
 
   private:
@@ -44,6 +46,10 @@ class ExplicitStepper : public Stepper {
         ContactForces contact;
 
         Positions sum() const;
+        void visit_state(StateVisitor& visit) {
+            auto& [elastic, damping, opening, outer, contact] = *this;
+            visit(elastic, damping, opening, outer, contact);
+        }
     };
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;

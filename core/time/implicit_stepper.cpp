@@ -28,6 +28,15 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
     if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);
 }
 
+void ImplicitStepper::visit_state(StateVisitor& visit) {
+    static_assert(has_only<ImplicitStepper, Stepper, decltype(time), decltype(step), decltype(scheme),
+                           decltype(inertia), decltype(loads), decltype(contact), decltype(opening),
+                           decltype(potential), decltype(minimiser), decltype(path), decltype(unbalanced)>());
+    Stepper::visit_state(visit);
+    visit(time, step, inertia, contact, opening, *minimiser, unbalanced);
+    if (path) visit(*path);
+}
+
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia};
     for (const std::vector<Energy*>& some :

@@ -3,6 +3,7 @@
 
 #include "core/contact/contact.h"
 #include "core/solver/newton.h"
+#include "core/state_visitor.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
 #include "core/time/released_edges.h"
@@ -34,6 +35,7 @@ class ImplicitStepper : public Stepper {
     Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.bodies(); }
+    void visit_state(StateVisitor& visit) override;
 
   private:
     double stored_in_contact() const override { return contact.stored_energy(position); }

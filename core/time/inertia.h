@@ -3,6 +3,7 @@
 
 #include "core/forces/vertex_springs.h"
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -18,6 +19,10 @@ class Inertia : public ElementEnergy<VertexSprings> {
 
     /// y, m, [3, V]; for fixed vertices, their positions at the end of the step.
     const Positions& predicted() const { return elements.anchor; }
+    void visit_state(StateVisitor& visit) override {
+        static_assert(has_only<Inertia, ElementEnergy<VertexSprings>, decltype(shell), decltype(gravity)>());
+        ElementEnergy::visit_state(visit);
+    }
 
   private:
     const Shell& shell;

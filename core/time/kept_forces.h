@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -12,6 +13,7 @@ struct KeptForces {
     std::vector<Index> vertices;  ///< ascending
     Positions forces;             ///< N, on each of them
 
+    KeptForces() = default;
     /// of_all: [3, V] N. Those below 1e-10 of the largest are round-off, and left out.
     explicit KeptForces(const Positions& of_all);
     /// J, against them when vertices move by `moved`, [3, V] m.
@@ -26,6 +28,10 @@ struct KeptForces {
     void add(double share, Positions& sum) const;
     /// The columns of these vertices.
     Positions of_these(const Positions& of_all) const { return of_all(Eigen::all, vertices); }
+    void visit_state(StateVisitor& visit) {
+        auto& [vertices, forces] = *this;
+        visit(vertices, forces);
+    }
 };
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/shell_change.h"
+#include "core/state_visitor.h"
 #include "core/time/kept_forces.h"
 
 namespace sherd {
@@ -26,6 +27,10 @@ class OpeningEdges {
     /// Share of what held an edge together that still does; 0 for one that has opened.
     double held(Index edge) const;
     bool empty() const { return all.empty(); }
+    void visit_state(StateVisitor& visit) {
+        auto& [all] = *this;
+        visit(all);
+    }
 
   private:
     struct Kept {
@@ -39,6 +44,10 @@ class OpeningEdges {
 
         /// Takes out of both what is opposed in these forces and `others`, [3, V] N: their sum stays.
         void cancel(Positions& others);
+        void visit_state(StateVisitor& visit) {
+            auto& [edge, kept, needed, longest, taken, age, share] = *this;
+            visit(edge, kept, needed, longest, taken, age, share);
+        }
     };
     std::vector<Kept> all;
 };

@@ -5,6 +5,7 @@
 
 #include "core/energy.h"
 #include "core/shell_change.h"
+#include "core/state_visitor.h"
 #include "core/time/kept_forces.h"
 
 namespace sherd {
@@ -36,6 +37,10 @@ class ReleasedEdges : public Energy {
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
     void add_hessian(const Positions&, Curvature, BlockMatrix&) const override {}
+    void visit_state(StateVisitor& visit) override {
+        auto& [start, end, all, finished, is_solved, settled] = *this;
+        visit(start, end, all, finished, is_solved, settled);
+    }
 
   private:
     struct Kept {
@@ -52,6 +57,10 @@ class ReleasedEdges : public Energy {
 
         /// To what is left at the end of a step, s.
         void fade(double end);
+        void visit_state(StateVisitor& visit) {
+            auto& [edge, kept, at, needed, since, lasts, before, share, taken, closes] = *this;
+            visit(edge, kept, at, needed, since, lasts, before, share, taken, closes);
+        }
     };
     /// The way from here on counts anew.
     void settle();

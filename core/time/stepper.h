@@ -7,6 +7,7 @@
 #include "core/contact/contact_options.h"
 #include "core/forces/shell_energies.h"
 #include "core/solver/minimiser.h"
+#include "core/state_visitor.h"
 #include "core/time/energy_ledger.h"
 
 namespace sherd {
@@ -82,6 +83,12 @@ class Stepper {
     virtual double lip_overlap() const = 0;  ///< m
     /// The bodies at the end of the last finished step.
     virtual const std::vector<RigidBody>& bodies() const = 0;
+
+    virtual void visit_state(StateVisitor& visit) {
+        auto& [position, spent, shell, options, forces, ledger] = *this;
+        visit(position, forces, ledger);
+    }
+
     /// Where the computing time of the step is booked; callers may book theirs on it, too.
     TimeSpent& time_spent() { return spent; }
     const TimeSpent& time_spent() const { return spent; }

@@ -17,6 +17,7 @@
 #include "app/scene/read/statics.h"
 #include "app/scene/read/variants.h"
 #include "app/scene/toml/override.h"
+#include "app/scene/toml/settings.h"
 #include "app/scene/toml/toml_file.h"
 #include "app/scene/toml/toml_table.h"
 #include "app/words/nearest_name.h"
@@ -121,6 +122,8 @@ void read_times(TomlTable& root, Scene& scene) {
         if (output->has("every") && scene.frame_interval < scene.solver.step)
             output->report("every", fmt::format("is shorter than solver.step ({} s)", scene.solver.step));
         scene.fields = read_fields(*output);
+        scene.checkpoint_interval =
+            output->number("checkpoint", "s", not_negative, scene.checkpoint_interval);
         output->finish();
     }
 }
@@ -209,6 +212,7 @@ Scene parse_scene(std::string text, const std::filesystem::path& file, const Sce
     Problems problems;
     choose_variant(document, scene, problems);
     for (const std::string& assignment : choice.overrides) apply_override(document, assignment);
+    scene.settings = settings_of(document);
     TomlTable root(document, "", problems);
     read_root(root, scene);
     problems.throw_if_any();

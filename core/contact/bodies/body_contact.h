@@ -6,6 +6,7 @@
 #include "core/contact/colliders/obstacle.h"
 #include "core/energy.h"
 #include "core/reaction.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -54,6 +55,12 @@ class BodyContact : public Energy {
     void add_touch(const Positions& x, Touch& touch) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
+    /// The rest is made by begin() and topology_changed().
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, obstacles, gravity, started, finished, pairs, steps, obstacle_places, points, sliding,
+               start_stored, lag, base, last, best, at_best] = *this;
+        visit(started, finished, pairs, base);
+    }
 
   private:
     /// P and its derivatives by q. Derivatives by x are stored with each body.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/contact/colliders/collider.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -21,6 +22,15 @@ struct RigidBody : Collider {
     Matrix3d rotation = Matrix3d::Identity();      ///< from its frame to space
     Vector3d velocity = Vector3d::Zero();          ///< m/s
     Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s, about the centre of mass
+
+    /// Where it is and how it moves; all else is given.
+    void visit_state(StateVisitor& visit) {
+        static_assert(
+            has_only<RigidBody, Collider, decltype(mass), decltype(inertia), decltype(contact_points),
+                     decltype(contact_radius), decltype(contact_length), decltype(centre), decltype(rotation),
+                     decltype(velocity), decltype(angular_momentum)>());
+        visit(centre, rotation, velocity, angular_momentum);
+    }
 
     Eigen::Isometry3d pose() const {  ///< from its frame to space
         Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/contact/detection/collider_trees.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -27,6 +28,11 @@ class ContactCandidates {
     /// vertices gained or lost twins or others that are near since the start.
     void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
                 ColliderTrees& colliders);
+
+    void visit_state(StateVisitor& visit) {
+        auto& [within, candidates] = *this;
+        visit(within, candidates);
+    }
 
   private:
     struct Candidate {

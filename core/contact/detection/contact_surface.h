@@ -6,6 +6,7 @@
 #include "core/contact/barrier/contact_pair.h"
 #include "core/contact/geometry/collider_surface.h"
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -100,6 +101,14 @@ class ContactSurface {
     ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double activation_distance) const;
     /// The collider that one of the elements belongs to; null if none does.
     const ContactCollider* collider_of(PairKind kind, const std::array<Index, 4>& vertices) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, colliders, sheets, springs, collider, start_of, triangle, collider_triangle, edge,
+               collider_edge, twin, width, collider_width, largest_half, unseen, near, has_twin, is_near] =
+            *this;
+        visit(collider, start_of, triangle, collider_triangle, edge, collider_edge, twin, width,
+              collider_width, largest_half, unseen, near, has_twin, is_near);
+    }
 
   private:
     Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/contact/detection/contact_candidates.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -34,6 +35,12 @@ class NearPairs {
     /// the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const;
+
+    /// Trees of colliders follow from where these are.
+    void visit_state(StateVisitor& visit) {
+        auto& [of, colliders, found, near, pairs, last, active] = *this;
+        visit(of, found, near, pairs, last, active);
+    }
 
   private:
     ContactSurface of;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/state_visitor.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -16,6 +17,11 @@ class Neighbourhood {
 
     bool contains(const Positions& x) const { return contains(x, 0); }
     bool contains(const Neighbourhood& other) const;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [start, motion, margin, round_off, colliders, colliders_rest] = *this;
+        visit(start, motion, margin, round_off, colliders, colliders_rest);
+    }
 
     Positions start;       ///< [3, V] m
     Positions motion;      ///< m; without colliders, the common translation is subtracted

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/reaction.h"
+#include "core/state_visitor.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -13,6 +14,11 @@ struct ContactForces {
     // What of these is friction:
     Positions friction;
     std::vector<Reaction> obstacle_friction;
+
+    void visit_state(StateVisitor& visit) {
+        auto& [force, obstacles, friction, obstacle_friction] = *this;
+        visit(force, obstacles, friction, obstacle_friction);
+    }
 
     ContactForces() = default;
     ContactForces(Eigen::Index vertices, std::size_t number_of_obstacles)

@@ -10,6 +10,7 @@
 #include "core/contact/detection/near_pairs.h"
 #include "core/contact/explicit/contact_forces.h"
 #include "core/contact/penalty/vertex_contact.h"
+#include "core/state_visitor.h"
 #include "core/step_context.h"
 
 namespace sherd {
@@ -48,6 +49,12 @@ class ExplicitBodies {
     double friction_work() const { return of_friction; }  ///< J, what of contact_work() is friction's
     double work_of_all() const { return of_contact + of_weight; }
     double kinetic_change() const;  ///< J, since begin()
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, obstacles, gravity, longest, all, started, at_vertices, pairs, points, forces, before,
+               friction, friction_before, moved, of_contact, of_friction, of_weight] = *this;
+        visit(longest, all, started, at_vertices, pairs, forces, before, friction, friction_before, moved,
+              of_contact, of_friction, of_weight);
+    }
 
   private:
     struct Force {

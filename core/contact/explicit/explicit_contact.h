@@ -9,6 +9,7 @@
 #include "core/contact/lips/lip.h"
 #include "core/contact/penalty/vertex_contact.h"
 #include "core/contact/sheets/sheet_contact.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -43,6 +44,10 @@ class ExplicitContact {
     Touch touch(const Positions& x) const;
     Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
+    void visit_state(StateVisitor& visit) {
+        auto& [options, shell, bodies, at_vertices, substep, before, now, sheets, lips] = *this;
+        visit(bodies, at_vertices, substep, before, now, sheets, lips);
+    }
 
   private:
     void add_obstacles(const Substep& substep, ContactForces& sum) const;

@@ -4,6 +4,7 @@
 #include "core/contact/colliders/obstacle.h"
 #include "core/contact/penalty/vertex_contact.h"
 #include "core/reaction.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -27,6 +28,11 @@ class ObstacleContact : public Energy {
     /// Adds the obstacle's forces on the shell at x.
     void add_reaction(const Positions& x, Reaction& reaction) const;
     void add_touch(const Positions& x, Touch& touch) const { contact.add_touch(x, pose, touch); }
+
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, obstacle, contact, before, pose] = *this;
+        visit(contact, before, pose);
+    }
 
   private:
     double stored_energy(const Positions& x, const Eigen::Isometry3d& there) const;

@@ -8,6 +8,7 @@
 #include "core/contact/colliders/touch.h"
 #include "core/contact/penalty/point_force.h"
 #include "core/shell/shell.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -75,6 +76,11 @@ class VertexContact {
                     double margin = 0) const {
         const double reach = 0.5 * shell.thickness[vertex] + margin - start_depth(shell, number, vertex);
         return sherd::overlap(*collider.shape, pose, x.col(vertex), reach);
+    }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [shell, collider, number, sliding] = *this;
+        visit(sliding);
     }
 
   private:

@@ -5,6 +5,7 @@
 #include "core/contact/detection/near_pairs.h"
 #include "core/element_energy.h"
 #include "core/reaction.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -92,6 +93,10 @@ class SheetContact : public Energy {
     /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
     /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
+        visit(near, start, end);
+    }
 
   private:
     /// The active pairs, as elements.

@@ -3,6 +3,7 @@
 
 #include "core/contact/friction/friction.h"
 #include "core/contact/sheets/sheet_contact.h"
+#include "core/state_visitor.h"
 
 namespace sherd {
 
@@ -63,6 +64,11 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     double friction_loss(const Positions& x) const;
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         contact.add_reactions(elements, x, of_obstacles);
+    }
+    void visit_state(StateVisitor& visit) override {
+        static_assert(has_only<SheetFriction, ElementEnergy<SlidingPairs>, decltype(shell), decltype(contact),
+                               decltype(coefficient)>());
+        ElementEnergy::visit_state(visit);
     }
 
   private:

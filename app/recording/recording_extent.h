@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "app/recording/hdf5.h"
+
+namespace sherd::recording_format {
+
+/// Rows of each table of a recording.
+std::vector<std::size_t> extent(hid_t file);
+
+/// Makes the file what it was when it had so many frames, and rows in each table. Throws Error (run) when it
+/// holds less.
+void cut(hid_t file, std::size_t frames, std::span<const std::size_t> rows);
+
+}  // namespace sherd::recording_format

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "app/files/checksum.h"
+#include "app/files/pending_file.h"
+#include "app/run/state_archive.h"
+
+namespace sherd {
+namespace {
+
+constexpr std::string_view magic = "sherd checkpoint 1\n";
+
+/// What stands in front of the rest of a file.
+struct Seal {
+    std::uint64_t size = 0, sum = 0;
+};
+
+Checkpoint read_checkpoint(const std::filesystem::path& file) {
+    const std::string text = text_of(file);
+    Seal seal;
+    const std::size_t head = magic.size() + sizeof seal;
+    if (text.size() < head || !text.starts_with(magic))
+        throw Error(fmt::format("'{}' is not a checkpoint of this version", file.string()));
+    std::memcpy(&seal, text.data() + magic.size(), sizeof seal);
+    const std::string_view body = std::string_view(text).substr(head);
+    if (body.size() != seal.size || checksum(body) != seal.sum)
+        throw Error(fmt::format("the checkpoint '{}' is damaged or cut off", file.string()));
+    Checkpoint checkpoint;
+    StateReader reader(body);
+    reader(checkpoint);
+    return checkpoint;
+}
+
+}  // namespace
+
+std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording) {
+    return {recording.string() + ".checkpoint-1", recording.string() + ".checkpoint-2"};
+}
+
+void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint) {
+    StateWriter body;
+    body(checkpoint);
+    const Seal seal{body.text.size(), checksum(body.text)};
+    std::string text(magic);
+    text.append(reinterpret_cast<const char*>(&seal), sizeof seal);
+    text += body.text;
+    PendingFile file(checkpoint_files(recording.output())[checkpoint.number % 2], Fault::run, recording);
+    file.write(text);
+    file.publish_durably();
+}
+
+std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording,
+                                          std::vector<std::string>& warnings) {
+    std::optional<Checkpoint> last;
+    for (const std::filesystem::path& file : checkpoint_files(recording)) {
+        std::error_code ignored;
+        std::filesystem::remove(file.string() + ".part", ignored);
+        if (!std::filesystem::exists(file)) continue;
+        try {
+            Checkpoint one = read_checkpoint(file);
+            if (!last || one.number > last->number) last = std::move(one);
+        } catch (const Error& error) {
+            warnings.emplace_back(error.what());
+        }
+    }
+    return last;
+}
+
+void remove_checkpoints(const std::filesystem::path& recording) {
+    std::error_code ignored;
+    for (const std::filesystem::path& file : checkpoint_files(recording))
+        std::filesystem::remove(file, ignored);
+}
+
+}  // namespace sherd

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/output_lock.h"
+#include "app/run/run_origin.h"
+
+namespace sherd {
+
+/// A moment of a run from which it can go on.
+struct Checkpoint {
+    std::int64_t number = 0;    ///< of the run's checkpoints, from 1
+    double time = 0;            ///< s, simulated
+    double frame_interval = 0;  ///< s, of the run
+    RunOrigin origin;
+    std::string state;  ///< of all that takes part: StateWriter
+
+    void visit_state(StateVisitor& visit) {
+        auto& [number, time, frame_interval, origin, state] = *this;
+        visit(number, time, frame_interval, origin, state);
+    }
+};
+
+/// The two files beside a recording that have the last checkpoints in turn: RECORDING.checkpoint-1 and -2.
+std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording);
+
+/// Replaces the older one of the two. A reader finds a file as it was before or all of the new one, even
+/// after a power cut. Throws Error (run).
+void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint);
+
+/// Returns the last one that is whole, if there is any, and adds a warning for each file that is not. What a
+/// killed writer left is removed: nobody else must write the recording.
+std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording,
+                                          std::vector<std::string>& warnings);
+
+/// Removes both.
+void remove_checkpoints(const std::filesystem::path& recording);
+
+}  // namespace sherd

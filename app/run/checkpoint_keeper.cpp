@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/checkpoint_keeper.h"
+
+#include <fmt/format.h>
+
+#include "app/files/pending_file.h"
+#include "app/run/state_archive.h"
+
+namespace sherd {
+
+void CheckpointKeeper::put_back(const Checkpoint& checkpoint) {
+    require_same_run(checkpoint);
+    StateReader reader(checkpoint.state);
+    reader(parts);
+    reader.finish();
+    number = checkpoint.number;
+    last = Clock::now();
+}
+
+void CheckpointKeeper::paused(bool at_end) {
+    const double interval = parts.runner.scene().checkpoint_interval;
+    const bool is_due =
+        number == 0 ||
+        (interval > 0 && std::chrono::duration<double>(Clock::now() - last).count() >= interval);
+    if (at_end || is_due) write();
+}
+
+void CheckpointKeeper::write() {
+    const Clock::time_point start = Clock::now();
+    StateWriter state;
+    state(parts);
+    const OutputLock& recording = parts.recorder.lock();
+    wait_for_disk(recording.output());  // what the state counts on
+    write_checkpoint(recording, {++number, parts.runner.simulation().time(),
+                                 parts.runner.scene().frame_interval, origin, std::move(state.text)});
+    last = Clock::now();
+    spent += std::chrono::duration<double>(last - start).count();
+}
+
+void CheckpointKeeper::require_same_run(const Checkpoint& checkpoint) const {
+    const Scene& scene = parts.runner.scene();
+    std::string why = differences(checkpoint.origin, origin);
+    if (scene.frame_interval != checkpoint.frame_interval)
+        why +=
+            fmt::format("output.every was {} and is {}\n", checkpoint.frame_interval, scene.frame_interval);
+    if (!why.empty())
+        throw Error(
+            fmt::format("the run cannot go on with --resume, since its bits would be others:\n{}only "
+                        "duration may be another; --force instead of --resume begins anew",
+                        why));
+    if (scene.duration < checkpoint.time)
+        throw Error(fmt::format("the run has come to {:g} s, past duration = {:g}; give a longer one",
+                                checkpoint.time, scene.duration));
+}
+
+}  // namespace sherd

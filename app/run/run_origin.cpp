@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run/run_origin.h"
+
+#include <fmt/format.h>
+
+#include "app/files/checksum.h"
+#include "app/run/obstacle_track.h"
+#include "app/run/state_archive.h"
+
+namespace sherd {
+namespace {
+
+/// A run may be made longer, and keep checkpoints more often.
+constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
+
+/// Of where everything starts, and of what textures, grids and lists make different from place to place.
+/// Structs are left out, whose padding may have any bytes: they follow from these and the settings.
+std::uint64_t checksum_of_start(const Runner& runner) {
+    Shell shell = runner.simulation().shell().mechanics();
+    const std::span<const Vector3d> axes = runner.simulation().shell().axes();
+    std::vector<Vector3d> face_axes(axes.begin(), axes.end());
+    StateWriter writer;
+    writer(shell.rest, shell.position, shell.velocity, shell.mass, shell.thickness, shell.young,
+           shell.footprint, shell.fixed, shell.script, shell.guide, shell.held, shell.vertex_sheet,
+           shell.face_sheet, shell.edge_strength, shell.edge_toughness, face_axes);
+    const ObstacleTrack track(runner.scene(), runner.simulation());
+    for (RecordedObstacle obstacle : track.obstacles())
+        writer(obstacle.surface.points, obstacle.surface.triangles);
+    return checksum(writer.text);
+}
+
+template <class T, class Words>
+std::string differences(const std::map<std::string, T>& before, const std::map<std::string, T>& now,
+                        Words words) {
+    std::map<std::string, std::pair<const T*, const T*>> both;
+    for (const auto& [key, value] : before) both[key].first = &value;
+    for (const auto& [key, value] : now) both[key].second = &value;
+    std::string text;
+    for (const auto& [key, values] : both)
+        if (!values.first || !values.second || *values.first != *values.second)
+            text += words(key, values.first, values.second) + "\n";
+    return text;
+}
+
+std::string setting_words(const std::string& key, const std::string* before, const std::string* now) {
+    if (!before) return fmt::format("{} = {} has been added", key, *now);
+    if (!now) return fmt::format("{} = {} is not there any more", key, *before);
+    return fmt::format("{} was {} and is {}", key, *before, *now);
+}
+
+}  // namespace
+
+RunOrigin run_origin(const Runner& runner) {
+    const Scene& scene = runner.scene();
+    RunOrigin origin;
+    origin.program = fmt::format("sherd {} ({:016x})", SHERD_VERSION, checksum_of("/proc/self/exe"));
+    origin.settings = scene.settings;
+    for (const char* key : free_keys) origin.settings.erase(key);
+    const std::filesystem::path folder = std::filesystem::absolute(scene.file).parent_path();
+    for (const std::filesystem::path& file : input_files(scene))
+        origin.meshes[std::filesystem::proximate(file, folder).string()] = checksum_of(file);
+    origin.start = checksum_of_start(runner);
+    return origin;
+}
+
+std::string differences(const RunOrigin& before, const RunOrigin& now) {
+    std::string text = differences(before.settings, now.settings, setting_words);
+    text += differences(before.meshes, now.meshes,
+                        [](const std::string& file, const std::uint64_t*, const std::uint64_t*) {
+                            return fmt::format("the mesh '{}' has changed", file);
+                        });
+    if (before.program != now.program)
+        text += fmt::format("the program was {} and is {}\n", before.program, now.program);
+    if (text.empty() && before.start != now.start)
+        text = "what the scene is built of, such as a texture, a grid or a list of edges, has changed\n";
+    return text;
+}
+
+}  // namespace sherd

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/vector.h"
+#include "meshops/mesh.h"
+
+namespace sherd {
+
+/// Values that faces share, each once, and which of them each face has.
+template <class T>
+struct SharedValues {
+    std::vector<T> rows = {};        ///< in the order in which faces have them first
+    std::vector<Index> number = {};  ///< [F] of the row, -1: none; empty: the mesh has no such property
+};
+
+/// Of the property `name`, whose values are std::shared_ptr<const T>.
+template <class T>
+SharedValues<T> shared_values(const Mesh& mesh, const char* name) {
+    SharedValues<T> shared;
+    const auto [values, exists] = mesh.property_map<Face, std::shared_ptr<const T>>(name);
+    if (!exists) return shared;
+    std::map<T, Index> known;
+    for (const Face face : mesh.faces()) {
+        if (!values[face]) {
+            shared.number.push_back(-1);
+            continue;
+        }
+        const auto next = static_cast<Index>(shared.rows.size());
+        const auto [entry, is_new] = known.try_emplace(*values[face], next);
+        if (is_new) shared.rows.push_back(*values[face]);
+        shared.number.push_back(entry->second);
+    }
+    return shared;
+}
+
+/// Gives them back to the faces of a mesh that has the property.
+template <class T>
+void give_values(const SharedValues<T>& shared, const char* name, Mesh& mesh) {
+    auto values = mesh.property_map<Face, std::shared_ptr<const T>>(name).first;
+    std::vector<std::shared_ptr<const T>> rows;
+    for (const T& row : shared.rows) rows.push_back(std::make_shared<const T>(row));
+    for (const Face face : mesh.faces()) {
+        const Index number = shared.number[face.idx()];
+        values[face] = number < 0 ? nullptr : rows[number];
+    }
+}
+
+}  // namespace sherd

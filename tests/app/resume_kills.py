@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""resume_kills.py SHERD [--kills N] [--seed N] [SCENE ...]
+
+Runs scenes without interruption, and again with SIGKILLs at random moments, each followed by `sherd run --resume`:
+while it steps, records, writes a checkpoint, or puts the state of one back. Then holds the two recordings against each
+other, dataset by dataset and bit by bit; only `wall_seconds` may differ. When a run ends before all kills are spent, it
+begins anew. Without names all scenes take part, each with its share of the kills."""
+
+import argparse
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy
+
+SCENES = {
+    # Implicit steps, strength: bodies, wind with gusts, an obstacle with a surface, one that moves, a moving pin.
+    "implicit": """
+duration = 0.012
+seed = 4
+[sheet.plate]
+mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
+place = { translate = [0, 0, 0.062], rotate = { axis = [1, 0, 0], degrees = 20 } }
+velocity = [0, 0, -4]
+material = { preset = "stoneware" }
+fracture = { strain = 0.3, weibull = 8 }
+[sheet.flag]
+mesh = { generate = "rectangle", width = 0.2, height = 0.1, edge_length = 0.025 }
+place = { translate = [0.2, 0, 0.02] }
+material = { preset = "cotton" }
+pin = { box = [[0.19, -1, -1], [0.21, 1, 1]], keys = [{ time = 0 }, { time = 0.01, translate = [0, 0, 0.01] }] }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.block]
+box = { size = [0.04, 0.3, 0.02], centre = [0, 0, 0.01] }
+keys = [{ time = 0 }, { time = 0.01, translate = [0.003, 0, 0] }]
+[obstacle.ball]
+sphere = { radius = 0.015, centre = [0.03, 0.02, 0.09] }
+density = 7850
+velocity = [0, 0, -6]
+[obstacle.die]
+box = { size = [0.02, 0.02, 0.02], centre = [0.3, 0.05, 0.06] }
+density = 500
+velocity = [0, 0, -4]
+[force.wind]
+velocity = [10, 3, 0]
+gust = { amplitude = 3, time = 0.01, length = 0.1 }
+[[gauge]]
+name = "rim"
+at = [0, 0.09, 0.1133]
+[contact]
+friction = 0.2
+[output]
+every = 1e-3
+checkpoint = 0.1
+""",
+    # Explicit steps, toughness: cracks that cut faces and branch, edges that fade, a clamp, a body.
+    "explicit": """
+duration = 2.5e-4
+seed = 5
+[sheet.pane]
+mesh = { generate = "rectangle", width = 0.2, height = 0.2, edge_length = 0.012 }
+place = { translate = [-0.1, -0.1, 0] }
+clamp = { boundary = true }
+material = { preset = "glass" }
+fracture = { strength = 6e7, toughness = 7.5e5 }
+[obstacle.ball]
+sphere = { radius = 0.02, centre = [0.013, 0.008, 0.0225] }
+density = 7850
+young = 2.1e11
+friction = 0.2
+velocity = [0, 0, -12]
+[force.wind]
+velocity = [0, 0, 30]
+[solver]
+scheme = "explicit"
+step = 1e-6
+damping = { stiffness = 2e-8, mass = 1 }
+[output]
+every = 2e-5
+fields = true
+checkpoint = 0.1
+""",
+}
+
+
+def arguments():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("sherd")
+    parser.add_argument("scenes", nargs="*", choices=[[], *SCENES], default=[])
+    parser.add_argument("--kills", type=int, default=8)
+    parser.add_argument("--seed", type=int, default=1)
+    return parser.parse_args()
+
+
+def described(node):
+    """What a node of a recording is: its kind, shape and type, its bits, and its attributes."""
+    attributes = {name: numpy.asarray(value).tolist() for name, value in node.attrs.items() if name != "wall_seconds"}
+    if not isinstance(node, h5py.Dataset):
+        return "group", attributes
+    values = node[()]
+    bits = values if isinstance(values, bytes) else numpy.asarray(values)
+    text = bits if isinstance(bits, bytes) else repr(bits.tolist()) if bits.dtype == object else bits.tobytes()
+    return node.dtype.str, node.shape, text, attributes
+
+
+def content(file):
+    """Everything in a recording, by path; soft links as what they lead to."""
+    all_of_it = {"/": described(file)}
+
+    def add(group):
+        for name in group:
+            link = group.get(name, getlink=True)
+            if isinstance(link, h5py.SoftLink):
+                all_of_it[f"{group.name}/{name}"] = link.path
+                continue
+            all_of_it[group[name].name] = described(group[name])
+            if isinstance(group[name], h5py.Group):
+                add(group[name])
+
+    add(file)
+    return all_of_it
+
+
+def differences(one, other):
+    """The paths at which two recordings differ."""
+    with h5py.File(one) as first, h5py.File(other) as second:
+        a, b = content(first), content(second)
+    return [path for path in sorted({*a, *b}) if a.get(path) != b.get(path)]
+
+
+class Victim:
+    """A run that is killed again and again."""
+
+    def __init__(self, sherd, scene, recording, chance):
+        self.command = [sherd, "run", scene, "-o", recording]
+        self.recording, self.chance = recording, chance
+        self.startup = 0.3  # s, until a run that goes on makes steps; at first a guess
+        self.kills = 0
+
+    def killed(self):
+        """Lets it run and kills it. Returns whether it ended before."""
+        threads = str(self.chance.choice([1, 2, 4]))
+        run = subprocess.Popen([*self.command, "--resume", "--threads", threads], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE)
+        if self.chance.random() < 0.25:
+            ended = self.wait_for_checkpoint(run)
+        else:
+            ended = self.wait(run, self.chance.uniform(0, 2.5 * self.startup))
+        if not ended:
+            run.send_signal(signal.SIGKILL)
+            self.kills += 1
+        words = run.communicate()[1].decode()
+        if run.returncode not in (0, -signal.SIGKILL):
+            sys.exit(f"{' '.join(map(str, self.command))} ended with {run.returncode}:\n{words}")
+        return run.returncode == 0
+
+    @staticmethod
+    def wait(run, seconds):
+        try:
+            run.wait(seconds)
+            return True
+        except subprocess.TimeoutExpired:
+            return False
+
+    def wait_for_checkpoint(self, run):
+        """Until a checkpoint is being written; by chance a moment longer."""
+        until = time.monotonic() + 20 * self.startup
+        while time.monotonic() < until:
+            if any(self.recording.parent.glob(f"{self.recording.name}.checkpoint-?.part")):
+                return self.wait(run, self.chance.choice([0, 0.002]))
+            if self.wait(run, 0.0005):
+                return True
+        return False
+
+
+def main():
+    options = arguments()
+    if "SHERD_SHORT" in os.environ:
+        options.kills = min(options.kills, 20)
+    chance = random.Random(options.seed)
+    names = options.scenes or list(SCENES)
+    failed = False
+    for number, name in enumerate(names):
+        kills = (options.kills + number) // len(names)
+        with tempfile.TemporaryDirectory() as folder:
+            failed = not check(options.sherd, name, kills, chance, pathlib.Path(folder)) or failed
+    sys.exit(1 if failed else 0)
+
+
+def check(sherd, name, kills, chance, folder):
+    scene, whole = folder / f"{name}.toml", folder / "whole.h5"
+    scene.write_text(SCENES[name])
+    begun = time.monotonic()
+    subprocess.run([sherd, "run", scene, "-o", whole], check=True, capture_output=True)
+    duration = time.monotonic() - begun
+    with h5py.File(whole) as recording:
+        failures = len(recording["events/failure/time"])
+    assert failures > 10, f"{name} breaks too little for a proof: {failures} edges"
+    spent = rounds = 0
+    same = True
+    while spent < kills:
+        victim = Victim(sherd, scene, folder / f"killed-{rounds}.h5", chance)
+        while spent + victim.kills < kills and not victim.killed():
+            pass
+        subprocess.run([*victim.command, "--resume"], check=True, capture_output=True)
+        spent += victim.kills
+        rounds += 1
+        different = differences(whole, victim.recording)
+        same = same and not different
+        print(f"{name}: {duration:.1f} s, {failures} edges broke; {victim.kills} kills, "
+              f"{len(different)} differences{': ' if different else ''}{', '.join(different[:5])}", flush=True)
+    return same
+
+
+main()
