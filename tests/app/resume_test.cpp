@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* square = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n";
+constexpr const char* two_triangles = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nf 1 2 3\nf 1 3 4\n";
 
 /// A sheet of two triangles that falls into a gusty wind.
 struct Falling {
     Falling() {
-        write("square.obj", square);
+        write("square.obj", two_triangles);
         write("fall.toml", R"(duration = 0.01
 [sheet.square]
 mesh = "square.obj"
@@ -109,7 +109,7 @@ TEST(Resume, NamesWhatHasChanged) {
     const ProgramResult damped = scene.run({"-o", "run.h5", "--resume", "--set", "solver.damping.mass=1"});
     EXPECT_EQ(damped.exit_code, 2);
     EXPECT_NE(damped.err.find("solver.damping.mass = 1 has been added"), std::string::npos) << damped.err;
-    scene.write("square.obj", std::string(square) + "# another one\n");
+    scene.write("square.obj", std::string(two_triangles) + "# another one\n");
     const ProgramResult meshed = scene.run({"-o", "run.h5", "--resume"});
     EXPECT_EQ(meshed.exit_code, 2);
     EXPECT_NE(meshed.err.find("the mesh 'square.obj' has changed"), std::string::npos) << meshed.err;

@@ -27,7 +27,7 @@ void wait_until_there(const fs::path& file) {
 }
 
 /// Sends signals as soon as a file is there.
-std::function<void(pid_t)> when_there(const fs::path& file, std::vector<int> signals) {
+std::function<void(pid_t)> when_there(const fs::path& file, const std::vector<int>& signals) {
     return [=](pid_t program) {
         wait_until_there(file);
         for (const int signal : signals) {

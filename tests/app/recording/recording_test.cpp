@@ -266,7 +266,7 @@ TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
     folder.write("empty.h5", "");
     expect_error(opening("text.h5"), Fault::input, {"text.h5", "not an HDF5 file"});
     expect_error(opening("empty.h5"), Fault::input, {"empty.h5", "not an HDF5 file"});
-    hdf5::Handle(H5Fcreate((folder.path / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    H5Fclose(H5Fcreate((folder.path / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
     expect_error(opening("foreign.h5"), Fault::input, {"foreign.h5", "not a recording"});
     record(synthetic_run(), folder.path / "newer.h5");
     hdf5::write_attribute(open_to_edit(folder.path / "newer.h5"), "format_version", std::int64_t{5});
