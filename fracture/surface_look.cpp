@@ -48,6 +48,11 @@ bool SurfaceLook::operator==(const SurfaceLook& other) const {
            vertex_colour == other.vertex_colour;
 }
 
+Colour SurfaceLook::colour(std::size_t face, Index vertex) const {
+    if (!vertex_colour.empty()) return vertex_colour[vertex];
+    return face_colour.empty() ? white : face_colour[face];
+}
+
 SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std::size_t count) {
     SurfaceLook look;
     look.texture = corner_texture(mesh);

@@ -24,6 +24,11 @@ struct SurfaceLook {
     std::vector<Colour> vertex_colour = {};  ///< [R] of its vertices; empty: none
 
     bool operator==(const SurfaceLook& other) const;
+    bool has_colours() const { return !face_colour.empty() || !vertex_colour.empty(); }
+    /// Whether it says how anything is painted.
+    bool paints() const { return !materials.empty() || has_colours(); }
+    /// That of the vertex at rest, or else of the face; white without colours.
+    Colour colour(std::size_t face, Index vertex) const;
 };
 
 /// original: [V] vertex at rest of each vertex of the mesh, all below `count`.

@@ -54,7 +54,7 @@ def check_materials(materials):
     assert [material.name for material in materials] == ["glaze", "clay", "lost", "sheet"]
     glaze, clay, lost, sheet = materials
     assert os.path.samefile(base(glaze).filepath, os.path.join(os.path.dirname(RECORDING), "glaze.png"))
-    assert base(glaze).size[:] == (4, 4)
+    assert base(glaze).size[:] == (64, 64)
     assert np.allclose(base(clay), [0.7, 0.4, 0.2]) and np.allclose(base(lost), [0.1, 0.6, 0.1])
     assert base(sheet) == [1, 1, 1]
     assert principled(clay)["Alpha"].default_value == 0.5 and clay.blend_method == "BLEND"

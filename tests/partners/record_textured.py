@@ -98,7 +98,7 @@ def main(sherd, folder):
         with open(os.path.join(folder, name), "w") as file:
             file.write(text)
     with open(os.path.join(folder, "glaze.png"), "wb") as file:
-        file.write(png([[UPPER] * 4] * 2 + [[LOWER] * 4] * 2))
+        file.write(png([[UPPER] * 64] * 32 + [[LOWER] * 64] * 32))
     subprocess.run([sherd, "run", "scene.toml", "-o", "run.h5"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 

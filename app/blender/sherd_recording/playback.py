@@ -99,7 +99,9 @@ def look_of(rest, unbroken):
     """Of the mesh at rest of a frame, and that of the recording, whose materials are those of the slots, in their
     order; behind them comes the one of faces without any. texture: [F, 3, 2]; slot: [F]; colour: [F, 3, 4] of corners,
     sRGB, 0 to 1. What there is not is None."""
-    look = {"texture": rest["texture"][:].reshape(-1, 3, 2) if "texture" in rest else None, "slot": None, "colour": None}
+    look = {"texture": None, "slot": None, "colour": None}
+    if "texture" in rest:
+        look["texture"] = rest["texture"][:].reshape(-1, 3, 2)
     slots = materials_of(unbroken)
     if slots:
         row = [slots.index(material) for material in materials_of(rest)] + [len(slots)]  # the last is row -1
@@ -203,8 +205,8 @@ def ancestry(earlier, later):
 
 
 def between(earlier, later, share):
-    """The mesh of the later frame, and its look, with its vertices on their way there: one that a crack made in between comes from
-    where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
+    """The mesh of the later frame, and its look, with its vertices on their way there: one that a crack made in between
+    comes from where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
     vertices, shares, wholes = ancestry(earlier, later)
     shown = {**later, "fragment": earlier["fragment"][wholes]}
     for name, start in (
