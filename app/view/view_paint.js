@@ -28,34 +28,52 @@ class Paint {
     // A geometry of triangles by material, and their fragments, of an indexed one. corners: of each corner of a
     // triangle, that of a face, or -1 where it broke.
     painted(indexed, corners, fragments, look) {
-        const byMaterial = this.materials.map(() => []);
-        fragments.forEach((_, t) => {
-            const face = Math.floor(corners[3 * t] / 3);
-            byMaterial[face < 0 ? this.broken : look.material[face]].push(t);
-        });
-        const order = byMaterial.flat(), places = order.flatMap(t => [3 * t, 3 * t + 1, 3 * t + 2]);
-        indexed.setIndex(new THREE.BufferAttribute(Uint32Array.from(places, i => indexed.index.array[i]), 1));
-        const geometry = indexed.toNonIndexed(), [texture, colour] = Paint.attributes(places.map(i => corners[i]), look);
+        const { order, starts } = this.byMaterial(corners, fragments.length, look);
+        const places = new Uint32Array(corners.length), shown = new Int32Array(corners.length);
+        for (let i = 0; i < places.length; ++i) {
+            const from = 3 * order[Math.floor(i / 3)] + i % 3;
+            places[i] = indexed.index.array[from];
+            shown[i] = corners[from];
+        }
+        const geometry = new THREE.BufferGeometry();
+        for (const name of ["position", "normal"]) {
+            const values = Paint.taken(indexed.getAttribute(name).array, 3, places);
+            geometry.setAttribute(name, new THREE.BufferAttribute(values, 3));
+        }
         indexed.dispose();
-        geometry.setAttribute("uv", new THREE.BufferAttribute(texture, 2));
-        geometry.setAttribute("color", new THREE.BufferAttribute(colour, 3));
-        let start = 0;
-        byMaterial.forEach((triangles, material) => {
-            if (triangles.length > 0) geometry.addGroup(start, 3 * triangles.length, material);
-            start += 3 * triangles.length;
-        });
-        return [geometry, order.map(t => fragments[t])];
+        const uv = look.texture.length > 0 ? Paint.taken(new Float32Array(look.texture.buffer), 2, shown)
+                                           : new Float32Array(2 * shown.length);
+        geometry.setAttribute("uv", new THREE.BufferAttribute(uv, 2));
+        geometry.setAttribute("color", new THREE.BufferAttribute(Paint.colours(shown, look), 3));
+        for (let m = 0; m < this.materials.length; ++m)
+            if (starts[m + 1] > starts[m]) geometry.addGroup(3 * starts[m], 3 * (starts[m + 1] - starts[m]), m);
+        return [geometry, Array.from(order, t => fragments[t])];
     }
 
-    static attributes(corners, look) {
-        const recorded = new Float32Array(look.texture.buffer);
-        const texture = new Float32Array(2 * corners.length), colour = new Float32Array(3 * corners.length).fill(1);
-        corners.forEach((corner, i) => {
-            if (corner < 0) return;
-            if (recorded.length > 0) texture.set(recorded.subarray(2 * corner, 2 * corner + 2), 2 * i);
-            if (look.colour.length == 0) return;
-            for (let k = 0; k < 3; ++k) colour[3 * i + k] = (look.colour[corner] >> 8 * k & 255) / 255;
-        });
-        return [texture, colour];
+    // Numbers of the triangles, sorted, and where each material starts.
+    byMaterial(corners, count, look) {
+        const material = t => corners[3 * t] < 0 ? this.broken : look.material[Math.floor(corners[3 * t] / 3)];
+        const starts = new Uint32Array(this.materials.length + 1), order = new Uint32Array(count);
+        for (let t = 0; t < count; ++t) ++starts[material(t) + 1];
+        for (let m = 0; m < this.materials.length; ++m) starts[m + 1] += starts[m];
+        const next = starts.slice();
+        for (let t = 0; t < count; ++t) order[next[material(t)]++] = t;
+        return { order, starts };
+    }
+
+    // So many of the values for each of the places; 0 for -1.
+    static taken(values, width, places) {
+        const result = new Float32Array(width * places.length);
+        for (let i = 0; i < places.length; ++i)
+            if (places[i] >= 0) for (let k = 0; k < width; ++k) result[width * i + k] = values[width * places[i] + k];
+        return result;
+    }
+
+    static colours(corners, look) {
+        const result = new Float32Array(3 * corners.length).fill(1);
+        if (look.colour.length == 0) return result;
+        for (let i = 0; i < corners.length; ++i)
+            if (corners[i] >= 0) for (let k = 0; k < 3; ++k) result[3 * i + k] = (look.colour[corners[i]] >> 8 * k & 255) / 255;
+        return result;
     }
 }
