@@ -15,6 +15,7 @@
 #include "app/files/pending_file.h"
 #include "app/files/xml_text.h"
 #include "app/playback/slow_motion.h"
+#include "app/render/surface_paint.h"
 #include "app/slow_motion_options.h"
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
@@ -73,6 +74,25 @@ std::optional<MeshThinning> thinning_for(const Recording& recording, double most
     }
 }
 
+/// None where the recording says nothing of it or, with a warning, where the mesh is thinned or there is no
+/// room for it beside enough frames. Its pictures get a quarter of the bytes at most.
+std::optional<PageLook> look_for(const Recording& recording, const Snapshot& last, bool thinned,
+                                 double most_bytes, std::vector<std::string>& warnings) {
+    const SurfaceLook look = recording.header().rest_look;
+    if (!look.paints()) return std::nullopt;
+    const double picture_bytes = look.materials.empty() ? 0 : most_bytes / 4;
+    const auto frames = static_cast<double>(std::min(recording.frame_count(), enough_frames));
+    const double others = static_cast<double>(last.position.cols()) * (frames * frame_bytes + face_bytes);
+    const auto arrays = static_cast<double>(look_bytes(look, last.faces.size()));
+    if (!thinned && others + arrays + picture_bytes <= most_bytes)
+        return PageLook(look, static_cast<std::size_t>(picture_bytes), warnings);
+    warnings.push_back(
+        fmt::format("the page shows no materials and colours of the sheets, so that its data stay near {:g} "
+                    "MB; --megabytes makes room for more",
+                    most_bytes / 1e6));
+    return std::nullopt;
+}
+
 /// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
 PageJson fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
                       std::vector<std::string>& warnings) {
@@ -88,8 +108,12 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
                         "makes room for more",
                         last.position.cols(), whole, megabytes, thinning->cube_length()));
     }
+    const std::optional<PageLook> look =
+        look_for(recording, last, thinning.has_value(), most_bytes, warnings);
     const auto vertices = static_cast<double>(last.position.cols());
-    const double room = std::max(0.0, most_bytes - vertices * face_bytes);
+    const std::size_t look_room =
+        look ? look_bytes(recording.header().rest_look, last.faces.size()) + look->pictures().bytes() : 0;
+    const double room = std::max(0.0, most_bytes - vertices * face_bytes - static_cast<double>(look_room));
     const std::vector<std::size_t> frames =
         shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes),
                      static_cast<std::size_t>(room));
@@ -98,7 +122,7 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
             fmt::format("the page has {} of {} frames, so that its data stay near {:g} MB; --megabytes "
                         "makes room for more",
                         frames.size(), recording.frame_count(), megabytes));
-    return view_data(recording, stage, frames, thinning);
+    return view_data(recording, stage, frames, thinning, look);
 }
 
 /// How fast the page plays at first.
@@ -128,16 +152,23 @@ std::string view_page(const ViewOptions& options, std::vector<std::string>& warn
     check_slow_motion({options.slow, {}});
     const Recording recording(options.recording);
     StageOptions stage_options;
-    stage_options.colour = parse_render_colour(options.colour, view_colours);
+    const RenderColour colour =
+        options.colour.empty() ? RenderColour::strain : parse_render_colour(options.colour, view_colours);
+    if (colour == RenderColour::material) require_paint(recording.header().rest_look);
+    stage_options.colour = is_scalar(colour) ? colour : RenderColour::strain;
     const RenderStage stage(recording, stage_options, warnings);
     const std::string title = xml_escaped(options.recording.stem().string());
     PageJson data = fitting_data(recording, stage, options.megabytes, warnings);
     data["plain"] = options.plain;
+    const bool starts_painted =
+        data.contains("look") && (options.colour.empty() || colour == RenderColour::material);
+    data["start"] = starts_painted ? "material" : "fragment";
     data["slow"] = pace_of_page(options, recording).slowdown;
     return filled(view_assets::page, {{"%TITLE%", title},
                                       {"%THREE%", view_assets::three},
                                       {"%CONTROLS%", view_assets::controls},
                                       {"%PLAYBACK%", view_assets::playback},
+                                      {"%PAINT%", view_assets::paint},
                                       {"%RECORDING%", script_json(data)}});
 }
 
@@ -150,9 +181,10 @@ void add_view(CLI::App& program, Command& chosen) {
     command->add_option("-o,--output", options->output, "HTML file (default: beside RUN.h5)")
         ->option_text("FILE.html");
     command
-        ->add_option("--color", options->colour,
-                     "What its colours can show beside fragments (default: strain)")
-        ->option_text("strain|stress|curvature");
+        ->add_option(
+            "--color", options->colour,
+            "What its colours can show beside fragments (default: strain), or show at first: material")
+        ->option_text("strain|stress|curvature|material");
     add_slow_motion_option(*command, options->slow);
     command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
         ->check(CLI::Range(1.0, 400.0))

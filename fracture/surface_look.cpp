@@ -47,6 +47,11 @@ void SurfaceLook::visit_state(StateVisitor& visit) {
     visit_materials(visit, materials);
 }
 
+Colour SurfaceLook::colour(std::size_t face, Index vertex) const {
+    if (!vertex_colour.empty()) return vertex_colour[vertex];
+    return face_colour.empty() ? white : face_colour[face];
+}
+
 SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std::size_t count) {
     SurfaceLook look;
     look.texture = corner_texture(mesh);

@@ -29,6 +29,11 @@ struct SurfaceLook {
 
     bool operator==(const SurfaceLook& other) const;
     void visit_state(StateVisitor& visit);
+    bool has_colours() const { return !face_colour.empty() || !vertex_colour.empty(); }
+    /// Whether it says how anything is painted.
+    bool paints() const { return !materials.empty() || has_colours(); }
+    /// That of the vertex at rest, or else of the face; white without colours.
+    Colour colour(std::size_t face, Index vertex) const;
 };
 
 /// Visits materials, which know nothing of states.

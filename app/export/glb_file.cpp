@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <sstream>
 
+#include "app/files/picture_file.h"
 #include "app/render/material_look.h"
 #include "app/render/render_light.h"
 #include "app/render/render_obstacle.h"
@@ -127,19 +126,15 @@ int Model::surface_material(const FaceMaterial& material) {
 int Model::add_picture(const std::filesystem::path& file) {
     const auto [entry, is_new] = pictures.try_emplace(file, -1);
     if (!is_new) return entry->second;
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const bool is_png = bytes.starts_with("\x89PNG\r\n\x1a\n"), is_jpeg = bytes.starts_with("\xff\xd8\xff");
-    if (!is_png && !is_jpeg) {
-        warnings.push_back(
-            "the picture '" + file.string() +
-            (bytes.empty() ? "' of a material cannot be read" : "' of a material is neither .png nor .jpg") +
-            ": the .glb has the colour only");
+    tinygltf::Image image;
+    try {
+        const PictureFile picture = read_picture_file(file);
+        image.bufferView = add_view(picture.bytes.data(), picture.bytes.size(), 0);
+        image.mimeType = picture.media_type();
+    } catch (const Error& error) {
+        warnings.push_back(std::string(error.what()) + "; the .glb has the colour of its material only");
         return -1;
     }
-    tinygltf::Image image;
-    image.bufferView = add_view(bytes.data(), bytes.size(), 0);
-    image.mimeType = is_png ? "image/png" : "image/jpeg";
     image.name = file.stem().string();
     model.images.push_back(image);
     tinygltf::Texture texture;

@@ -132,10 +132,32 @@ Image read_png(const std::filesystem::path& file) {
     return image_of(reader);
 }
 
-std::string png_bytes(const Image& image) {
-    std::vector<png_byte> pixels(image.colours.size());
+Image half_size(const Image& image) {
+    Image half;
+    half.width = std::max(1, image.width / 2);
+    half.height = std::max(1, image.height / 2);
+    half.colours.resize(3, static_cast<Eigen::Index>(half.width) * half.height);
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x) {
+            const int right = std::min(2 * x + 1, image.width - 1),
+                      below = std::min(2 * y + 1, image.height - 1);
+            half.colours.col(static_cast<Eigen::Index>(y) * half.width + x) =
+                (image.colour(2 * x, 2 * y) + image.colour(right, 2 * y) + image.colour(2 * x, below) +
+                 image.colour(right, below)) /
+                4;
+        }
+    return half;
+}
+
+std::vector<std::uint8_t> channel_bytes(const Image& image) {
+    std::vector<std::uint8_t> bytes(image.colours.size());
     for (Eigen::Index i = 0; i < image.colours.size(); ++i)
-        pixels[i] = static_cast<png_byte>(std::clamp(image.colours.data()[i], 0.0f, 1.0f) * 255 + 0.5f);
+        bytes[i] = static_cast<std::uint8_t>(std::clamp(image.colours.data()[i], 0.0f, 1.0f) * 255 + 0.5f);
+    return bytes;
+}
+
+std::string png_bytes(const Image& image) {
+    std::vector<png_byte> pixels = channel_bytes(image);
     std::vector<png_bytep> rows;
     for (int y = 0; y < image.height; ++y)
         rows.push_back(&pixels[3 * static_cast<std::size_t>(image.width) * y]);

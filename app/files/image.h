@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace sherd {
 
@@ -29,6 +31,15 @@ Image read_jpeg(const std::filesystem::path& file);
 
 /// Reads a PNG or JPEG file, by what is in it.
 Image read_picture(const std::filesystem::path& file);
+
+/// An image of half the width and half the height, rounded down but for 1: the means of four pixels.
+Image half_size(const Image& image);
+
+/// Red, green and blue of each pixel in turn, 0 to 255.
+std::vector<std::uint8_t> channel_bytes(const Image& image);
+
+/// The bytes of a JPEG file (quality 90) that shows the image; the same bytes for the same image.
+std::string jpeg_bytes(const Image& image);
 
 /// The bytes of a PNG file of 8 bits a channel that shows the image; the same bytes for the same image.
 std::string png_bytes(const Image& image);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -64,6 +65,55 @@ class JpegReader {
     std::jmp_buf before;
 };
 
+/// libjpeg's structure, for as long as an image is written.
+class JpegWriter {
+  public:
+    JpegWriter() {
+        jpeg.err = jpeg_std_error(&errors);
+        jpeg.client_data = this;
+        errors.error_exit = [](j_common_ptr failed) {
+            auto* writer = static_cast<JpegWriter*>(failed->client_data);
+            failed->err->format_message(failed, writer->message.data());
+            std::longjmp(writer->before, 1);
+        };
+        jpeg_create_compress(&jpeg);
+    }
+    ~JpegWriter() {
+        jpeg_destroy_compress(&jpeg);
+        std::free(bytes);  // NOLINT(cppcoreguidelines-no-malloc): libjpeg's
+    }
+    JpegWriter(const JpegWriter&) = delete;
+    JpegWriter& operator=(const JpegWriter&) = delete;
+
+    /// As JpegReader::read_head. pixels: of red, green and blue bytes.
+    bool write(int width, int height, JSAMPLE* pixels) {
+        if (setjmp(before)) return false;
+        jpeg_mem_dest(&jpeg, &bytes, &size);
+        jpeg.image_width = static_cast<JDIMENSION>(width);
+        jpeg.image_height = static_cast<JDIMENSION>(height);
+        jpeg.input_components = 3;
+        jpeg.in_color_space = JCS_RGB;
+        jpeg_set_defaults(&jpeg);
+        jpeg_set_quality(&jpeg, 90, TRUE);
+        jpeg_start_compress(&jpeg, TRUE);
+        while (jpeg.next_scanline < jpeg.image_height) {
+            JSAMPROW row = pixels + 3 * static_cast<std::size_t>(width) * jpeg.next_scanline;
+            jpeg_write_scanlines(&jpeg, &row, 1);
+        }
+        jpeg_finish_compress(&jpeg);
+        return true;
+    }
+
+    jpeg_compress_struct jpeg{};
+    std::array<char, JMSG_LENGTH_MAX> message{};
+    unsigned char* bytes = nullptr;
+    unsigned long size = 0;
+
+  private:
+    jpeg_error_mgr errors{};
+    std::jmp_buf before;
+};
+
 }  // namespace
 
 Image read_jpeg(const std::filesystem::path& file) {
@@ -91,6 +141,14 @@ Image read_jpeg(const std::filesystem::path& file) {
                 static_cast<float>(row[i]) / 255;
     }
     return image;
+}
+
+std::string jpeg_bytes(const Image& image) {
+    std::vector<std::uint8_t> pixels = channel_bytes(image);
+    JpegWriter writer;
+    if (!writer.write(image.width, image.height, pixels.data()))
+        throw Error(fmt::format("cannot make a JPEG image: {}", writer.message.data()), Fault::run);
+    return {reinterpret_cast<const char*>(writer.bytes), writer.size};
 }
 
 Image read_picture(const std::filesystem::path& file) {

@@ -26,8 +26,9 @@ inline constexpr std::array render_colours{
     RenderColour::fragment, RenderColour::strain,    RenderColour::speed,
     RenderColour::stress,   RenderColour::curvature, RenderColour::axis,
     RenderColour::tips,     RenderColour::material,  RenderColour::none};
-/// Those that a page can show: its meshes may be thinned, to which no velocities belong.
-inline constexpr std::array view_colours{RenderColour::strain, RenderColour::stress, RenderColour::curvature};
+/// Those that a page can be asked for: its meshes may be thinned, to which no velocities belong.
+inline constexpr std::array view_colours{RenderColour::strain, RenderColour::stress, RenderColour::curvature,
+                                         RenderColour::material};
 inline constexpr std::array scalar_colours{RenderColour::strain, RenderColour::speed, RenderColour::stress,
                                            RenderColour::curvature, RenderColour::tips};
 

@@ -27,6 +27,11 @@ float smooth(float low, float high, float x) {
     return t * t * (3 - 2 * t);
 }
 
+/// As sRGB, 0 to 1, of light from 0 to 1.
+float coded(float x) {
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
 Vector3f mix(const Vector3f& a, const Vector3f& b, float t) {
     return a + t * (b - a);
 }
@@ -165,9 +170,15 @@ Vector3f lit(const LitPoint& point, const Studio& studio, const Vector3f& seen_f
 Vector3f developed(const Vector3f& light) {
     return light.unaryExpr([](float x) {
         const float bounded = x < 0.7f ? x : 0.7f + 0.3f * (1 - std::exp((0.7f - x) / 0.3f));
-        const float clamped = std::clamp(bounded, 0.0f, 1.0f);
-        return clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * std::pow(clamped, 1 / 2.4f) - 0.055f;
+        return coded(std::clamp(bounded, 0.0f, 1.0f));
     });
+}
+
+std::uint32_t written_colour(const Vector3f& albedo) {
+    std::uint32_t rgb = 0;
+    for (const float part : albedo)
+        rgb = rgb << 8 | static_cast<std::uint32_t>(coded(std::clamp(part, 0.0f, 1.0f)) * 255 + 0.5f);
+    return rgb;
 }
 
 Vector3f linear_colour(std::uint32_t rgb) {

@@ -50,5 +50,7 @@ Eigen::Vector3f developed(const Eigen::Vector3f& light);
 /// The albedo of a colour that is written as 0xRRGGBB (sRGB).
 Eigen::Vector3f linear_colour(std::uint32_t rgb);
 Eigen::Vector3f linear_colour(const Colour& colour);
+/// The reverse.
+std::uint32_t written_colour(const Eigen::Vector3f& albedo);
 
 }  // namespace sherd

@@ -18,7 +18,6 @@
 namespace sherd {
 namespace {
 
-constexpr std::uint32_t porcelain = 0xd8d2c6;
 constexpr double largest_share =
     0.99;  // what lies above is drawn like this: one splinter must not darken the rest
 

@@ -9,25 +9,22 @@
 #include "meshops/error.h"
 
 namespace sherd {
-namespace {
 
 using Eigen::Vector3f;
 
-/// What colours of PLY multiply a corner's albedo by.
-Vector3f tint(const Snapshot& frame, std::size_t face, int corner) {
-    const SurfaceLook& look = frame.rest.look;
-    if (!look.vertex_colour.empty())
-        return linear_colour(look.vertex_colour[frame.original[frame.faces[face][corner]]]);
-    return look.face_colour.empty() ? Vector3f::Ones() : linear_colour(look.face_colour[face]);
-}
-
-}  // namespace
-
-SurfacePaint::SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings) {
-    if (look.materials.empty() && look.face_colour.empty() && look.vertex_colour.empty())
+void require_paint(const SurfaceLook& look) {
+    if (!look.paints())
         throw Error(
             "--color material: the recording has no materials and no colours; they are those of meshes from "
             ".obj (usemtl) and .ply, recorded by this version or a later one");
+}
+
+std::string unread_picture(const SurfaceMaterial& material, const std::exception& error) {
+    return fmt::format("the material '{}' is drawn in one colour: {}", material.name, error.what());
+}
+
+SurfacePaint::SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings) {
+    require_paint(look);
     for (const SurfaceMaterial& material : look.materials) add(material, warnings);
 }
 
@@ -39,8 +36,7 @@ void SurfacePaint::add(const SurfaceMaterial& material, std::vector<std::string>
         pictures.push_back(std::make_shared<const Image>(read_picture(look.picture)));
         known.back().picture = static_cast<std::int32_t>(pictures.size()) - 1;
     } catch (const Error& error) {
-        warnings.push_back(
-            fmt::format("the material '{}' is drawn in one colour: {}", material.name, error.what()));
+        warnings.push_back(unread_picture(material, error));
     }
 }
 
@@ -55,7 +51,7 @@ std::vector<const SurfacePaint::Known*> SurfacePaint::known_of(const SurfaceLook
 
 SheetPaint SurfacePaint::paint(const Snapshot& frame, const Vector3f& plain) const {
     const SurfaceLook& look = frame.rest.look;
-    const bool is_coloured = !look.vertex_colour.empty() || !look.face_colour.empty();
+    const bool is_coloured = look.has_colours();
     const std::vector<const Known*> materials = known_of(look);
     SheetPaint paint;
     paint.colour.assign(frame.position.cols(), plain);
@@ -66,7 +62,8 @@ SheetPaint SurfacePaint::paint(const Snapshot& frame, const Vector3f& plain) con
         const Known* material = number < 0 ? nullptr : materials[number];
         const Vector3f base = material ? material->colour : is_coloured ? Vector3f(Vector3f::Ones()) : plain;
         auto& corners = paint.corner_colour.emplace_back();
-        for (int k = 0; k < 3; ++k) corners[k] = base.cwiseProduct(tint(frame, f, k));
+        for (int k = 0; k < 3; ++k)
+            corners[k] = base.cwiseProduct(linear_colour(look.colour(f, frame.original[frame.faces[f][k]])));
         paint.picture.push_back(material && look.texture.cols() > 0 ? material->picture : -1);
     }
     return paint;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,11 +11,20 @@
 
 namespace sherd {
 
+/// 0xRRGGBB (sRGB) of sheets of which no file says anything.
+inline constexpr std::uint32_t porcelain = 0xd8d2c6;
+
+/// Throws Error (input) if a recording's look says nothing of how a sheet is painted.
+void require_paint(const SurfaceLook& look);
+
+/// The warning that the colour of a material stands for its picture.
+std::string unread_picture(const SurfaceMaterial& material, const std::exception& error);
+
 /// Paints sheets as the files of their meshes say: with materials, their pictures, and colours.
 class SurfacePaint {
   public:
     /// Reads the pictures of the materials; `warnings` gets a sentence for each that cannot be read. Throws
-    /// Error (input) if the look says nothing of how a sheet is painted.
+    /// as require_paint().
     SurfacePaint(const SurfaceLook& look, std::vector<std::string>& warnings);
 
     /// plain: albedo of what the files say nothing of.

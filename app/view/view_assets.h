@@ -10,5 +10,6 @@ extern const std::string_view page;      ///< view_page.html, with %NAMES% for w
 extern const std::string_view three;     ///< three.js, minified (MIT licence)
 extern const std::string_view controls;  ///< three.js' OrbitControls
 extern const std::string_view playback;  ///< view_playback.js
+extern const std::string_view paint;     ///< view_paint.js
 
 }  // namespace sherd::view_assets

@@ -122,8 +122,9 @@ Births births(const Snapshot& earlier, const Snapshot& later) {
 /// Packs one frame after the other.
 class Packer {
   public:
-    explicit Packer(const RenderStage& stage)
-        : low(stage.everything().min()),
+    Packer(const RenderStage& stage, const std::optional<PageLook>& look)
+        : look(look ? &*look : nullptr),
+          low(stage.everything().min()),
           step((stage.everything().sizes() / 65535).cwiseMax(1e-12)),
           colour(stage.colour()),
           largest(stage.largest()) {}
@@ -151,16 +152,41 @@ class Packer {
                         {"parts", base64_of(born.parts)}};
         corners = std::move(new_corners);
         owners = std::move(new_owners);
+        if (look) add_look(snapshot, packed);
         before = snapshot;
         return packed;
     }
 
+    const PageLook* look;  ///< null: it is left out
     Vector3d low, step;
     RenderColour colour;
     double largest;                              ///< what the brightest colour stands for
     std::vector<std::uint32_t> corners, owners;  ///< of the frame before
+    PageLook::Arrays looks;                      ///< likewise
     Snapshot before;
+
+  private:
+    void add_look(const Snapshot& snapshot, PageJson& packed) {
+        PageLook::Arrays after = look->arrays(snapshot);
+        const bool first = looks.material.empty();
+        packed["texture"] = first ? "" : base64_of(changes(looks.texture, after.texture));
+        packed["material"] = first ? "" : base64_of(changes(looks.material, after.material));
+        packed["colour"] = first ? "" : base64_of(changes(looks.colour, after.colour));
+        looks = std::move(after);
+    }
 };
+
+/// Of the first frame.
+PageJson look_json(const PageLook& look, const PageLook::Arrays& arrays) {
+    PageJson materials = PageJson::array();
+    for (const PageLook::Material& material : look.materials())
+        materials.push_back({material.colour, material.picture});
+    return {{"materials", materials},
+            {"pictures", look.pictures().urls()},
+            {"texture", base64_of(arrays.texture)},
+            {"material", base64_of(arrays.material)},
+            {"colour", base64_of(arrays.colour)}};
+}
 
 /// Their shapes, each in its own frame, but those of planes, which are the ground.
 PageJson obstacles_json(const std::vector<RecordedObstacle>& obstacles) {
@@ -240,8 +266,9 @@ std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes
 }
 
 PageJson view_data(const Recording& recording, const RenderStage& stage,
-                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning) {
-    Packer packer(stage);
+                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning,
+                   const std::optional<PageLook>& look) {
+    Packer packer(stage, look);
     const TipHistory tips(recording);
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     PageJson data = stage_json(stage, recording.poses(frames.front())), packed = PageJson::array(),
@@ -258,6 +285,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
         if (number != frames.front()) continue;
         data["faces"] = base64_of(packer.corners);
         data["fragments"] = base64_of(packer.owners);
+        if (look) data["look"] = look_json(*look, packer.looks);
     }
     const std::vector<double>& thickness = packer.before.rest.thickness;
     data["thickness"] = base64_of(std::vector<float>(thickness.begin(), thickness.end()));

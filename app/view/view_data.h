@@ -7,6 +7,7 @@
 #include "app/json/json.h"
 #include "app/recording/recording.h"
 #include "app/render/render_stage.h"
+#include "app/view/page_look.h"
 #include "app/view/view_thinning.h"
 
 namespace sherd {
@@ -19,12 +20,13 @@ using PageJson = nlohmann::json;
 std::vector<std::size_t> shown_frames(std::size_t count, std::size_t frame_bytes, std::size_t most_bytes);
 
 /// What the page of a recording has to know, as view_page.html reads it. Arrays are in base64: positions as
-/// 16 bits of the box of the action in each direction; corners and owners of the faces (fragments) as pairs
-/// of a place and its new value, against the frame before; where vertices and faces that were born since the
-/// frame before were in that; the thickness of the last frame's faces (none in recordings of before there was
-/// any); the shapes of obstacles, and in each frame where they are.
-/// thinning: of the meshes; none: as recorded.
+/// 16 bits of the box of the action in each direction; corners and owners of the faces (fragments) and what
+/// they look like as pairs of a place and its new value, against the frame before; where vertices and faces
+/// that were born since the frame before were in that; the thickness of the last frame's faces (none in
+/// recordings of before there was any); the shapes of obstacles, and in each frame where they are. thinning:
+/// of the meshes; none: as recorded. look: of meshes that are not thinned; none: it is left out.
 PageJson view_data(const Recording& recording, const RenderStage& stage,
-                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning = {});
+                   const std::vector<std::size_t>& frames, const std::optional<MeshThinning>& thinning = {},
+                   const std::optional<PageLook>& look = {});
 
 }  // namespace sherd

@@ -9,7 +9,7 @@ function decoded(base64, Type) {
     return new Type(bytes.buffer);
 }
 
-// Faces and fragments of one frame after the other: they are stored as what changes from the frame before.
+// Faces, fragments and looks of one frame after the other: they are stored as what changes from the frame before.
 class Topology {
     constructor(recording) {
         this.recording = recording;
@@ -20,6 +20,9 @@ class Topology {
         this.frame = 0;
         this.faces = decoded(this.recording.faces, Uint32Array);
         this.fragments = decoded(this.recording.fragments, Uint32Array);
+        this.look = this.recording.look ? {} : null;
+        for (const name of this.look ? Topology.looks : [])
+            this.look[name] = decoded(this.recording.look[name], Uint32Array);
     }
 
     goTo(frame) {
@@ -28,9 +31,14 @@ class Topology {
             const change = this.recording.frames[++this.frame];
             this.faces = Topology.changed(this.faces, decoded(change.corners, Uint32Array));
             this.fragments = Topology.changed(this.fragments, decoded(change.owners, Uint32Array));
+            for (const name in this.look)
+                this.look[name] = Topology.changed(this.look[name], decoded(change[name], Uint32Array));
         }
         return this;
     }
+
+    // Of faces and their corners, as app/view/page_look.h says.
+    static get looks() { return ["texture", "material", "colour"]; }
 
     // pairs of a place and its new value; faces that were born make the array longer.
     static changed(numbers, pairs) {
@@ -85,15 +93,15 @@ class Playback {
         return this.unpacked.get(number);
     }
 
-    // frame: the one before; faces, fragments, and of vertices place (m), scalar and state; lines; poses of obstacles;
-    // tips of cracks.
+    // frame: the one before; faces, fragments and their look (or null); of vertices place (m), scalar and state; lines;
+    // poses of obstacles; tips of cracks.
     at(position) {
         const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
         for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
-        const { faces, fragments } = this.earlier.goTo(number), from = this.frame(number);
+        const { faces, fragments, look } = this.earlier.goTo(number), from = this.frame(number);
         if (!(share > 0) || number == this.last)
-            return { ...from, frame: number, share: 0, faces, fragments, place: from.place.slice() };
-        const to = this.frame(number + 1), later = this.later.goTo(number + 1).faces;
+            return { ...from, frame: number, share: 0, faces, fragments, look, place: from.place.slice() };
+        const to = this.frame(number + 1), { faces: later, look: paint } = this.later.goTo(number + 1);
         const before = Playback.before(faces, later, to, from.place.length / 3);
         const places = Playback.carried(from.place, 3, before, to), scalars = Playback.carried(from.scalar, 1, before, to);
         const place = to.place.map((x, i) => places[i] + share * (x - places[i]));
@@ -103,7 +111,7 @@ class Playback {
         for (let i = 0; i < to.parts.length; i += 2) owners[to.parts[i]] = fragments[to.parts[i + 1]];
         const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
         const tips = Playback.tipsBetween(from.tips, to.tips, share);
-        return { frame: number, share, faces: later, fragments: owners, place, scalar, state, lines: to.lines, poses, tips };
+        return { frame: number, share, faces: later, fragments: owners, look: paint, place, scalar, state, lines: to.lines, poses, tips };
     }
 
     // SI units; share: G / G_c.

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""blender -b --factory-startup --python-exit-code 1 --python check_blender.py -- RUN.h5 FOLDER PLAYER.py
+"""blender -b --factory-startup --python-exit-code 1 --python check_blender.py -- RUN.h5 FOLDER BLENDER
 
-Opens in Blender what `sherd export` wrote into FOLDER (export_all.py) and what PLAYER.py (app/blender) plays, and
+Opens in Blender what `sherd export` wrote into FOLDER (export_all.py) and what the player in BLENDER (app/blender) plays, and
 compares every frame with the recording."""
 
-import importlib.util
 import os
 import sys
 
@@ -12,7 +11,10 @@ import bpy
 import h5py
 import numpy as np
 
-RECORDING, FOLDER, PLAYER = sys.argv[sys.argv.index("--") + 1 :]
+RECORDING, FOLDER, BLENDER = sys.argv[sys.argv.index("--") + 1 :]
+sys.path.insert(0, BLENDER)
+import sherd_recording  # noqa: E402
+
 NEAR = 1e-6  # m: single precision of some decimetres
 SLOW = 250  # times, as in export_all.py
 STEP = 6  # Blender's frames from one of plate_drop's frames, a millisecond apart, to the next: 24 a second
@@ -144,10 +146,7 @@ def check_vdb(all_frames):
 
 def check_player(all_frames):
     clear()
-    spec = importlib.util.spec_from_file_location("sherd_recording", PLAYER)
-    player = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(player)
-    player.register()
+    sherd_recording.register()
     assert bpy.ops.import_scene.sherd_recording(filepath=RECORDING, slow=SLOW) == {"FINISHED"}
     target = next(item for item in bpy.data.objects if "sherd_recording" in item)
     assert bpy.context.scene.frame_end == STEP * (len(all_frames) - 1)
@@ -160,7 +159,7 @@ def check_player(all_frames):
         check_near(points[faces], (corners(all_frames[number]) + corners(all_frames[number + 1])) / 2, "played between")
         fragments = [item.value for item in target.data.attributes["fragment"].data]
         assert fragments == all_frames[number]["face/fragment"][:].tolist(), "played between: fragments"
-    player.unregister()
+    sherd_recording.unregister()
 
 
 def check_played(target, frame, number):

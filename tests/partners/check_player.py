@@ -2,8 +2,8 @@
 """Plays a recording with the player for Blender, without Blender: what it gives to Blender is what was recorded, and
 between frames the pieces go on straight lines. The pieces of the recording move rigidly and were flat at rest.
 
-usage: check_player.py PLAYER.py RECORDING.h5"""
-import importlib.util
+usage: check_player.py BLENDER RECORDING.h5, BLENDER: app/blender"""
+import importlib
 import sys
 import types
 
@@ -57,8 +57,8 @@ class Object(dict):
         self.name, self.data, self.children = name, data, []
 
 
-def player(path):
-    """The module, with so much of Blender as it asks for."""
+def player(folder):
+    """The add-on in app/blender, with so much of Blender as it asks for."""
     bpy = types.ModuleType("bpy")
     bpy.path = types.SimpleNamespace(abspath=lambda path: path)
     bpy.types = types.SimpleNamespace(Operator=type("Operator", (), {}))
@@ -73,10 +73,8 @@ def player(path):
     sys.modules["mathutils"].Matrix = np.array
     sys.modules["bpy.app.handlers"].persistent = lambda function: function
     sys.modules["bpy_extras.io_utils"].ImportHelper = type("ImportHelper", (), {})
-    spec = importlib.util.spec_from_file_location("sherd_recording", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    sys.path.insert(0, folder)
+    return importlib.import_module("sherd_recording")
 
 
 def scene():
@@ -99,8 +97,8 @@ def check(target, frame, places, fragments):
     assert len(values(target, "strain")) == len(fragments)
 
 
-def main(path, recording):
-    module, shown = player(path), scene()
+def main(folder, recording):
+    module, shown = player(folder), scene()
     target = module.load(recording, types.SimpleNamespace(scene=shown), slow=1)
     with h5py.File(recording) as file:
         frames = [file["frames"][name] for name in sorted(file["frames"])]

@@ -2,7 +2,7 @@
 """Plays a recording in which vertices move over a flat sheet, which stands still, with the player for Blender, without
 Blender: between frames the sheet must not move either, and every face is of a piece that was there.
 
-usage: check_player_moves.py PLAYER.py RECORDING.h5"""
+usage: check_player_moves.py BLENDER RECORDING.h5, BLENDER: app/blender"""
 import sys
 
 import h5py
@@ -11,8 +11,8 @@ import numpy as np
 from check_player import player
 
 
-def main(path, recording):
-    module = player(path)
+def main(folder, recording):
+    module = player(folder).playback
     with h5py.File(recording) as file:
         states = [module.recorded(file["frames"][name]) for name in sorted(file["frames"])]
     assert any(state["rest"]["mixed"] for state in states), "no face has parts of others in this recording"

@@ -2,7 +2,7 @@
 """Plays a recording with obstacles with the player for Blender, without Blender: each is an object of its own, which
 stands where it was recorded; between frames its middle goes straight and it turns by half of its turn in half the time.
 
-usage: check_player_obstacles.py PLAYER.py RECORDING.h5"""
+usage: check_player_obstacles.py BLENDER RECORDING.h5, BLENDER: app/blender"""
 import sys
 import types
 
@@ -30,8 +30,8 @@ def check_half_way(solid, earlier, later):
     assert np.allclose(pose[:3, :3] @ middle + pose[:3, 3], (start + end) / 2, **near), "the middle"
 
 
-def main(path, recording):
-    module, shown = player(path), scene()
+def main(folder, recording):
+    module, shown = player(folder), scene()
     linked = []
     shown.collection.objects.link = linked.append
     target = module.load(recording, types.SimpleNamespace(scene=shown), slow=1)

@@ -105,11 +105,14 @@ INSTANTIATE_TEST_SUITE_P(Modes, RecordingPartners, ::testing::Values(record_mode
 INSTANTIATE_TEST_SUITE_P(Obstacles, RecordingPartners, ::testing::Values(record_obstacles));
 
 // The player needs Blender only to show what it reads.
+std::string player() {
+    return quoted(fs::path(__FILE__).parent_path() / "../../../app/blender");
+}
+
 class SplitPartners : public RecordingPartners {};
 
 TEST_P(SplitPartners, TheBlenderPlayerGivesBlenderWhatWasRecorded) {
-    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
-    EXPECT_TRUE(passes("check_player.py", quoted(player) + " " + quoted(recording)));
+    EXPECT_TRUE(passes("check_player.py", player() + " " + quoted(recording)));
 }
 
 TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
@@ -123,16 +126,14 @@ TEST_P(SplitPartners, ThePagePlaysFacesThatAreBorn) {
 class MovingPartners : public RecordingPartners {};
 
 TEST_P(MovingPartners, TheBlenderPlayerKeepsTheSheetWhereItIs) {
-    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
-    EXPECT_TRUE(passes("check_player_moves.py", quoted(player) + " " + quoted(recording)));
+    EXPECT_TRUE(passes("check_player_moves.py", player() + " " + quoted(recording)));
 }
 
 // Shards that bounce off nothing.
 class ObstaclePartners : public RecordingPartners {};
 
 TEST_P(ObstaclePartners, TheBlenderPlayerMovesThem) {
-    const fs::path player = fs::path(__FILE__).parent_path() / "../../../app/blender/sherd_recording.py";
-    EXPECT_TRUE(passes("check_player_obstacles.py", quoted(player) + " " + quoted(recording)));
+    EXPECT_TRUE(passes("check_player_obstacles.py", player() + " " + quoted(recording)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Obstacles, ObstaclePartners, ::testing::Values(record_obstacles));

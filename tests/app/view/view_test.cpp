@@ -189,7 +189,7 @@ TEST_F(View, PageIsWholeAndAsksForNothingElse) {
     EXPECT_TRUE(view_assets::page.ends_with("</html>\n"));
     EXPECT_TRUE(page.ends_with("</html>\n"));
     for (const char* word :
-         {"%TITLE%", "%THREE%", "%CONTROLS%", "%PLAYBACK%", "%RECORDING%", " src=", "<link"})
+         {"%TITLE%", "%THREE%", "%CONTROLS%", "%PLAYBACK%", "%PAINT%", "%RECORDING%", " src=", "<link"})
         EXPECT_EQ(page.find(word), std::string::npos) << word;
     const std::size_t begin = page.find("{\"angle\""), end = page.find("</script>", begin);
     EXPECT_EQ(Json::parse(page.substr(begin, end - begin))["frames"].size(), 3u);

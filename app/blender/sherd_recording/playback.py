@@ -1,46 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plays a recording of Sherd in Blender: the mesh of each frame is read from the .h5 as it is needed.
-
-As an add-on: Edit > Preferences > Add-ons > Install, this file; then File > Import > Sherd recording (.h5).
-From a shell: blender --python sherd_recording.py -- RUN.h5
-
-The run plays as many times slower than reality as the object's custom property `sherd_slow` says, at first so that it
-lasts 4 to 10 s; between recorded frames the mesh is interpolated. Metres are metres and z is up. The mesh has the
-attributes `fragment` and `strain` (1/m, the largest in absolute value of the face's edges) on its faces and
-`velocity` (m/s) and `original` (the vertex that it is a copy of, or itself) on its vertices. Obstacles and free bodies
-are its children, which move as they did; of a plane there is a square. Needs h5py; on Debian Blender uses the system's
-Python, and python3-h5py suffices."""
+"""What a recording shows at any moment. It knows nothing of Blender."""
 
 import math
-import os
-import sys
 from bisect import bisect_right
 
-import bpy
-import h5py
 import numpy as np
-from bpy.app.handlers import persistent
-from bpy_extras.io_utils import ImportHelper
-from mathutils import Matrix
 
-bl_info = {
-    "name": "Sherd recording",
-    "author": "The Sherd authors",
-    "version": (1, 4, 0),
-    "blender": (3, 4, 0),
-    "location": "File > Import > Sherd recording (.h5)",
-    "description": "Plays recordings of breaking plates and shells",
-    "category": "Import-Export",
-}
-
-PATH, SLOW, SHOWN = "sherd_recording", "sherd_slow", "sherd_frame"  # properties of an object that plays a recording
-OBSTACLE = "sherd_obstacle"  # the number of an obstacle, a property of its object
 NEAR = 1e-6  # of the way between two frames: round-off
 NEWEST = 4  # version of the recording's format
-
-
-def absolute(path):
-    return bpy.path.abspath(path)
 
 
 def frame_names(file):
@@ -64,15 +31,6 @@ def default_slowdown(seconds):
 def run_times(frames, names):
     """Time (s) of the first and the last frame."""
     return frames[names[0]].attrs["time"], frames[names[-1]].attrs["time"]
-
-
-def slowdown(target, frames, names):
-    first, last = run_times(frames, names)
-    return target.get(SLOW) or default_slowdown(last - first)
-
-
-def pictures_a_second(scene):
-    return scene.render.fps / scene.render.fps_base
 
 
 def position_at(frames, names, time):
@@ -99,15 +57,11 @@ def face_strain(frame):
     return np.maximum.reduce(sides)
 
 
-def set_attribute(mesh, name, kind, domain, values):
-    attribute = mesh.attributes.get(name) or mesh.attributes.new(name, kind, domain)
-    attribute.data.foreach_set("vector" if kind == "FLOAT_VECTOR" else "value", np.ravel(values))
-
-
 def recorded(frame):
-    """What is shown of a frame, and its mesh at rest."""
+    """What is shown of a frame, its mesh at rest, and how that looks."""
     return {
         "rest": rest_of(frame),
+        "look": look_of(rest_group(frame), frame.file["rest"]),
         "faces": frame["face/vertices"][:],
         "fragment": frame["face/fragment"][:],
         "strain": face_strain(frame),
@@ -117,9 +71,13 @@ def recorded(frame):
     }
 
 
+def rest_group(frame):
+    return frame["rest"] if "rest" in frame else frame.file["rest"]  # of a run of before faces could change
+
+
 def rest_of(frame):
     """The mesh of a frame at rest: places (m), the corners of faces, what each is a part of, whether any is mixed."""
-    rest = frame["rest"] if "rest" in frame else frame.file["rest"]  # of a run of before faces could change
+    rest = rest_group(frame)
     faces = rest["faces"][:]
     return {
         "position": rest["position"][:],
@@ -127,6 +85,32 @@ def rest_of(frame):
         "parent": rest["face_parent"][:] if "face_parent" in rest else np.arange(len(faces)),
         "mixed": "face_mixed" in rest,
     }
+
+
+def materials_of(rest):
+    """Names and definitions (lines of .mtl) of the materials of a mesh at rest."""
+    if "surface_material" not in rest:
+        return []
+    texts = (rest[f"surface_material_{part}"].asstr()[:] for part in ("names", "definitions"))
+    return list(zip(*texts))
+
+
+def look_of(rest, unbroken):
+    """Of the mesh at rest of a frame, and that of the recording, whose materials are those of the slots, in their
+    order; behind them comes the one of faces without any. texture: [F, 3, 2]; slot: [F]; colour: [F, 3, 4] of corners,
+    sRGB, 0 to 1. What there is not is None."""
+    look = {"texture": None, "slot": None, "colour": None}
+    if "texture" in rest:
+        look["texture"] = rest["texture"][:].reshape(-1, 3, 2)
+    slots = materials_of(unbroken)
+    if slots:
+        row = [slots.index(material) for material in materials_of(rest)] + [len(slots)]  # the last is row -1
+        look["slot"] = np.array(row)[rest["surface_material"][:]]
+    if "vertex_colour" in rest:
+        look["colour"] = rest["vertex_colour"][:][rest["faces"][:]] / 255
+    elif "face_colour" in rest:
+        look["colour"] = np.repeat(rest["face_colour"][:][:, None], 3, axis=1) / 255
+    return look
 
 
 def coordinates(rest, faces, point):
@@ -221,8 +205,8 @@ def ancestry(earlier, later):
 
 
 def between(earlier, later, share):
-    """The mesh of the later frame with its vertices on their way there: one that a crack made in between comes from
-    where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
+    """The mesh of the later frame, and its look, with its vertices on their way there: one that a crack made in between
+    comes from where it was in the earlier mesh. Fragments are the earlier frame's until the later one is reached."""
     vertices, shares, wholes = ancestry(earlier, later)
     shown = {**later, "fragment": earlier["fragment"][wholes]}
     for name, start in (
@@ -268,133 +252,3 @@ def poses_at(frames, names, position, middles):
     if share == 0:
         return earlier
     return np.array([between_poses(*both, share, middle) for *both, middle in zip(earlier, later, middles)])
-
-
-def fill(mesh, faces, positions):
-    """Gives the mesh vertices and faces, in their order; materials and shading stay."""
-    smooth = len(mesh.polygons) > 0 and mesh.polygons[0].use_smooth
-    mesh.clear_geometry()
-    mesh.vertices.add(len(positions))
-    mesh.vertices.foreach_set("co", positions.ravel())
-    mesh.loops.add(faces.size)
-    mesh.loops.foreach_set("vertex_index", faces.ravel())
-    mesh.polygons.add(len(faces))
-    mesh.polygons.foreach_set("loop_start", np.arange(0, faces.size, 3))
-    mesh.polygons.foreach_set("loop_total", np.full(len(faces), 3))
-    mesh.polygons.foreach_set("use_smooth", np.full(len(faces), smooth))
-    mesh.update(calc_edges=True)
-
-
-def fill_sheets(mesh, state):
-    fill(mesh, state["faces"], state["position"])
-    set_attribute(mesh, "fragment", "INT", "FACE", state["fragment"])
-    set_attribute(mesh, "strain", "FLOAT", "FACE", state["strain"])
-    set_attribute(mesh, "velocity", "FLOAT_VECTOR", "POINT", state["velocity"])
-    set_attribute(mesh, "original", "INT", "POINT", state["original"])
-
-
-def show(target, scene):
-    """Shows the recording as it was at the scene's time; before and after it, its first and last frame."""
-    with h5py.File(absolute(target[PATH]), "r") as file:
-        frames, names = file["frames"], frame_names(file)
-        played = (scene.frame_current + scene.frame_subframe) / pictures_a_second(scene)
-        time = run_times(frames, names)[0] + played / slowdown(target, frames, names)
-        position = position_at(frames, names, time)
-        if target.get(SHOWN) != position or len(target.data.polygons) == 0:
-            fill_sheets(target.data, state_at(frames, names, position))
-            place_obstacles(target, file, names, position)
-            target[SHOWN] = position
-
-
-def place_obstacles(target, file, names, position):
-    """Of obstacles that are still there."""
-    if "obstacles" not in file:
-        return
-    middles = [file[f"obstacles/{i}/position"][:].mean(axis=0) for i in range(len(file["obstacles/names"]))]
-    poses = poses_at(file["frames"], names, position, middles)
-    for solid in (child for child in target.children if OBSTACLE in child):
-        solid.matrix_basis = Matrix([*poses[solid[OBSTACLE]], [0, 0, 0, 1]])
-
-
-@persistent
-def play(scene, _depsgraph=None):
-    for target in scene.objects:
-        if target.type == "MESH" and PATH in target:
-            try:
-                show(target, scene)
-            except (OSError, KeyError, ValueError) as error:  # a run that is going on locks its file for moments
-                print(f"sherd: {target.name}: {error}", file=sys.stderr)
-
-
-def add_obstacles(target, file, context):
-    """Adds an object for each obstacle and free body, as a child of the one that plays the recording."""
-    for number, name in enumerate(file["obstacles/names"].asstr()[:] if "obstacles" in file else []):
-        solid = bpy.data.objects.new(f"obstacle_{name}", bpy.data.meshes.new(name))
-        fill(solid.data, *(file[f"obstacles/{number}/{part}"][:] for part in ("face", "position")))
-        solid[OBSTACLE], solid.parent = number, target
-        context.scene.collection.objects.link(solid)
-
-
-def load(path, context, slow=0):
-    """Adds an object that plays the recording so many times slower than reality (0: as it suits); returns it."""
-    name = os.path.splitext(os.path.basename(path))[0]
-    with h5py.File(absolute(path), "r") as file:
-        names = frame_names(file)
-        if not names:
-            raise ValueError(f"{path}: the recording has no frame yet")
-        first, last = run_times(file["frames"], names)
-        target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-        target[PATH], target[SLOW] = path, slow or default_slowdown(last - first)
-        context.scene.collection.objects.link(target)
-        add_obstacles(target, file, context)
-    pictures = (last - first) * target[SLOW] * pictures_a_second(context.scene)
-    context.scene.frame_start, context.scene.frame_end = 0, math.ceil(pictures - NEAR)
-    show(target, context.scene)
-    return target
-
-
-class ImportSherdRecording(bpy.types.Operator, ImportHelper):
-    """Add an object that plays a recording of sherd"""
-
-    bl_idname = "import_scene.sherd_recording"
-    bl_label = "Import Sherd recording"
-    filename_ext = ".h5"
-    filter_glob: bpy.props.StringProperty(default="*.h5", options={"HIDDEN"})
-    slow: bpy.props.FloatProperty(
-        name="Slower", default=0, min=0, description="How many times slower than reality; 0: so that it lasts 4 to 10 s"
-    )
-
-    def execute(self, context):
-        try:
-            load(self.filepath, context, self.slow)
-        except (OSError, KeyError, ValueError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
-
-
-def menu_entry(self, _context):
-    self.layout.operator(ImportSherdRecording.bl_idname, text="Sherd recording (.h5)")
-
-
-def register():
-    bpy.utils.register_class(ImportSherdRecording)
-    bpy.types.TOPBAR_MT_file_import.append(menu_entry)
-    bpy.app.handlers.frame_change_pre.append(play)
-
-
-def unregister():
-    bpy.app.handlers.frame_change_pre.remove(play)
-    bpy.types.TOPBAR_MT_file_import.remove(menu_entry)
-    bpy.utils.unregister_class(ImportSherdRecording)
-
-
-def main():
-    register()
-    if "--" in sys.argv:
-        for path in sys.argv[sys.argv.index("--") + 1 :]:
-            load(os.path.abspath(path), bpy.context)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/page_look.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "app/render/material_look.h"
+#include "app/render/render_light.h"
+#include "app/render/surface_paint.h"
+#include "meshops/error.h"
+
+namespace sherd {
+
+PageLook::PageLook(const SurfaceLook& look, std::size_t picture_bytes, std::vector<std::string>& warnings)
+    : known(look.materials) {
+    for (const SurfaceMaterial& material : known)
+        drawn.push_back(drawn_material(material, look.texture.cols() > 0, warnings));
+    drawn.push_back({look.has_colours() ? 0xffffff : porcelain, -1});
+    files.fit(picture_bytes, warnings);
+}
+
+PageLook::Material PageLook::drawn_material(const SurfaceMaterial& material, bool has_texture,
+                                            std::vector<std::string>& warnings) {
+    const MaterialLook look = material_look(material);
+    Material drawn{written_colour(look.colour), -1};
+    if (look.picture.empty() || !has_texture) return drawn;
+    try {
+        drawn.picture = files.add(look.picture);
+    } catch (const Error& error) {
+        warnings.push_back(unread_picture(material, error));
+    }
+    return drawn;
+}
+
+PageLook::Arrays PageLook::arrays(const Snapshot& frame) const {
+    const SurfaceLook& look = frame.rest.look;
+    Arrays arrays;
+    for (const double x : look.texture.reshaped())
+        arrays.texture.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+    std::vector<std::uint32_t> number;  // of each row of the frame
+    for (const SurfaceMaterial& material : look.materials)
+        number.push_back(static_cast<std::uint32_t>(std::ranges::find(known, material) - known.begin()));
+    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
+        const Index row = look.material.empty() ? -1 : look.material[f];
+        arrays.material.push_back(row < 0 ? static_cast<std::uint32_t>(known.size()) : number[row]);
+        if (!look.has_colours()) continue;
+        for (const Index v : frame.faces[f]) {
+            const Colour colour = look.colour(f, frame.original[v]);
+            arrays.colour.push_back(colour[0] | colour[1] << 8 | colour[2] << 16);
+        }
+    }
+    return arrays;
+}
+
+std::size_t look_bytes(const SurfaceLook& look, std::size_t faces) {
+    const std::size_t numbers = 1 + (look.texture.cols() > 0 ? 6 : 0) + (look.has_colours() ? 3 : 0);
+    return faces * numbers * sizeof(std::uint32_t) * 4 / 3;
+}
+
+}  // namespace sherd
