@@ -263,7 +263,7 @@ TEST_F(TexturedRun, APictureThatIsNotThereIsToldAndTheRestIsWritten) {
     fs::remove(folder.path / "pictures/blue glaze.png");
     const ProgramResult result = run_sherd({"export", "run.h5", "--to", "glb", "-o", "run.glb"}, folder.path);
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_NE(result.err.find("pictures/blue glaze.png' of a material cannot be read"), std::string::npos)
+    EXPECT_NE(result.err.find("pictures/blue glaze.png: the picture cannot be read"), std::string::npos)
         << result.err;
     const Glb glb(folder.contents().at(folder.path / "run.glb"));
     EXPECT_FALSE(glb.json.contains("images"));

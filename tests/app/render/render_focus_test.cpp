@@ -45,7 +45,7 @@ struct Pieces {
 
 const AlignedBox3d whole(Vector3d(-0.5, -0.5, 0), Vector3d(0.5, 0.5, 0));
 
-void expect_same(const AlignedBox3d& found, const AlignedBox3d& expected) {
+void expect_same_box(const AlignedBox3d& found, const AlignedBox3d& expected) {
     EXPECT_NEAR((found.min() - expected.min()).norm() + (found.max() - expected.max()).norm(), 0, 1e-12)
         << found.min().transpose() << " to " << found.max().transpose();
 }
@@ -53,11 +53,11 @@ void expect_same(const AlignedBox3d& found, const AlignedBox3d& expected) {
 TEST(Focus, LeavesOutASplinterThatFliesAway) {
     Pieces pieces;
     pieces.add_sheet();
-    expect_same(pieces.focus(), whole);
+    expect_same_box(pieces.focus(), whole);
     for (const double way : {3.0, 1e3, 1e9}) {
         Pieces flown = pieces;
         flown.add(Vector3d(0, way, way / 2), 0.05);
-        expect_same(flown.focus(), whole);
+        expect_same_box(flown.focus(), whole);
     }
 }
 
@@ -73,10 +73,10 @@ TEST(Focus, HasEveryThingElse) {
     Pieces halves;
     halves.add(Vector3d(-30, 0, 0), 1);
     halves.add(Vector3d(40, 0, 0), 0.3);
-    expect_same(halves.focus(), {Vector3d(-30.5, -0.5, 0), Vector3d(40.15, 0.5, 0)});
+    expect_same_box(halves.focus(), {Vector3d(-30.5, -0.5, 0), Vector3d(40.15, 0.5, 0)});
     Pieces falling;
     falling.add(Vector3d(3, 4, -1e4), 1);
-    expect_same(falling.focus(), {Vector3d(2.5, 3.5, -1e4), Vector3d(3.5, 4.5, -1e4)});
+    expect_same_box(falling.focus(), {Vector3d(2.5, 3.5, -1e4), Vector3d(3.5, 4.5, -1e4)});
 }
 
 // However they are spread, and in whatever order.
@@ -104,7 +104,7 @@ TEST(Focus, HasNineteenTwentiethsOfASheet) {
         std::ranges::reverse(turned.faces);
         std::ranges::reverse(turned.face_fragment);
         std::ranges::reverse(turned.rest.area);
-        expect_same(focus_box(turned), focus);
+        expect_same_box(focus_box(turned), focus);
     }
 }
 
@@ -113,7 +113,7 @@ TEST(Focus, SkipsWhatIsNotFinite) {
     pieces.add_sheet();
     pieces.frame.position(1, 0) = std::numeric_limits<double>::quiet_NaN();
     pieces.add(Vector3d(0, std::numeric_limits<double>::infinity(), 0), 0.1);
-    expect_same(pieces.focus(), whole);
+    expect_same_box(pieces.focus(), whole);
     pieces.frame.position.setConstant(std::numeric_limits<double>::quiet_NaN());
     EXPECT_TRUE(pieces.focus().isEmpty());
 }
