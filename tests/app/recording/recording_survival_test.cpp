@@ -86,8 +86,8 @@ TEST(RecordingSurvival, IsReadByItsJournalWhereItCannotBeMended) {
     for (std::size_t call = 0; call < appends.made.size(); ++call) {
         disk.make(appends.made[call]);
         disk.show(after.path, true, random);
-        const auto left = after.contents();
         const OutputLock lock(file);  // as of one who writes it
+        const auto left = after.contents();
         const Recording recording(file);
         EXPECT_EQ(recording.mended(), "");
         expect_begins(recording, appends.run, recording.frame_count());
