@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "meshops/error.h"
@@ -27,7 +28,8 @@ EdgesOfSheet edges_of(const SheetInput& input) {
     const double vertices = mesh.number_of_vertices(), edges = mesh.number_of_edges(),
                  faces = mesh.number_of_faces(), mean = length / edges;
     const double reach = input.thickest() + mean;
-    return {mean, (edges * edges / 2 + vertices * faces) / area * std::numbers::pi * reach * reach};
+    const double share = std::min(1.0, std::numbers::pi * reach * reach / area);
+    return {mean, (edges * edges / 2 + vertices * faces) * share};
 }
 
 }  // namespace
