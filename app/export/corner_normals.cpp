@@ -33,10 +33,8 @@ class NormalsOfSheet {
     Vector3d at(std::size_t t, int corner) const {
         const std::int32_t point = sheet.triangles[t][corner];
         if (shading(t) == Shading::smooth) return unit(side[point]);
-        const Vector3d own = unit(flat[t] + flat[partner(t)]);
-        if (shading(t) == Shading::broken) return own;
-        const Vector3d round = unit(rim[point]);
-        return round.dot(own) > smooth_cosine ? round : own;
+        const Vector3d own = unit(flat[t] + flat[partner(t)]), round = unit(rim[point]);
+        return shading(t) == Shading::rim && round.dot(own) > smooth_cosine ? round : own;
     }
 
   private:
