@@ -205,8 +205,7 @@ TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
         for (const Eigen::Vector2d& uv : texture[face]) EXPECT_TRUE(uv.y() == 0 || uv.y() == 0.002);
     }
     EXPECT_GT(inside, 0u);
-    const auto first_corner = [&](std::size_t side) { return texture[Face(side)][0]; };
-    for (std::size_t f = 0; f < faces; ++f) EXPECT_EQ(first_corner(f), first_corner(faces + f));
+    for (std::size_t f = 0; f < faces; ++f) EXPECT_EQ(texture[Face(f)][0], texture[Face(faces + f)][0]);
 }
 
 TEST_F(TexturedRun, GlbSplitsVerticesAtSeamsOnlyAndTurnsV) {
