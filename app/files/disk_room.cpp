@@ -9,6 +9,7 @@
 #include "meshops/error.h"
 
 namespace sherd {
+
 bool disk_is_full(int reason) {
     return reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
 }

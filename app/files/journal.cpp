@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/checksum.h"
 #include "app/files/output_lock.h"
 #include "meshops/error.h"
 
@@ -31,11 +32,8 @@ fs::path journal_of(const fs::path& file) {
     return file.string() + ".journal";
 }
 
-/// FNV-1a of 64 bits.
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-    std::uint64_t sum = 0xcbf29ce484222325;
-    for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
-    return sum;
+std::uint64_t checksum_of_bytes(std::span<const std::byte> bytes) {
+    return checksum({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 void put(Bytes& bytes, const void* from, std::size_t size) {
@@ -59,7 +57,7 @@ std::uint64_t stored_checksum(const DiskFile& file, std::uint64_t number, std::s
     Block block;
     const auto part = std::span(block).first(length);
     file.read(number * block_size, part);
-    return checksum(part);
+    return checksum_of_bytes(part);
 }
 
 Bytes encoded(const DiskFile& file, const Journal& journal) {
@@ -75,7 +73,7 @@ Bytes encoded(const DiskFile& file, const Journal& journal) {
         put(bytes, &before, number_size);
         put(bytes, block.data(), block_size);
     }
-    const std::uint64_t sum = checksum(bytes);
+    const std::uint64_t sum = checksum_of_bytes(bytes);
     put(bytes, &sum, number_size);
     return bytes;
 }
@@ -85,7 +83,8 @@ bool is_complete(std::span<const std::byte> bytes) {
     const std::uint64_t count = number_at(bytes, magic.size() + number_size);
     if ((bytes.size() - least_size) / entry_size != count || (bytes.size() - least_size) % entry_size != 0)
         return false;
-    return number_at(bytes, bytes.size() - number_size) == checksum(bytes.first(bytes.size() - number_size));
+    return number_at(bytes, bytes.size() - number_size) ==
+           checksum_of_bytes(bytes.first(bytes.size() - number_size));
 }
 
 /// Of complete bytes; none when they are not of this file.
@@ -97,7 +96,7 @@ std::optional<Journal> decoded(std::span<const std::byte> bytes, const DiskFile&
         const auto block = bytes.subspan(at + 2 * number_size, block_size);
         const std::size_t length = length_of(number, journal.end);
         const std::uint64_t now = stored_checksum(file, number, length);
-        if (now != before && now != checksum(block.first(length))) return std::nullopt;
+        if (now != before && now != checksum_of_bytes(block.first(length))) return std::nullopt;
         std::memcpy(journal.blocks[number].data(), block.data(), block_size);
     }
     return journal;
@@ -117,7 +116,8 @@ Bytes content_of(const fs::path& file) try {
 bool is_applied(const Journal& journal, const DiskFile& file) {
     return std::ranges::all_of(journal.blocks, [&](const auto& entry) {
         const std::size_t length = length_of(entry.first, journal.end);
-        return stored_checksum(file, entry.first, length) == checksum(std::span(entry.second).first(length));
+        return stored_checksum(file, entry.first, length) ==
+               checksum_of_bytes(std::span(entry.second).first(length));
     });
 }
 

@@ -10,16 +10,10 @@
 #include <fstream>
 
 #include "app/files/descriptor.h"
+#include "app/files/disk_file.h"
 #include "app/files/disk_room.h"
 
 namespace sherd {
-
-void wait_for_disk(const std::filesystem::path& path) {
-    const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (opened < 0 || (::fsync(opened) != 0 && errno != EINVAL && errno != EROFS))
-        throw Error(fmt::format("cannot bring '{}' to the disk: {}", path.string(), std::strerror(errno)),
-                    Fault::run);
-}
 
 PendingFile::PendingFile(const OutputLock& lock, Fault fault) : PendingFile(lock.output(), fault, lock) {}
 
@@ -62,9 +56,9 @@ void PendingFile::publish(bool replace) {
 }
 
 void PendingFile::publish_durably() {
-    wait_for_disk(temporary);
+    DiskFile(temporary, O_RDONLY).sync();
     publish(true);
-    wait_for_disk(target.has_parent_path() ? target.parent_path() : ".");
+    sync_folder_of(target);
 }
 
 void check_free(const std::filesystem::path& file, bool force) {

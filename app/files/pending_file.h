@@ -38,9 +38,6 @@ class PendingFile {
     std::optional<OutputLock> own;
 };
 
-/// Waits until a file, or the names in a folder, are on the disk. Throws Error (run).
-void wait_for_disk(const std::filesystem::path& path);
-
 /// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
 void check_free(const std::filesystem::path& file, bool force);
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "app/files/pending_file.h"
 #include "app/run/state_archive.h"
 
 namespace sherd {
@@ -29,10 +28,10 @@ void CheckpointKeeper::write() {
     const Clock::time_point start = Clock::now();
     StateWriter state;
     state(parts);
-    const OutputLock& recording = parts.recorder.lock();
-    wait_for_disk(recording.output());  // what the state counts on
-    write_checkpoint(recording, {++number, parts.runner.simulation().time(),
-                                 parts.runner.scene().frame_interval, origin, std::move(state.text)});
+    // What the state counts on is on the disk: each append to the recording has been committed.
+    write_checkpoint(parts.recorder.lock(),
+                     {++number, parts.runner.simulation().time(), parts.runner.scene().frame_interval, origin,
+                      std::move(state.text)});
     last = Clock::now();
     spent += std::chrono::duration<double>(last - start).count();
 }

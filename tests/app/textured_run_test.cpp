@@ -13,6 +13,7 @@
 #include "meshops/surface_material.h"
 #include "tests/support/glb_content.h"
 #include "tests/support/program.h"
+#include "tests/support/same_snapshot.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/vtp_array.h"
 
@@ -352,6 +353,31 @@ TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
     const Glb glb(folder.contents().at(folder.path / "painted.glb"));
     for (const nlohmann::json& fragment : glb.json["meshes"])
         EXPECT_TRUE(fragment["primitives"][0]["attributes"].contains("COLOR_0"));
+}
+
+// A run that goes on from a checkpoint has lost the looks of what broke before.
+TEST_F(TexturedRun, LooksOfWhatBrokeGoOnWithTheRun) {
+    folder.write("plate.ply", painted_plate());
+    for (const std::string mesh : {"plate.obj", "plate.ply"}) {
+        const auto run = [&](const std::string& output, const std::vector<std::string>& more) {
+            std::vector<std::string> arguments{
+                "run",   "scene.toml",
+                "-o",    output,
+                "--set", "sheet.plate.mesh=" + mesh,
+                "--set", "sheet.plate.fracture={ strength = 1e6, toughness = 2e5 }"};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            succeeds(arguments);
+        };
+        run(mesh + "-whole.h5", {});
+        run(mesh + "-half.h5", {"--until", "0.0016"});
+        const Recording half(folder.path / (mesh + "-half.h5"));
+        const Snapshot before = half.frame(half.frame_count() - 1);
+        ASSERT_GT(before.faces.size(), before.rest.unbroken_faces.size()) << "no crack has split a face";
+        run(mesh + "-half.h5", {"--resume"});
+        const Recording whole(folder.path / (mesh + "-whole.h5")), resumed(folder.path / (mesh + "-half.h5"));
+        ASSERT_EQ(resumed.frame_count(), whole.frame_count());
+        for (std::size_t i = 0; i < whole.frame_count(); ++i) expect_same(resumed.frame(i), whole.frame(i));
+    }
 }
 
 }  // namespace
