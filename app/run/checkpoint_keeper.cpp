@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/run/state_archive.h"
+#include "meshops/error.h"
 
 namespace sherd {
 
