@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <utility>
 
 namespace sherd {
@@ -19,12 +20,14 @@ enum class Task {
     breaking        ///< judging hinges and opening the mesh
 };
 
-/// The wall time of each task; every moment is counted once. It is informative only: no result may depend on
-/// it.
+/// The wall time of each task, every moment counted once, and how often it was begun. It is informative only:
+/// no result may depend on it.
 class TimeSpent {
   public:
     /// Time spent on a task, s.
     double on(Task task) const { return std::chrono::duration<double>(spent[index(task)]).count(); }
+    /// How many stopwatches were started on a task: of factorizations and analyses, their number.
+    std::int64_t times(Task task) const { return begun[index(task)]; }
 
   private:
     friend class Stopwatch;
@@ -39,7 +42,9 @@ class TimeSpent {
         return std::exchange(current, task);
     }
 
-    std::array<Clock::duration, static_cast<std::size_t>(Task::breaking) + 1> spent{};
+    static constexpr std::size_t tasks = static_cast<std::size_t>(Task::breaking) + 1;
+    std::array<Clock::duration, tasks> spent{};
+    std::array<std::int64_t, tasks> begun{};
     Task current = Task::other;
     Clock::time_point since = Clock::now();
 };
@@ -47,7 +52,9 @@ class TimeSpent {
 /// While it exists, time is booked on its task instead of the task that it interrupts.
 class Stopwatch {
   public:
-    Stopwatch(TimeSpent& time, Task task) : time(time), interrupted(time.change(task)) {}
+    Stopwatch(TimeSpent& time, Task task) : time(time), interrupted(time.change(task)) {
+        ++time.begun[TimeSpent::index(task)];
+    }
     ~Stopwatch() { time.change(interrupted); }
     Stopwatch(const Stopwatch&) = delete;
 

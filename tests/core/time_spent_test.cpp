@@ -69,6 +69,9 @@ TEST(TimeSpent, EachMomentCountsForTheInnermostTask) {
     EXPECT_GE(spent.on(Task::contact), 2 * nap);
     EXPECT_GE(spent.on(Task::analysis), nap);
     EXPECT_LE(sum(spent), wall - nap) << "what came after the stopwatch counts for its task";
+    EXPECT_EQ(spent.times(Task::contact), 1) << "returning to a task begins no other one";
+    EXPECT_EQ(spent.times(Task::analysis), 1);
+    EXPECT_EQ(spent.times(Task::factorization), 0);
 }
 
 // The table at the end of a run would show more than there was, or leave out what costs most.
