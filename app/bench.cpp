@@ -2,15 +2,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/bench/cost_tables.h"
+#include "app/bench/cracking_tables.h"
 #include "app/bench/fracture_tables.h"
+#include "app/bench/paper_tables.h"
+#include "app/bench/scaling_tables.h"
 #include "app/bench/shell_run.h"
 #include "app/commands.h"
+#include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "meshops/error.h"
 
@@ -21,7 +28,9 @@ namespace {
 struct BenchOptions {
     std::string name, only;
     std::vector<std::string> models{"cubic", "coupled", "coupled+arc"};
-    bool quick = false, json = false;
+    std::filesystem::path figure;
+    double most_vertices = 102400;
+    bool quick = false, json = false, force = false;
 };
 
 std::vector<ShellCase> chosen_cases(const BenchOptions& options) {
@@ -130,39 +139,110 @@ int bench_fracture(const BenchOptions& options) {
     return 0;
 }
 
+/// A table with its figure.
+using Experiment = std::pair<Json, std::string>;
+
+/// Does the experiment, and writes its figure if one is asked for: whether it can be is known before.
+int bench_speed(const BenchOptions& options, const std::function<Experiment()>& experiment) {
+    std::optional<OutputLock> lock;
+    if (!options.figure.empty()) {
+        lock.emplace(options.figure);
+        check_free(options.figure, options.force);
+    }
+    const auto [json, figure] = experiment();
+    if (options.json) fmt::print("{}\n", json.dump(2));
+    if (!lock) return 0;
+    PendingFile pending(*lock, Fault::input);
+    pending.write(figure);
+    pending.publish(options.force);
+    return 0;
+}
+
+int bench_paper(const BenchOptions& options) {
+    return bench_speed(options, [&] { return paper_figure(options.only, options.quick, !options.json); });
+}
+
+int bench_scaling(const BenchOptions& options) {
+    const double most = options.quick ? std::min(6400.0, options.most_vertices) : options.most_vertices;
+    return bench_speed(options, [&] { return scaling(options.only, most, !options.json); });
+}
+
+int bench_cracking(const BenchOptions& options) {
+    return bench_speed(options, [&] { return cracking(options.only, options.quick, !options.json); });
+}
+
+/// What `sherd bench` can be asked for.
+struct Bench {
+    const char* name;
+    const char* description;
+    int (*run)(const BenchOptions&);
+    bool has_figure = false;
+};
+
+constexpr std::array<Bench, 6> benches{
+    {{"shells", "errors of plates and shells beside theory and published numbers", bench_shells},
+     {"cost", "what an iteration, an explicit step and a given error cost with each model", bench_cost},
+     {"fracture", "cracks that grow, beside theory", bench_fracture},
+     {"paper", "simulated time over processor time, as in figure 2 of Cubic Shells", bench_paper, true},
+     {"scaling", "quiet steps as the mesh grows, beside lower bounds", bench_scaling, true},
+     {"cracking", "steps that crack a plate beside those that do not", bench_cracking, true}}};
+
+std::vector<std::string> names_of_benches() {
+    std::vector<std::string> names;
+    for (const Bench& bench : benches) names.emplace_back(bench.name);
+    return names;
+}
+
+std::string words_of_benches() {
+    std::vector<std::string> words;
+    for (const Bench& bench : benches) words.push_back(fmt::format("{}: {}", bench.name, bench.description));
+    return fmt::format("{}", fmt::join(words, "; "));
+}
+
+int run_bench(const BenchOptions& options) {
+    const Bench& bench = *std::ranges::find(benches, options.name, &Bench::name);
+    if (!options.figure.empty() && !bench.has_figure)
+        throw Error(fmt::format("-o: sherd bench {} draws no figure", options.name));
+    return bench.run(options);
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
         "bench", "Compare with theory and published numbers, in tables that anyone can make");
     auto options = std::make_shared<BenchOptions>();
-    command
-        ->add_option(
-            "name", options->name,
-            "shells: errors of plates and shells beside theory and published numbers; cost: what an "
-            "iteration, an explicit step and a given error cost with each model; fracture: cracks that "
-            "grow, beside theory")
+    command->add_option("name", options->name, words_of_benches())
         ->required()
-        ->check(CLI::IsMember({"shells", "cost", "fracture"}));
+        ->check(CLI::IsMember(names_of_benches()));
     command->add_flag(
         "--quick", options->quick,
         "Under two minutes: the two coarser of three meshes, unstructured, of coupled hinges; of "
-        "cost the coarsest mesh and plates only; of fracture one mesh of the two coarser ones");
-    command->add_option("--only", options->only, "Take the cases with this in their names")
+        "cost the coarsest mesh and plates only; of fracture one mesh of the two coarser ones; of paper and "
+        "scaling the coarser meshes; of cracking the coarser mesh, and less time");
+    command
+        ->add_option(
+            "--only", options->only,
+            "Take the cases with this in their names; of scaling and cracking the choices of a solver")
         ->option_text("TEXT");
     command
         ->add_option("--models", options->models,
                      "solver.bending, or with +arc or +constant-strain solver.membrane, too (default cubic "
                      "coupled coupled+arc)")
         ->option_text("MODEL ...");
-    command->add_flag("--json", options->json, "For scripts: one JSON array, of cost one JSON object");
-    command->footer("Example:\n  sherd bench shells --quick --only hemisphere");
-    command->callback([&chosen, options] {
-        chosen = [options] {
-            if (options->name == "fracture") return bench_fracture(*options);
-            return options->name == "cost" ? bench_cost(*options) : bench_shells(*options);
-        };
-    });
+    command
+        ->add_option("--vertices", options->most_vertices,
+                     "Of scaling: the largest mesh (default 102400), four times as many each")
+        ->check(CLI::Range(1600.0, 1e8))
+        ->option_text("NUMBER");
+    command->add_option("-o,--output", options->figure, "Of paper, scaling and cracking: draw a figure, too")
+        ->option_text("FILE.svg");
+    command->add_flag("--force", options->force, "Replace a file that exists");
+    command->add_flag("--json", options->json,
+                      "For scripts: one JSON array, of cost and scaling one JSON object");
+    command->footer(
+        "Example:\n  sherd bench shells --quick --only hemisphere\n  sherd bench paper --quick -o rates.svg");
+    command->callback([&chosen, options] { chosen = [options] { return run_bench(*options); }; });
 }
 
 }  // namespace sherd

@@ -10,9 +10,9 @@
 #include <map>
 #include <memory>
 
+#include "app/chart/chart_page.h"
 #include "app/commands.h"
 #include "app/files/pending_file.h"
-#include "app/files/xml_text.h"
 #include "app/recording/recording_format.h"
 #include "app/words/moment_words.h"
 #include "core/elements/principal_values.h"
@@ -257,7 +257,6 @@ std::vector<Vector2d> fragment_sizes(const Snapshot& last) {
 }
 
 std::string plot_svg(const Recording& recording) {
-    constexpr double width = 1000, panel_height = 270, heading_height = 44;
     const RecordingHeader header = recording.header();
     const std::vector<StepReport> steps = recording.steps();
     const std::size_t frames = recording.frame_count();
@@ -287,19 +286,7 @@ std::string plot_svg(const Recording& recording) {
             if (chart.x.name == time_axis.name) chart.x = {.name = header.time_unit, .from_zero = true};
         if (!header.gauges.empty()) charts.push_back(load_chart(header, steps));
     }
-    const std::size_t rows = (charts.size() + 1) / 2;
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-        "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
-        "<text x=\"62\" y=\"30\" font-size=\"15\" fill=\"#444\">{2}</text>\n",
-        width, heading_height + static_cast<double>(rows) * panel_height,
-        xml_escaped(heading(recording, header, steps.back())));
-    for (std::size_t i = 0; i < charts.size(); ++i) {
-        const std::size_t row = i / 2, column = i % 2;
-        svg += chart_svg(charts[i], static_cast<double>(column) * width / 2,
-                         heading_height + static_cast<double>(row) * panel_height, width / 2, panel_height);
-    }
-    return svg + "</svg>\n";
+    return page_svg({heading(recording, header, steps.back()), std::move(charts)});
 }
 
 void add_plot(CLI::App& program, Command& chosen) {

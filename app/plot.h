@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/plot_chart.h"
+#include "app/chart/chart.h"
 #include "app/recording/recording.h"
 
 namespace sherd {

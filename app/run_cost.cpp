@@ -2,8 +2,6 @@
 #include "app/run_cost.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/machine/memory.h"
 #include "app/recording/recording_size.h"
 #include "app/run/runner.h"
 #include "app/scene/build/supports.h"
@@ -27,16 +26,6 @@ constexpr double day = 86400;   // s
 /// on plates of 2,739 and 10,359 faces, without contact.
 double guessed_memory(double faces) {
     return 40e6 + 900 * faces * std::log2(std::max(2.0, faces));
-}
-
-double machine_memory() {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-double peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 std::string bytes_words(double bytes) {

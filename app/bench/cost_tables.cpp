@@ -10,6 +10,7 @@
 #include "app/bench/explicit_cost.h"
 #include "app/bench/newton_cost.h"
 #include "app/bench/shell_run.h"
+#include "app/scene/read/scene.h"
 
 namespace sherd {
 namespace {
@@ -107,8 +108,8 @@ Json iteration_costs(const std::vector<std::string>& models, const std::vector<d
     for (const double edge : edges) {
         std::optional<NewtonCost> first;
         for (const std::string& model : models) {
-            const NewtonCost cost =
-                newton_cost(scene_text(hemisphere_case(all), shell_variant(model, edge, false)));
+            const NewtonCost cost = newton_cost(parse_scene(
+                scene_text(hemisphere_case(all), shell_variant(model, edge, false)), "bench", {}));
             if (!first) first = cost;
             if (print) print_cost(model, cost, *first);
             rows.push_back(cost_json(model, cost));

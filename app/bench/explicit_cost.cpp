@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/least_seconds.h"
 #include "app/bench/shell_case.h"
+#include "app/machine/processor_time.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "fracture/simulation.h"

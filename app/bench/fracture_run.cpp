@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "app/bench/grown_crack.h"
+#include "app/machine/processor_time.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
@@ -51,7 +51,7 @@ double distance(const Vector2d& point, const std::vector<Vector2d>& path) {
 }  // namespace
 
 FractureRun run_fracture(const FractureCase& one, double edge, int seed) {
-    const std::clock_t start = std::clock();
+    const double start = processor_seconds();
     const Scene scene = scene_of(one, edge, seed);
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
@@ -71,7 +71,7 @@ FractureRun run_fracture(const FractureCase& one, double edge, int seed) {
         run.values = one.measure(history);
     else if (run.failure.empty())
         run.failure = "no crack grew";
-    run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    run.seconds = processor_seconds() - start;
     return run;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/newton_cost.h"
 
-#include "app/bench/least_seconds.h"
+#include "app/machine/processor_time.h"
 #include "app/scene/build/built_scene.h"
-#include "app/scene/read/scene.h"
 #include "core/solver/factor_size.h"
 #include "core/solver/linear_solver.h"
 
@@ -16,11 +15,16 @@ BlockMatrix laid_out(const Shell& shell, const std::vector<Energy*>& energies) {
     return {static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides};
 }
 
+/// That of implicit Euler with this step.
+void add_inertia(const VectorXd& mass, double step, BlockMatrix& matrix) {
+    for (Index v = 0; v < mass.size(); ++v) matrix.add(v, v, mass[v] / (step * step) * Matrix3d::Identity());
+}
+
 }  // namespace
 
-NewtonCost newton_cost(const std::string& scene) {
+NewtonCost newton_cost(const Scene& scene) {
     std::vector<std::string> warnings;
-    const BuiltScene built = build_scene(parse_scene(scene, "bench", {}), warnings);
+    const BuiltScene built = build_scene(scene, warnings);
     const Shell& shell = built.sheets.mechanics();
     ShellEnergies energies(shell, built.options.stepper.shell);
     const std::vector<Energy*> all = energies.elastic();
@@ -35,6 +39,7 @@ NewtonCost newton_cost(const std::string& scene) {
     const auto assemble = [&] {
         matrix.set_zero();
         for (const Energy* energy : all) energy->add_hessian(x, Curvature::exact, matrix);
+        if (!scene.is_static()) add_inertia(shell.mass, scene.solver.step, matrix);
     };
     cost.vertices = shell.mass.size();
     const auto vertices = static_cast<double>(cost.vertices);
@@ -46,11 +51,11 @@ NewtonCost newton_cost(const std::string& scene) {
     cost.hessian = least_seconds(assemble);
     cost.factorization = least_seconds([&] { solver->factorize(matrix); });
     const VectorXd right_side = VectorXd::Ones(matrix.size());
-    const double solution = least_seconds([&] { sum += solver->solve(right_side).sum(); });
+    cost.solution = least_seconds([&] { sum += solver->solve(right_side).sum(); });
     const double energy = least_seconds([&] {
         for (const Energy* one : all) sum += one->value(x);
     });
-    cost.iteration = cost.gradient + cost.hessian + cost.factorization + solution + energy;
+    cost.iteration = cost.gradient + cost.hessian + cost.factorization + cost.solution + energy;
     return cost;
 }
 

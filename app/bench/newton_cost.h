@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+
+#include "app/scene/scene.h"
 
 namespace sherd {
 
@@ -10,12 +11,12 @@ namespace sherd {
 struct NewtonCost {
     std::size_t vertices = 0;
     double hessian_entries = 0, factor_entries = 0;  ///< a vertex; of the whole symmetric Hessian
-    double gradient = 0, hessian = 0, factorization = 0;
-    double iteration = 0;  ///< all three, the solution with the factor and an energy for the line search
+    double gradient = 0, hessian = 0, factorization = 0, solution = 0;
+    double iteration = 0;             ///< all four, and an energy for the line search
     double layout = 0, analysis = 0;  ///< of a new matrix, as after a crack
 };
 
-/// Measures it on the elastic energies of a scene where it starts. scene: as TOML.
-NewtonCost newton_cost(const std::string& scene);
+/// Measures it on the elastic energies of a scene where it starts, and on inertia if the scene has time.
+NewtonCost newton_cost(const Scene& scene);
 
 }  // namespace sherd

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "app/machine/processor_time.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "core/vibration/vibration.h"
@@ -100,7 +100,7 @@ double ShellRun::largest_error() const {
 }
 
 ShellRun run_case(const ShellCase& one, const ShellVariant& variant) {
-    const std::clock_t start = std::clock();
+    const double start = processor_seconds();
     const Scene scene = parse_scene(scene_text(one, variant), "bench", {});
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
@@ -115,7 +115,7 @@ ShellRun run_case(const ShellCase& one, const ShellVariant& variant) {
     } else {
         add_frequencies(one, simulation.shell().mechanics(), built.options.stepper.shell, run);
     }
-    run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    run.seconds = processor_seconds() - start;
     return run;
 }
 

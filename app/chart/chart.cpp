@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/plot_chart.h"
+#include "app/chart/chart.h"
 
 #include <fmt/format.h>
 
@@ -144,11 +144,11 @@ std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y
     return svg;
 }
 
-/// Names of the lines, above the chart; of a single line the title says it all.
-std::string legend_svg(const Chart& chart, double left, double y) {
+}  // namespace
+
+std::string legend_svg(std::span<const ChartSeries> all, double left, double y) {
     std::string svg;
-    if (chart.series.size() < 2) return svg;
-    for (const ChartSeries& series : chart.series) {
+    for (const ChartSeries& series : all) {
         svg += line(left, y - 4, left + 18, y - 4,
                     fmt::format("stroke=\"{}\" stroke-width=\"2.5\"{}", series.colour,
                                 series.dashed ? " stroke-dasharray=\"5 3\"" : ""));
@@ -157,8 +157,6 @@ std::string legend_svg(const Chart& chart, double left, double y) {
     }
     return svg;
 }
-
-}  // namespace
 
 double legend_width(const std::string& name) {
     return 36 + 6.4 * static_cast<double>(name.size());
@@ -188,7 +186,8 @@ std::string chart_svg(const Chart& chart, double left, double top, double width,
     std::string svg = "<g>\n" + frame_svg(chart, x, y);
     for (const ChartSeries& series : chart.series) svg += series_svg(series, x, y);
     svg += text(x.begin, top + 20, chart.title, "font-size=\"14\" font-weight=\"bold\" fill=\"#111\"");
-    svg += legend_svg(chart, x.begin, top + 39);
+    // Of a single line the title says it all.
+    if (chart.has_legend && chart.series.size() > 1) svg += legend_svg(chart.series, x.begin, top + 39);
     return svg + "</g>\n";
 }
 

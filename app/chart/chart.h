@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,14 @@ struct Chart {
     std::string title;
     ChartAxis x, y;
     std::vector<ChartSeries> series;
+    bool has_legend = true;  ///< the names of several lines are above the chart
 };
 
 /// Pixels that the name of a line takes above a chart that has several.
 double legend_width(const std::string& name);
+
+/// The names of lines beside each other, from (left, y) on, in pixels.
+std::string legend_svg(std::span<const ChartSeries> series, double left, double y);
 
 /// The points that a line `columns` pixels wide needs: of each column the first, the last and the extremes.
 std::vector<Vector2d> thinned(const std::vector<Vector2d>& points, int columns);

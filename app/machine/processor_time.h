@@ -5,6 +5,9 @@
 
 namespace sherd {
 
+/// Processor time of this program so far, s, of all of its threads together.
+double processor_seconds();
+
 constexpr int rounds_of_least_seconds = 3;
 
 /// The least processor time of some rounds, s.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/paper_experiment.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "app/scene/read/scene.h"
+#include "app/scene/read/shipped_scenes.h"
+
+namespace sherd {
+namespace {
+
+constexpr int middle = 2;  // of five steps
+
+double edge_length(const PaperCase& one) {
+    // Of a mesh of equilateral triangles, which has two for each vertex.
+    return std::sqrt(one.scene.area / (0.5 * std::sqrt(3) * one.side * one.side));
+}
+
+Scene scene_of(const PaperCase& one, const SolverChoice& choice, double step) {
+    std::vector<std::string> settings = one.scene.settings;
+    settings.insert(settings.end(), choice.settings.begin(), choice.settings.end());
+    settings.push_back(fmt::format("solver.step={}", step));
+    settings.push_back(fmt::format("sheet.{}.mesh.edge_length={}", one.scene.sheet, edge_length(one)));
+    return read_scene(shipped_scene(one.scene.scene, shipped_scenes(shipped_scene_folder())).file,
+                      {settings, "vertical"});
+}
+
+/// The largest distance of vertices, in edges; NaN where the runs did not make the same steps.
+double difference(const RaceResult& one, const RaceResult& other, double edge) {
+    if (!one.has_finished() || !other.has_finished() || one.cost().halvings + other.cost().halvings > 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    return (one.end.position - other.end.position).colwise().norm().maxCoeff() / edge;
+}
+
+}  // namespace
+
+std::vector<PaperScene> paper_scenes() {
+    return {{.name = "flag",
+             .scene = "paper/figure_5_flags",
+             .sheet = "flag",
+             .area = 0.54,
+             .steps = {1e-3, 2e-3, 4e-3, 1e-2, 2e-2},
+             .begin = 0.3,
+             .settings = {"force.wind.ramp=0"}},
+            {.name = "cylinder",
+             .scene = "paper/figure_3_cylinders",
+             .sheet = "cylinder",
+             .area = 0.157,
+             .steps = {1e-4, 2e-4, 5e-4, 1e-3, 2e-3},
+             .begin = 0.03,
+             .settings = {}},
+            {.name = "bowl",
+             .scene = "paper/figure_7_bowls",
+             .sheet = "bowl",
+             .area = 0.0184,
+             .steps = {3e-5, 6e-5, 1.2e-4, 2.5e-4, 5e-4},
+             .begin = 0.0015,
+             .settings = {"sheet.bowl.fracture.strain=1e9"}}};
+}
+
+std::vector<PaperCase> paper_cases(bool quick) {
+    const int side = quick ? 20 : 40;
+    std::vector<PaperCase> cases;
+    for (const PaperScene& scene : paper_scenes()) {
+        for (std::size_t i = 0; i < scene.steps.size(); i += quick ? 2 : 1)
+            cases.push_back({scene, scene.steps[i], side});
+        for (const int other : quick ? std::vector{10, 40} : std::vector{10, 20, 80, 160})
+            cases.push_back({scene, scene.steps[middle], other});
+    }
+    return cases;
+}
+
+std::vector<PaperResult> run_paper_case(const PaperCase& one, const std::vector<SolverChoice>& choices) {
+    MeasuredRun before(scene_of(one, choices.front(), one.scene.steps.back()));
+    before.advance_to(one.scene.begin);
+    std::vector<Scene> scenes;
+    for (const SolverChoice& choice : choices) scenes.push_back(scene_of(one, choice, one.step));
+    std::vector<PaperResult> results;
+    for (RaceResult& raced : race(scenes, {.step = one.step}, before.motion()))
+        results.push_back({std::move(raced)});
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        PaperResult& result = results[i];
+        const RaceResult& beside = results[place_beside(choices, i)].race;
+        if (result.race.failure.empty() && beside.failure.empty())
+            result.ratio = result.race.cost().rate() / beside.cost().rate();
+        std::size_t first = 0;
+        while (choices[first].energies != choices[i].energies) ++first;
+        result.difference = difference(result.race, results[first].race, edge_length(one));
+    }
+    return results;
+}
+
+}  // namespace sherd

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/race.h"
+
+#include <limits>
+
+#include "app/machine/memory.h"
+
+namespace sherd {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+class Runner {
+  public:
+    Runner(const Scene& scene, const std::optional<ShellMotion>& start) : run(scene, start) {
+        result.vertices = run.shell().mass.size();
+        result.faces = run.shell().triangles.size();
+    }
+
+    /// Goes on to this time, if it is still in the race, unless it has taken `most_seconds` then.
+    StepCost go_on(double end, double most_seconds) {
+        if (!is_racing()) return {};
+        const StepCost cost = run.advance_to(end, most_seconds - seconds);
+        seconds += cost.seconds;
+        result.failure = run.failure();
+        result.is_out = result.failure.empty() && !run.has_reached(end);
+        return cost;
+    }
+    bool is_racing() const { return result.has_finished(); }
+    double seconds_so_far() const { return seconds; }
+    void keep_motion() { result.end = run.motion(); }
+
+    RaceResult result;
+
+  private:
+    MeasuredRun run;
+    double seconds = 0;
+};
+
+/// All of them, each with its first laps behind it, which are made one after the other: see
+/// RaceResult::memory.
+std::vector<Runner> settled(const std::vector<Scene>& scenes, const RaceOptions& options,
+                            const std::optional<ShellMotion>& start) {
+    std::vector<Runner> runners;
+    runners.reserve(scenes.size());
+    for (const Scene& scene : scenes) {
+        forget_peak_memory();
+        const double before = resident_memory();
+        Runner& runner = runners.emplace_back(scene, start);
+        const bool first = runners.size() == 1;
+        runner.go_on(options.settling * options.step,
+                     first ? no_limit : options.allowance * runners[0].seconds_so_far());
+        runner.result.memory = peak_memory() - before;
+    }
+    return runners;
+}
+
+}  // namespace
+
+StepCost RaceResult::cost() const {
+    StepCost sum;
+    for (const StepCost& lap : laps) sum += lap;
+    return sum;
+}
+
+std::vector<RaceResult> race(const std::vector<Scene>& scenes, const RaceOptions& options,
+                             const std::optional<ShellMotion>& start) {
+    std::vector<Runner> runners = settled(scenes, options, start);
+    for (int lap = 1; lap <= options.laps; ++lap)
+        for (Runner& runner : runners) {
+            if (!runner.is_racing()) continue;
+            const bool first = &runner == &runners[0];
+            runner.result.laps.push_back(
+                runner.go_on((options.settling + lap) * options.step,
+                             first ? no_limit : options.allowance * runners[0].seconds_so_far()));
+        }
+    std::vector<RaceResult> results;
+    for (Runner& runner : runners) {
+        runner.keep_motion();
+        results.push_back(std::move(runner.result));
+    }
+    return results;
+}
+
+}  // namespace sherd
