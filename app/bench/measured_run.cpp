@@ -28,6 +28,7 @@ StepCost& StepCost::operator+=(const StepCost& more) {
     analyses += more.analyses;
     stages += more.stages;
     halvings += more.halvings;
+    contacts += more.contacts;
     return *this;
 }
 
@@ -46,6 +47,7 @@ StepCost MeasuredRun::advance_to(double end, double most_seconds) {
             cost.iterations += report.newton_iterations;
             cost.stages += report.stages;
             cost.halvings += report.halvings;
+            cost.contacts += report.contacts;
         }
     } catch (const std::exception& error) {
         why = error.what();

@@ -19,6 +19,7 @@ struct StepCost {
     std::int64_t steps = 0, iterations = 0, factorizations = 0, analyses = 0;
     std::int64_t stages = 0;    ///< of breaking
     std::int64_t halvings = 0;  ///< of steps that could not be solved
+    std::int64_t contacts = 0;  ///< vertices in contact with obstacles or bodies, a sum over the steps
 
     StepCost& operator+=(const StepCost& more);
     double rate() const { return simulated / seconds; }  ///< s simulated in a second

@@ -62,13 +62,13 @@ std::vector<PaperScene> paper_scenes() {
 }
 
 std::vector<PaperCase> paper_cases(bool quick) {
-    const int side = quick ? 20 : 40;
+    const int side = quick ? 20 : 40, laps = quick ? 5 : 10;
     std::vector<PaperCase> cases;
     for (const PaperScene& scene : paper_scenes()) {
         for (std::size_t i = 0; i < scene.steps.size(); i += quick ? 2 : 1)
-            cases.push_back({scene, scene.steps[i], side});
-        for (const int other : quick ? std::vector{10, 40} : std::vector{10, 20, 80, 160})
-            cases.push_back({scene, scene.steps[middle], other});
+            cases.push_back({scene, scene.steps[i], side, laps});
+        for (const int other : quick ? std::vector{10} : std::vector{10, 20, 80, 160})
+            cases.push_back({scene, scene.steps[middle], other, laps});
     }
     return cases;
 }
@@ -79,7 +79,7 @@ std::vector<PaperResult> run_paper_case(const PaperCase& one, const std::vector<
     std::vector<Scene> scenes;
     for (const SolverChoice& choice : choices) scenes.push_back(scene_of(one, choice, one.step));
     std::vector<PaperResult> results;
-    for (RaceResult& raced : race(scenes, {.step = one.step}, before.motion()))
+    for (RaceResult& raced : race(scenes, {.step = one.step, .laps = one.laps}, before.motion()))
         results.push_back({std::move(raced)});
     for (std::size_t i = 0; i < results.size(); ++i) {
         PaperResult& result = results[i];

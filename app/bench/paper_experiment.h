@@ -29,6 +29,7 @@ struct PaperCase {
     PaperScene scene;
     double step;  ///< s
     int side;     ///< the mesh has about as many vertices as a grid with this many a side
+    int laps;     ///< steps that are measured
 };
 
 /// Those of the paper's figure: five steps on one mesh, and five meshes with the middle step, of each scene.

@@ -10,6 +10,7 @@
 
 #include "app/bench/paper_experiment.h"
 #include "app/bench/statistics.h"
+#include "app/bench/table_head.h"
 #include "app/chart/chart_page.h"
 #include "meshops/error.h"
 
@@ -35,14 +36,12 @@ std::vector<PaperCase> chosen_paper_cases(const std::string& only, bool quick) {
 }
 
 void print_head(const PaperScene& scene, const std::vector<SolverChoice>& choices) {
+    std::vector<std::string> columns{"step (s)", "mesh", "vertices"};
+    for (const SolverChoice& choice : choices) columns.push_back(choice.name);
     fmt::print(
         "\n**{}**: simulated over processor time with {}, and as multiples of it with the others, of coupled "
-        "hinges of the first coupled one\n\n| step (s) | mesh | vertices |",
-        scene.name, choices.front().name);
-    for (const SolverChoice& choice : choices) fmt::print(" {} |", choice.name);
-    fmt::print("\n| --- | --- | --- |");
-    for (std::size_t i = 0; i < choices.size(); ++i) fmt::print(" --- |");
-    fmt::print("\n");
+        "hinges of the first coupled one\n\n{}",
+        scene.name, choices.front().name, table_head(columns));
 }
 
 void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
@@ -62,7 +61,7 @@ void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
 /// What a choice does in all cases together.
 struct Summary {
     std::vector<double> ratios, of_first;  ///< beside what it stands beside, and the first choice
-    double difference = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> differences;
     StepCost cost;
     int unfinished = 0;
 };
@@ -75,31 +74,33 @@ Summary summary_of(const std::vector<Done>& all, std::size_t i) {
         const StepCost cost = result.race.cost();
         if (result.race.failure.empty())
             summary.of_first.push_back(cost.rate() / done.results.front().race.cost().rate());
-        summary.difference = std::fmax(summary.difference, result.difference);
+        if (std::isfinite(result.difference)) summary.differences.push_back(result.difference);
         summary.cost += cost;
         summary.unfinished += !result.race.has_finished();
     }
     return summary;
 }
 
+std::string words_of(const std::vector<double>& differences) {
+    if (differences.empty()) return "-";
+    return fmt::format("{:.1g}, {:.1g}", median(differences), std::ranges::max(differences));
+}
+
 void print_summary(const std::vector<Done>& all, const std::vector<SolverChoice>& choices) {
     fmt::print(
-        "\n**All {} cases**: multiples of what it stands beside, and the largest distance of a vertex from "
-        "where "
-        "it is with the first one of the same energies\n\n"
-        "| choice | beside | median | least | most | median beside {} | distance (edges) | iterations a step "
-        "| "
-        "factorizations a step | unfinished |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
-        "|\n",
-        all.size(), choices.front().name);
+        "\n**All {} cases**: multiples of what it stands beside, and how far a vertex is at most from where "
+        "it is with the first one of the same energies (median of all cases, and most)\n\n{}",
+        all.size(),
+        table_head({"choice", "beside", "median", "least", "most", "median beside " + choices.front().name,
+                    "distance (edges)", "iterations a step", "factorizations a step", "unfinished"}));
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const Summary summary = summary_of(all, i);
         if (summary.ratios.empty()) continue;
         const auto [least, most] = std::ranges::minmax(summary.ratios);
         const auto steps = static_cast<double>(summary.cost.steps);
-        fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.1g} | {:.1f} | {:.2f} | {} |\n",
+        fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {:.1f} | {:.2f} | {} |\n",
                    choices[i].name, choices[i].beside, median(summary.ratios), least, most,
-                   median(summary.of_first), summary.difference,
+                   median(summary.of_first), words_of(summary.differences),
                    static_cast<double>(summary.cost.iterations) / steps,
                    static_cast<double>(summary.cost.factorizations) / steps, summary.unfinished);
     }
@@ -162,7 +163,10 @@ std::string figure_svg(const std::vector<Done>& all, const std::vector<SolverCho
     for (const Done& done : all)
         if (std::ranges::find(scenes, done.of.scene.name) == scenes.end())
             scenes.push_back(done.of.scene.name);
-    ChartPage page{.heading = "", .columns = scenes.size(), .panel_width = 400, .shares_legend = true};
+    ChartPage page{.heading = "Simulated time over processor time",
+                   .columns = scenes.size(),
+                   .panel_width = 400,
+                   .shares_legend = true};
     for (const bool over_step : {true, false})
         for (const std::string& scene : scenes)
             page.charts.push_back(rate_chart(all, scene, over_step, choices));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/race.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "app/machine/memory.h"
@@ -50,7 +51,7 @@ std::vector<Runner> settled(const std::vector<Scene>& scenes, const RaceOptions&
         const bool first = runners.size() == 1;
         runner.go_on(options.settling * options.step,
                      first ? no_limit : options.allowance * runners[0].seconds_so_far());
-        runner.result.memory = peak_memory() - before;
+        runner.result.memory = std::max(0.0, peak_memory() - before);
     }
     return runners;
 }

@@ -21,7 +21,7 @@ struct RaceResult {
     std::size_t vertices = 0, faces = 0;  ///< at the start
     double memory = 0;                    ///< bytes, the most that it took until its laps were measured
     bool is_out = false;  ///< took too long: its laps are fewer, and the last one is a part of one
-    std::string failure;  ///< empty: there was none
+    std::string failure;  ///< why it could not go on; empty: it could
 
     bool has_finished() const { return !is_out && failure.empty(); }
     StepCost cost() const;  ///< of all laps

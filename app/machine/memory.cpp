@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/machine/memory.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -36,6 +37,7 @@ double peak_memory() {
 }
 
 void forget_peak_memory() {
+    malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5;  // proc(5): the peak becomes what is resident now
 }
 

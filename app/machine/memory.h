@@ -7,7 +7,8 @@ double machine_memory();   ///< bytes that the machine has
 double resident_memory();  ///< bytes that this program holds now
 double peak_memory();      ///< bytes, the most that it held since its start, or forget_peak_memory()
 
-/// From now on peak_memory() is of what comes. Does nothing where Linux does not let a program do this.
+/// Gives back what is free, and from now on peak_memory() is of what comes. Linux may not let a program do
+/// so.
 void forget_peak_memory();
 
 /// Bytes a second that one thread reads from an array larger than any cache: the most of some rounds.
