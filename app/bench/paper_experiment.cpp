@@ -30,7 +30,7 @@ Scene scene_of(const PaperCase& one, const SolverChoice& choice, double step) {
 
 /// The largest distance of vertices, in edges; NaN where the runs did not make the same steps.
 double difference(const RaceResult& one, const RaceResult& other, double edge) {
-    if (!one.has_finished() || !other.has_finished() || one.cost().halvings + other.cost().halvings > 0)
+    if (!one.has_finished() || !other.has_finished() || one.halvings + other.halvings > 0)
         return std::numeric_limits<double>::quiet_NaN();
     return (one.end.position - other.end.position).colwise().norm().maxCoeff() / edge;
 }

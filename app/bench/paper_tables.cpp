@@ -117,7 +117,7 @@ Json result_json(const Done& done, const SolverChoice& choice, const PaperResult
              {"simulated", cost.simulated},   {"seconds", cost.seconds},
              {"ratio", result.ratio},         {"steps", cost.steps},
              {"iterations", cost.iterations}, {"factorizations", cost.factorizations},
-             {"analyses", cost.analyses},     {"halvings", cost.halvings},
+             {"analyses", cost.analyses},     {"halvings", result.race.halvings},
              {"stopped", result.race.is_out}, {"failure", result.race.failure},
              {"difference", nullptr}};
     if (std::isfinite(result.difference)) row["difference"] = result.difference;

@@ -23,6 +23,7 @@ class Runner {
         if (!is_racing()) return {};
         const StepCost cost = run.advance_to(end, most_seconds - seconds);
         seconds += cost.seconds;
+        result.halvings += cost.halvings;
         result.failure = run.failure();
         result.is_out = result.failure.empty() && !run.has_reached(end);
         return cost;

@@ -19,6 +19,7 @@ struct RaceResult {
     std::vector<StepCost> laps;
     ShellMotion end;
     std::size_t vertices = 0, faces = 0;  ///< at the start
+    std::int64_t halvings = 0;            ///< of all steps, those before the laps too
     double memory = 0;                    ///< bytes, the most that it took until its laps were measured
     bool is_out = false;  ///< took too long: its laps are fewer, and the last one is a part of one
     std::string failure;  ///< why it could not go on; empty: it could
