@@ -210,7 +210,8 @@ int run_bench(const BenchOptions& options) {
 
 void add_bench(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
-        "bench", "Compare with theory and published numbers, in tables that anyone can make");
+        "bench",
+        "Compare with theory, with published numbers and with itself, in tables that anyone can make");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("name", options->name, words_of_benches())
         ->required()
