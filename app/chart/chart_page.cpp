@@ -46,10 +46,10 @@ std::string page_svg(ChartPage page) {
         width, top + static_cast<double>(rows) * page.panel_height, xml_escaped(page.heading));
     svg += legend;
     for (std::size_t i = 0; i < page.charts.size(); ++i) {
-        const auto row = static_cast<double>(i / page.columns),
-                   column = static_cast<double>(i % page.columns);
-        svg += chart_svg(page.charts[i], column * page.panel_width, top + row * page.panel_height,
-                         page.panel_width, page.panel_height);
+        const std::size_t row = i / page.columns, column = i % page.columns;
+        svg += chart_svg(page.charts[i], static_cast<double>(column) * page.panel_width,
+                         top + static_cast<double>(row) * page.panel_height, page.panel_width,
+                         page.panel_height);
     }
     return svg + "</svg>\n";
 }
