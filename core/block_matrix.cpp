@@ -26,6 +26,78 @@ BlockMatrix::BlockMatrix(Index vertices, const std::vector<std::pair<Index, Inde
     set_zero();
 }
 
+BlockMatrix BlockMatrix::part(std::span<const Index> some, Index vertices,
+                              const std::vector<std::pair<Index, Index>>& pairs,
+                              const std::vector<char>& fixed, const std::vector<char>& guide,
+                              const std::vector<Matrix3d>& guides) {
+    std::vector<Index> number(vertices, -1);
+    std::vector<char> fixed_here, guide_here;
+    for (const Index vertex : some) {
+        number[vertex] = static_cast<Index>(fixed_here.size());
+        fixed_here.push_back(fixed[vertex]);
+        if (!guides.empty()) guide_here.push_back(guide[vertex]);
+    }
+    std::vector<std::pair<Index, Index>> here;
+    for (const auto& [i, j] : pairs)
+        if (number[i] >= 0 && number[j] >= 0) here.emplace_back(number[i], number[j]);
+    BlockMatrix matrix(static_cast<Index>(some.size()), here, std::move(fixed_here), std::move(guide_here),
+                       guides);
+    matrix.number = std::move(number);
+    return matrix;
+}
+
+BlockMatrix BlockMatrix::diagonal(Index vertices) {
+    BlockMatrix matrix(vertices, {}, std::vector<char>(vertices, 0));
+    matrix.only_diagonal = true;
+    return matrix;
+}
+
+Matrix3d BlockMatrix::diagonal_block(Index vertex) const {
+    Matrix3d block;
+    for (Index c = 0; c < 3; ++c)
+        for (Index r = c; r < 3; ++r) block(r, c) = block(c, r) = value[column_start[3 * vertex + c] + r - c];
+    return block;
+}
+
+Positions BlockMatrix::times(const Positions& x) const {
+    Positions product = Positions::Zero(3, x.cols());
+    for (Index j = 0; j < static_cast<Index>(x.cols()); ++j) {
+        product.col(j) += diagonal_block(j) * x.col(j);
+        for (Index b = block_start[j]; b < block_start[j + 1]; ++b) {
+            Matrix3d block;
+            for (Index c = 0; c < 3; ++c)
+                block.col(c) = Eigen::Map<const Vector3d>(
+                    &value[column_start[3 * j + c] + 3 - c + 3 * (b - block_start[j])]);
+            product.col(block_row[b]) += block * x.col(j);
+            product.col(j) += block.transpose() * x.col(block_row[b]);
+        }
+    }
+    return product;
+}
+
+BlockMatrix BlockMatrix::restricted(const std::vector<char>& keep) const {
+    std::vector<Index> kept;
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index j = 0; j < static_cast<Index>(keep.size()); ++j) {
+        if (!keep[j]) continue;
+        kept.push_back(j);
+        for (Index b = block_start[j]; b < block_start[j + 1]; ++b) pairs.emplace_back(block_row[b], j);
+    }
+    BlockMatrix smaller = part(kept, static_cast<Index>(keep.size()), pairs, fixed, guide, guides);
+    std::size_t at = 0;
+    for (const Index j : kept)
+        for (Index c = 0; c < 3; ++c) {
+            const Index first = column_start[3 * j + c];
+            for (Index r = c; r < 3; ++r) smaller.value[at++] = value[first + r - c];
+            for (Index b = block_start[j]; b < block_start[j + 1]; ++b)
+                if (keep[block_row[b]])
+                    for (Index r = 0; r < 3; ++r)
+                        smaller.value[at++] = value[first + 3 - c + 3 * (b - block_start[j]) + r];
+        }
+    smaller.number.clear();
+    return smaller;
+}
+
 void BlockMatrix::find_blocks(Index vertices, const std::vector<std::pair<Index, Index>>& pairs) {
     std::vector<std::size_t> first(vertices + 1, 0);  // of each column in `named`
     for (const auto& [i, j] : pairs) ++first[std::min(i, j) + 1];
@@ -80,6 +152,12 @@ Matrix3d BlockMatrix::guided_part(Index i, Index j, const Matrix3d& block) const
 }
 
 void BlockMatrix::add(Index i, Index j, const Matrix3d& block) {
+    if (i != j && only_diagonal) return;
+    if (!number.empty()) {
+        i = number[i];
+        j = number[j];
+        if (i < 0 || j < 0) return;
+    }
     if (i == j)
         add_at(0, i, i, block);
     else if (i > j)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,6 +23,13 @@ class BlockMatrix {
     /// are projected, and are those of the identity in the directions that P removes.
     BlockMatrix(Index vertices, const std::vector<std::pair<Index, Index>>& pairs, std::vector<char> fixed,
                 std::vector<char> guide = {}, std::vector<Matrix3d> guides = {});
+    /// Those rows and columns of such a matrix that belong to the vertices `some`, which ascend: they are
+    /// numbered from 0 in this order. What else is added is ignored.
+    static BlockMatrix part(std::span<const Index> some, Index vertices,
+                            const std::vector<std::pair<Index, Index>>& pairs, const std::vector<char>& fixed,
+                            const std::vector<char>& guide, const std::vector<Matrix3d>& guides);
+    /// The diagonal blocks of such a matrix. What else is added is ignored.
+    static BlockMatrix diagonal(Index vertices);
 
     void set_zero();
     /// Whether block row i, block column j has a block, or would have one if its vertices were not fixed.
@@ -34,6 +42,18 @@ class BlockMatrix {
     template <class Block>
     void add_all(std::span<const Index> vertices, const Block& block);
 
+    bool is_part() const { return !number.empty(); }
+    /// Whether an element with these vertices, those below zero left out, has blocks of nothing else.
+    bool has_all(std::span<const Index> vertices) const {
+        return number.empty() ||
+               std::ranges::all_of(vertices, [&](Index vertex) { return vertex < 0 || number[vertex] >= 0; });
+    }
+    Matrix3d diagonal_block(Index vertex) const;
+    /// The matrix times x, [3, vertices].
+    Positions times(const Positions& x) const;
+    /// Rows and columns of the vertices with a flag, by the numbers that they have here.
+    BlockMatrix restricted(const std::vector<char>& keep) const;
+
     /// Sets the values to (1 - share) `from` + share `to`, both values() of this pattern.
     void blend(std::span<const double> from, std::span<const double> to, double share);
 
@@ -41,12 +61,19 @@ class BlockMatrix {
     std::span<const Index> columns() const { return column_start; }             ///< [size + 1]
     std::span<const Index> rows() const { return row; }
     std::span<const double> values() const { return value; }
+    // The blocks below the diagonal: compressed block columns with ascending block rows. In a scalar column
+    // their values follow those of the diagonal block.
+    std::span<const Index> block_columns() const { return block_start; }  ///< [vertices + 1]
+    std::span<const Index> block_rows() const { return block_row; }
     /// The blocks, without their values.
     void visit_state(StateVisitor& visit) {
-        auto& [block_start, block_row, column_start, row, value, fixed, guide, guides] = *this;
-        visit(block_start, block_row, column_start, row, fixed, guide, guides);
+        auto& [block_start, block_row, column_start, row, value, fixed, guide, guides, number,
+               only_diagonal] = *this;
+        visit(block_start, block_row, column_start, row, fixed, guide, guides, number, only_diagonal);
         value.resize(row.size());
     }
+
+    void visit_values(StateVisitor& visit) { visit(value); }
 
   private:
     bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }
@@ -67,6 +94,8 @@ class BlockMatrix {
     std::vector<double> value;
     std::vector<char> fixed, guide;
     std::vector<Matrix3d> guides;
+    std::vector<Index> number;  ///< of the vertices in a part, -1: not in it; empty: the whole
+    bool only_diagonal = false;
 };
 
 inline void BlockMatrix::add_free(Index rank, Index i, Index j, const Matrix3d& block) {
@@ -92,6 +121,11 @@ inline void BlockMatrix::add_at(Index rank, Index i, Index j, const Matrix3d& bl
 
 template <class Block>
 void BlockMatrix::add_all(std::span<const Index> vertices, const Block& block) {
+    if (!number.empty() || only_diagonal) {
+        for (std::size_t b = 0; b < vertices.size(); ++b)
+            for (std::size_t a = b; a < vertices.size(); ++a) add(vertices[a], vertices[b], block(a, b));
+        return;
+    }
     for (std::size_t b = 0; b < vertices.size(); ++b) {
         const Index column = vertices[b];
         add_at(0, column, column, block(b, b));

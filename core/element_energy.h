@@ -45,8 +45,8 @@ void add_gradients(const Elements& elements, const Positions& x, Positions& grad
 template <class Elements>
 void add_hessians(const Elements& elements, const Positions& x, Curvature curvature, BlockMatrix& hessian) {
     for (std::size_t i = 0; i < elements.size(); ++i)
-        add_element(hessian, elements.vertices(i),
-                    elements.hessian(i, local_positions(elements, i, x), curvature));
+        if (const auto vertices = elements.vertices(i); hessian.has_all(vertices))
+            add_element(hessian, vertices, elements.hessian(i, local_positions(elements, i, x), curvature));
 }
 
 /// Appends the pairs of vertices of each element.

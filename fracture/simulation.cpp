@@ -16,7 +16,7 @@ namespace sherd {
 namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
-constexpr int iterations_between_stages = 3;
+constexpr int iterations_between_stages = 10;
 constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 /// Snapshot::edge_held, [E].
@@ -186,7 +186,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
             ++report.stages;
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
-        } else if (!newton.converged && newton.iterations == iterations_between_stages) {
+        } else if (newton.limited) {
             newton = solve_stage(report, options.max_iterations);
         } else {
             return newton;

@@ -144,6 +144,7 @@ struct ContactSpec {
 
 struct SolverSpec {
     Scheme scheme = Scheme::implicit_euler;
+    Method method = Method::quasi_newton;
     double step = 1e-4;        ///< s; in statics, of load factor, or along the path
     double load = 1;           ///< load factor at which statics end
     bool arc_length = false;   ///< whether statics follow the path of equilibria, past limit points

@@ -143,17 +143,26 @@ void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>&
     for (Matrix3d& slope : of_face) slope = (root * slope).eval();
 }
 
+std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const {
+    std::vector<Index> some = needed;
+    if (hessian.is_part())
+        std::erase_if(some, [&](Index fold) { return !hessian.has_all(folds.vertices(fold)); });
+    return some;
+}
+
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
-    folds.find_slopes(x, needed, slopes);
+    const std::vector<Index> some = needed_for(hessian);
+    folds.find_slopes(x, some, slopes);
     std::vector<Matrix3d> of_face;
     for (std::size_t i = 0; i < counted.size(); ++i) {
+        if (!hessian.has_all(reach_of_counted()[i].vertices)) continue;
         find_slopes(i, slopes, of_face);
         hessian.add_all(reach_of_counted()[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
             return of_face[a].transpose() * of_face[b];
         });
     }
     // What the angles' own second derivatives add.
-    if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, needed)), hessian, needed);
+    if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, some)), hessian, some);
 }
 
 void CoupledBending::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {

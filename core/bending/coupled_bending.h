@@ -67,6 +67,8 @@ class CoupledBending : public Energy {
     const std::vector<Reach>& reach_of_counted() const;
     /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
     /// positions of the vertices in its reach, sqrt(J) / m.
+    /// The needed folds whose vertices are all in a matrix.
+    std::vector<Index> needed_for(const BlockMatrix& hessian) const;
     void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
                      std::vector<Matrix3d>& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {

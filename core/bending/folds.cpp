@@ -97,6 +97,7 @@ void Folds::extend(const ShellChange& change, VectorXd& angles) const {
 void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
                         std::span<const Index> some) const {
     for (const Index fold : some) {
+        if (!hessian.has_all(vertices(fold))) continue;
         HingeHessian full = HingeHessian::Zero();
         DihedralAngle(positions(fold, x)).add_hessian(of_angles[fold], full);
         if (fold < folds_of_edges())

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cblas.h>
-#include <cholmod.h>
-
-#include <stdexcept>
-#include <string>
-
+#include "core/solver/cholmod_session.h"
 #include "core/solver/factor_size.h"
 #include "core/solver/linear_solver.h"
-
-// Declared here because OpenMP's header belongs to one compiler's runtime, and CHOLMOD may use another. The
-// function exists since OpenMP 3.0.
-extern "C" void omp_set_max_active_levels(int levels);
+#include "core/solver/supernodes.h"
 
 namespace sherd {
 namespace {
@@ -34,58 +26,67 @@ cholmod_sparse view(const BlockMatrix& matrix) {
     return sparse;
 }
 
+/// Operations of a factorization that take as long as an entry in a solution.
+constexpr double operations_per_entry = 30;
+
+/// The order of the unknowns when vertices are eliminated in this order.
+std::vector<Index> of_unknowns(const std::vector<Index>& vertices) {
+    std::vector<Index> order;
+    order.reserve(3 * vertices.size());
+    for (const Index vertex : vertices)
+        for (Index c = 0; c < 3; ++c) order.push_back(3 * vertex + c);
+    return order;
+}
+
 class CholeskySolver : public LinearSolver {
   public:
     /// supernodal: L L^T, of positive definite matrices; else L D L^T.
-    explicit CholeskySolver(bool supernodal) {
-        // CHOLMOD asks for OpenMP teams by number, which slows its supernodal code two to three times on
-        // small machines; allowing no active parallel region is the one setting it cannot override.
-        omp_set_max_active_levels(0);
-        openblas_set_num_threads(1);
-        cholmod_start(&common);
-        common.print = 0;
-        common.supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-        common.quick_return_if_not_posdef = 1;
-        common.nmethods = 1;
+    CholeskySolver(bool supernodal, Ordering ordering) : ordering(ordering) {
+        session.common.supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     }
     ~CholeskySolver() override {
-        cholmod_free_dense(&solution, &common);
-        cholmod_free_dense(&work1, &common);
-        cholmod_free_dense(&work2, &common);
-        cholmod_free_factor(&factor, &common);
-        cholmod_finish(&common);
+        cholmod_free_dense(&solution, common());
+        cholmod_free_dense(&work1, common());
+        cholmod_free_dense(&work2, common());
+        cholmod_free_factor(&factor, common());
     }
     CholeskySolver(const CholeskySolver&) = delete;
     void analyze(const BlockMatrix& matrix) override;
     bool factorize(const BlockMatrix& matrix) override;
     VectorXd solve(const VectorXd& right_side) override;
-    double factor_entries() const { return common.lnz; }
+    FactorCost cost() const override {
+        return {session.common.fl / operations_per_entry, session.common.lnz};
+    }
+    double factor_entries() const { return session.common.lnz; }
 
   private:
-    void require(bool success, const char* action) const {
-        if (!success)
-            throw std::runtime_error(std::string("linear solver: cannot ") + action + " (CHOLMOD status " +
-                                     std::to_string(common.status) + ")");
-    }
+    cholmod_common* common() { return &session.common; }
 
-    cholmod_common common;
+    CholmodSession session;
+    Ordering ordering;
     cholmod_factor* factor = nullptr;
     cholmod_dense *solution = nullptr, *work1 = nullptr, *work2 = nullptr;
 };
 
 void CholeskySolver::analyze(const BlockMatrix& matrix) {
     cholmod_sparse sparse = view(matrix);
-    cholmod_free_factor(&factor, &common);
-    common.method[0].ordering = matrix.size() < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
-    factor = cholmod_analyze(&sparse, &common);
-    require(factor != nullptr, "analyze the matrix");
+    cholmod_free_factor(&factor, common());
+    if (ordering == Ordering::vertices) {
+        std::vector<Index> order = of_unknowns(elimination_order(matrix));
+        common()->method[0].ordering = CHOLMOD_GIVEN;
+        factor = cholmod_analyze_p(&sparse, order.data(), nullptr, 0, common());
+    } else {
+        common()->method[0].ordering = matrix.size() < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
+        factor = cholmod_analyze(&sparse, common());
+    }
+    session.require(factor != nullptr, "analyze the matrix");
 }
 
 bool CholeskySolver::factorize(const BlockMatrix& matrix) {
     cholmod_sparse sparse = view(matrix);
-    const bool success = cholmod_factorize(&sparse, factor, &common);
-    if (common.status == CHOLMOD_NOT_POSDEF) return false;
-    require(success, "factorize the matrix");
+    const bool success = cholmod_factorize(&sparse, factor, common());
+    if (common()->status == CHOLMOD_NOT_POSDEF) return false;
+    session.require(success, "factorize the matrix");
     return factor->minor == factor->n;
 }
 
@@ -97,23 +98,23 @@ VectorXd CholeskySolver::solve(const VectorXd& right_side) {
     dense.xtype = CHOLMOD_REAL;
     dense.dtype = CHOLMOD_DOUBLE;
     const bool success =
-        cholmod_solve2(CHOLMOD_A, factor, &dense, nullptr, &solution, nullptr, &work1, &work2, &common);
-    require(success, "solve");
+        cholmod_solve2(CHOLMOD_A, factor, &dense, nullptr, &solution, nullptr, &work1, &work2, common());
+    session.require(success, "solve");
     return Eigen::Map<const VectorXd>(static_cast<const double*>(solution->x), right_side.size());
 }
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> cholesky_solver() {
-    return std::make_unique<CholeskySolver>(true);
+std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering) {
+    return std::make_unique<CholeskySolver>(true, ordering);
 }
 
 std::unique_ptr<LinearSolver> indefinite_solver() {
-    return std::make_unique<CholeskySolver>(false);
+    return std::make_unique<CholeskySolver>(false, Ordering::vertices);
 }
 
 double factor_size(const BlockMatrix& matrix) {
-    CholeskySolver solver(true);
+    CholeskySolver solver(true, Ordering::vertices);
     solver.analyze(matrix);
     return solver.factor_entries();
 }

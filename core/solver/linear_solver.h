@@ -7,6 +7,12 @@
 
 namespace sherd {
 
+/// About what a factorization and a solution take, in the time that a solution takes for an entry of the
+/// factor.
+struct FactorCost {
+    double factorization = 0, solution = 0;
+};
+
 /// Direct solver for symmetric systems. Its results must be the same to the last bit for any number of
 /// threads.
 struct LinearSolver {
@@ -18,11 +24,23 @@ struct LinearSolver {
     virtual bool factorize(const BlockMatrix& matrix) = 0;
     /// Solves with the last factor. right_side: [size].
     virtual VectorXd solve(const VectorXd& right_side) = 0;
+    /// By the analyzed pattern, so that it is the same at any time.
+    virtual FactorCost cost() const = 0;
+};
+
+/// What the ordering of a factorization looks at.
+enum class Ordering {
+    vertices,  ///< the graph of block rows, which a ninth of the entries describes
+    unknowns   ///< the graph of scalar rows
 };
 
 /// A solver with CHOLMOD's supernodal Cholesky factorization, in one thread: a second one never helped at
 /// these sizes. It wants positive definite matrices.
-std::unique_ptr<LinearSolver> cholesky_solver();
+std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering = Ordering::vertices);
+
+/// A solver in single precision, with half the memory and time, or in double precision where a matrix is too
+/// badly scaled for that. It wants positive definite matrices.
+std::unique_ptr<LinearSolver> single_precision_solver();
 
 /// A solver with CHOLMOD's simplicial L D L^T factorization, also of indefinite matrices. It does not pivot,
 /// so that its solutions are only as accurate as the smallest pivot allows.

@@ -9,6 +9,7 @@ namespace sherd {
 struct MinimiserResult {
     int iterations = 0;  ///< in explicit steps substeps
     bool converged = false;
+    bool limited = false;   ///< whether it ended because it had all the iterations that it was given
     double correction = 0;  ///< m, largest coordinate of the last correction
 };
 
@@ -20,8 +21,8 @@ struct Minimiser {
     /// next minimisation starts near x [3, V] m.
     virtual void topology_changed(const ShellChange& change, const Potential& potential,
                                   const Positions& x) = 0;
-    /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations. The potential must be
-    /// finite at x; it stays finite along every motion.
+    /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations of Newton's method or in
+    /// what replaces them. The potential must be finite at x; it stays finite along every motion.
     virtual MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) = 0;
     virtual void visit_state(StateVisitor& visit) = 0;
 };

@@ -11,11 +11,6 @@ constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
 constexpr double flattening = 0.9;            // ratio of slopes accepted where round-off hides the decrease
 constexpr int max_halvings = 40;
 
-/// Shares of the way from the exact Hessian to the convex one that are tried when the exact one is not
-/// positive definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without
-/// any compression, is so much stiffer that iterations progress slowly.
-constexpr double shares_of_convex[] = {0.25, 1};
-
 /// Moves x along `direction`, up to safe_fraction(), halving the step until the potential decreases. Since
 /// round-off of the value is large compared with the last decreases, a step that flattens the slope is
 /// accepted too.
@@ -43,57 +38,6 @@ bool line_search(const Potential& potential, const Positions& direction, double 
 
 }  // namespace
 
-void NewtonSystem::analyze(const Potential& potential, const Positions& x) {
-    matrix = potential.hessian_pattern(x);
-    const Stopwatch watch(potential.time_spent(), Task::analysis);
-    solver->analyze(*matrix);
-}
-
-void NewtonSystem::topology_changed(const ShellChange&, const Potential& potential, const Positions& x) {
-    analyze(potential, x);
-}
-
-bool NewtonSystem::has_factor(const Potential& potential) {
-    const Stopwatch watch(potential.time_spent(), Task::factorization);
-    return solver->factorize(*matrix);
-}
-
-void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
-    if (!matrix) analyze(potential, x);
-    if (!potential.fits(x, *matrix)) {
-        const Stopwatch watch(potential.time_spent(), Task::contact);
-        analyze(potential, x);
-    }
-    potential.hessian(x, Curvature::exact, *matrix);
-    if (has_factor(potential)) return;
-    const std::vector<double> exact(matrix->values().begin(), matrix->values().end());
-    potential.hessian(x, Curvature::convex, *matrix);
-    const std::vector<double> convex(matrix->values().begin(), matrix->values().end());
-    for (const double share : shares_of_convex) {
-        matrix->blend(exact, convex, share);
-        if (has_factor(potential)) return;
-    }
-    throw std::runtime_error(
-        "Newton's method: the convex Hessian is not positive definite (NaN in the positions, or in statics a "
-        "part that nothing holds?)");
-}
-
-Positions NewtonSystem::solve(const Potential& potential, const Positions& right_side) {
-    const Stopwatch watch(potential.time_spent(), Task::solution);
-    return solver->solve(right_side.reshaped()).reshaped(3, right_side.cols());
-}
-
-void NewtonSystem::visit_state(StateVisitor& visit) {
-    auto& [matrix, solver] = *this;
-    bool known = matrix.has_value();
-    visit(known);
-    if (visit.reads()) matrix.reset();
-    if (!known) return;
-    if (!matrix) matrix.emplace(0, std::vector<std::pair<Index, Index>>(), std::vector<char>());
-    visit(*matrix);
-    if (visit.reads()) solver->analyze(*matrix);
-}
-
 void Newton::topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) {
     system.topology_changed(change, potential, x);
 }
@@ -109,8 +53,9 @@ MinimiserResult Newton::minimise(Potential& potential, int max_iterations, Posit
         potential.moved_to(x);
         const bool moved = line_search(potential, direction, gradient.cwiseProduct(direction).sum(), x);
         result.converged = result.correction <= tolerance;
-        if (result.converged || !moved) break;
+        if (result.converged || !moved) return result;
     }
+    result.limited = true;
     return result;
 }
 

@@ -16,6 +16,7 @@ void Potential::each(const Action& action) const {
 }
 
 void Potential::begin(const StepContext& step) {
+    of_inertia = step.inertia / (step.lag * step.lag);
     each([&](Energy& energy) { energy.begin(step); });
 }
 
@@ -51,22 +52,40 @@ Positions Potential::gradient_with_blocked(const Positions& x) const {
     return sum;
 }
 
-BlockMatrix Potential::hessian_pattern(const Positions& x) const {
-    std::vector<std::pair<Index, Index>> pairs;
+Positions Potential::contact_gradient(const Positions& x) const {
+    Positions sum = Positions::Zero(3, x.cols());
     each([&](const Energy& energy) {
-        energy.add_pattern(pairs);
-        energy.add_contacts(x, true, pairs);
+        if (energy.task() == Task::contact) energy.add_gradient(x, sum);
     });
+    return sum;
+}
+
+std::vector<std::pair<Index, Index>> Potential::pattern() const {
+    std::vector<std::pair<Index, Index>> pairs;
+    each([&](const Energy& energy) { energy.add_pattern(pairs); });
+    return pairs;
+}
+
+BlockMatrix Potential::hessian_pattern(const Positions& x) const {
+    std::vector<std::pair<Index, Index>> pairs = pattern();
+    each([&](const Energy& energy) { energy.add_contacts(x, true, pairs); });
     return BlockMatrix(static_cast<Index>(shell.mass.size()), pairs, shell.fixed, shell.guide, shell.guides);
 }
 
-bool Potential::fits(const Positions& x, const BlockMatrix& hessian) const {
+std::vector<Matrix3d> Potential::contact_stiffness(const Positions& x) const {
+    BlockMatrix stiffness = BlockMatrix::diagonal(static_cast<Index>(x.cols()));
+    each([&](const Energy& energy) {
+        if (energy.task() == Task::contact) energy.add_hessian(x, Curvature::exact, stiffness);
+    });
+    std::vector<Matrix3d> blocks;
+    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) blocks.push_back(stiffness.diagonal_block(v));
+    return blocks;
+}
+
+std::vector<std::pair<Index, Index>> Potential::contacts(const Positions& x) const {
     std::vector<std::pair<Index, Index>> pairs;
     each([&](const Energy& energy) { energy.add_contacts(x, false, pairs); });
-    if (pairs.empty()) return true;
-    const Stopwatch watch(spent, Task::contact);
-    return std::all_of(pairs.begin(), pairs.end(),
-                       [&](const auto& pair) { return hessian.has(pair.first, pair.second); });
+    return pairs;
 }
 
 double Potential::safe_fraction(const Positions& x, const Positions& motion) const {

@@ -18,19 +18,27 @@ class Potential {
     void begin(const StepContext& step);
     void topology_changed(const ShellChange& change, const StepContext& step);
     void moved_to(const Positions& x);
+    /// What inertia gives to the Hessian in the open step, for each unit of mass, 1/s^2.
+    double inertia() const { return of_inertia; }
 
     double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< J, bound on the value's error by cancellation
     Positions gradient(const Positions& x) const;  ///< N, [3, V]
     /// The same with what pins and guides block.
     Positions gradient_with_blocked(const Positions& x) const;
+    Positions contact_gradient(const Positions& x) const;  ///< N, [3, V], of contact and friction alone
+    /// The pairs of vertices that have a block in all Hessians, repeated or not.
+    std::vector<std::pair<Index, Index>> pattern() const;
+    /// The diagonal blocks of what contact and friction give to the Hessian at x, N/m, [V].
+    std::vector<Matrix3d> contact_stiffness(const Positions& x) const;
     /// Zero matrix with the pattern of Hessians at x and nearby.
     BlockMatrix hessian_pattern(const Positions& x) const;
-    /// Whether the matrix has all blocks of the Hessian at x.
-    bool fits(const Positions& x, const BlockMatrix& hessian) const;
+    /// The pairs of vertices that have a block in the Hessian at x because they are in contact.
+    std::vector<std::pair<Index, Index>> contacts(const Positions& x) const;
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
     /// Fraction, 0 to 1, of a straight motion from x [3, V] in which nothing passes through a sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
+    const Shell& of_shell() const { return shell; }
     /// Where the computing time is booked.
     TimeSpent& time_spent() const { return spent; }
 
@@ -42,6 +50,7 @@ class Potential {
     const Shell& shell;
     std::vector<Energy*> energies;
     TimeSpent& spent;
+    double of_inertia = 0;
 };
 
 }  // namespace sherd

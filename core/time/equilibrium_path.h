@@ -3,7 +3,8 @@
 
 #include <span>
 
-#include "core/solver/newton.h"
+#include "core/solver/minimiser.h"
+#include "core/solver/newton_system.h"
 #include "core/state_visitor.h"
 
 namespace sherd {

@@ -3,6 +3,8 @@
 
 #include "core/shell/inheritance.h"
 #include "core/shell/supports.h"
+#include "core/solver/newton.h"
+#include "core/solver/quasi_newton.h"
 #include "core/time/implicit_euler.h"
 #include "core/time/statics.h"
 
@@ -14,6 +16,18 @@ std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     return std::make_unique<ImplicitEuler>();
 }
 
+std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options) {
+    switch (options.method) {
+        case Method::quasi_newton:
+            return std::make_unique<QuasiNewton>(options.tolerance);
+        case Method::newton:
+            return std::make_unique<Newton>(options.tolerance);
+        case Method::newton_2026:
+            return std::make_unique<Newton>(options.tolerance, Thrift::forgets);
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
@@ -23,7 +37,7 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
       loads(forces.loads()),
       contact(shell, options.contact, options.gravity),
       potential(shell, all_energies(), spent),
-      minimiser(std::make_unique<Newton>(options.tolerance)) {
+      minimiser(minimiser_of(options)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
     if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);
 }

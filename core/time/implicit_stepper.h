@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/contact/contact.h"
-#include "core/solver/newton.h"
+#include "core/solver/minimiser.h"
 #include "core/state_visitor.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"

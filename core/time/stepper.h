@@ -13,9 +13,16 @@
 namespace sherd {
 
 enum class Scheme { implicit_euler, statics, explicit_differences };
+/// How an implicit step finds its minimum.
+enum class Method {
+    quasi_newton,
+    newton,
+    newton_2026,  ///< newton as it was up to 2026, for comparison
+};
 
 struct StepperOptions {
     Scheme scheme = Scheme::implicit_euler;
+    Method method = Method::quasi_newton;
     double step = 1e-4;             ///< s; in statics, of load factor
     Vector3d gravity{0, 0, -9.81};  ///< m/s^2
     double tolerance = 1e-9;        ///< m, largest coordinate of the minimiser's last correction

@@ -74,5 +74,68 @@ TEST(BlockMatrix, HasEachPairOnceInWhateverOrderItIsNamed) {
         EXPECT_FALSE(matrix.has(i, j)) << i << ' ' << j;
 }
 
+/// One with all pairs of neighbours in a row, and its values.
+BlockMatrix row_of_vertices(std::span<const Index> some = {}) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index v = 0; v < vertices; ++v)
+        for (Index w = std::max(0, v - 2); w < v; ++w) pairs.emplace_back(v, w);
+    std::vector<char> fixed(vertices, 0), guide(vertices, 0);
+    fixed[3] = 1;
+    guide[5] = 1;
+    const std::vector<Matrix3d> guides{Matrix3d(Vector3d(1, 1, 0).asDiagonal())};
+    BlockMatrix matrix = some.empty() ? BlockMatrix(vertices, pairs, fixed, guide, guides)
+                                      : BlockMatrix::part(some, vertices, pairs, fixed, guide, guides);
+    test::Random random(7);
+    for (const auto& [v, w] : pairs) matrix.add(v, w, random.matrix<Matrix3d>(1));
+    for (Index v = 0; v < vertices; ++v) {
+        const Matrix3d block = random.matrix<Matrix3d>(1);
+        matrix.add(v, v, block + block.transpose());
+    }
+    return matrix;
+}
+
+Eigen::MatrixXd rows_and_columns(const Eigen::MatrixXd& whole, std::span<const Index> some) {
+    std::vector<Index> scalar;
+    for (const Index v : some)
+        for (Index c = 0; c < 3; ++c) scalar.push_back(3 * v + c);
+    return whole(scalar, scalar);
+}
+
+// The equations of a patch would be those of other vertices.
+TEST(BlockMatrix, APartHasItsRowsAndColumnsOfTheWhole) {
+    const std::vector<Index> some{1, 2, 3, 5, 6, 9};
+    const Eigen::MatrixXd whole = test::dense(row_of_vertices());
+    const BlockMatrix part = row_of_vertices(some);
+    EXPECT_EQ(test::dense(part), rows_and_columns(whole, some));
+    EXPECT_TRUE(part.has_all(std::vector<Index>{1, -1, 9}));
+    EXPECT_FALSE(part.has_all(std::vector<Index>{1, 4}));
+    const std::vector<Index> fewer{2, 3, 6};
+    EXPECT_EQ(test::dense(part.restricted({0, 1, 1, 0, 1, 0})), rows_and_columns(whole, fewer));
+}
+
+TEST(BlockMatrix, AddsAllToAPartAndToADiagonal) {
+    const std::vector<Index> element{0, 1, 2}, some{1, 2};
+    test::Random random(8);
+    const Eigen::MatrixXd local = random_element(random, 3);
+    const auto block = [&](std::size_t a, std::size_t b) -> Matrix3d {
+        return local.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+    };
+    const std::vector<std::pair<Index, Index>> pairs{{0, 1}, {0, 2}, {1, 2}};
+    BlockMatrix part = BlockMatrix::part(some, 3, pairs, {0, 0, 0}, {0, 0, 0}, {});
+    part.add_all(element, block);
+    EXPECT_EQ(test::dense(part), local.bottomRightCorner(6, 6));
+    BlockMatrix diagonal = BlockMatrix::diagonal(3);
+    diagonal.add_all(element, block);
+    for (Index v = 0; v < 3; ++v) EXPECT_EQ(diagonal.diagonal_block(v), block(v, v));
+}
+
+TEST(BlockMatrix, TimesPositionsIsTheDenseProduct) {
+    const BlockMatrix matrix = row_of_vertices();
+    test::Random random(9);
+    const Positions x = random.matrix<Eigen::Matrix<double, 3, vertices>>(1);
+    const VectorXd product = test::dense(matrix) * VectorXd(x.reshaped());
+    EXPECT_LT((VectorXd(matrix.times(x).reshaped()) - product).norm(), 1e-13);
+}
+
 }  // namespace
 }  // namespace sherd

@@ -189,6 +189,7 @@ Simulation heavy_strip(double strength) {
     options.stepper.step = 3e-2;
     options.stepper.gravity = Vector3d(0, 0, -100);
     options.max_iterations = 60;
+    options.stepper.method = Method::newton;
     options.stepper.contact.sheets = false;
     return Simulation({strip}, options);
 }

@@ -44,6 +44,7 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
 SimulationOptions plain_options(const Scene& scene) {
     SimulationOptions options;
     options.stepper.scheme = scene.solver.scheme;
+    options.stepper.method = scene.solver.method;
     options.stepper.step = scene.solver.step;
     options.stepper.arc_length = scene.solver.arc_length;
     options.stepper.last_load = scene.solver.load;

@@ -57,6 +57,12 @@ BendingOptions read_bending(TomlTable& table) {
     return bending;
 }
 
+Method read_method(TomlTable& table) {
+    constexpr std::array<std::string_view, 3> names{"quasi-newton", "newton", "newton-2026"};
+    constexpr std::array methods{Method::quasi_newton, Method::newton, Method::newton_2026};
+    return methods[std::ranges::find(names, table.choice("method", names)) - names.begin()];
+}
+
 ContactSpec read_contact(TomlTable& table) {
     ContactSpec contact;
     contact.sheets = table.flag("sheets", contact.sheets);
@@ -73,6 +79,7 @@ SolverSpec read_solver(TomlTable& table) {
     SolverSpec solver;
     constexpr int most = std::numeric_limits<int>::max();
     read_scheme(table, solver);
+    if (table.has("method")) solver.method = read_method(table);
     solver.bending = read_bending(table);
     if (table.has("membrane")) {
         constexpr std::array<std::string_view, 2> models{"constant-strain", "arc"};

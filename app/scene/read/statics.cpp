@@ -36,7 +36,9 @@ void read_scheme(TomlTable& table, SolverSpec& solver) {
     const bool statics = solver.scheme == Scheme::statics;
     const bool is_explicit = solver.scheme == Scheme::explicit_differences;
     if (is_explicit) solver.step = explicit_step;
-    for (const char* key : {"jacobian", "max_iterations", "tolerance", "max_stages"})
+    // A step of load changes the matrix more than one of time, and nothing of inertia is in it that stays.
+    if (statics) solver.method = Method::newton;
+    for (const char* key : {"method", "jacobian", "max_iterations", "tolerance", "max_stages"})
         if (is_explicit && table.has(key))
             table.report(key, "is for steps that are solved, not for scheme = \"explicit\"");
     solver.load = table.number("load", "times the loads", positive, solver.load);

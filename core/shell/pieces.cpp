@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shell/pieces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sherd {
+namespace {
+
+/// The first vertex that is known to be in a vertex's piece.
+Index root(std::vector<Index>& link, Index vertex) {
+    while (link[vertex] != vertex) vertex = link[vertex] = link[link[vertex]];
+    return vertex;
+}
+
+void join(std::vector<Index>& link, Index one, Index other) {
+    const Index a = root(link, one), b = root(link, other);
+    link[std::max(a, b)] = std::min(a, b);
+}
+
+}  // namespace
+
+Pieces pieces(const Shell& shell, const std::vector<std::pair<Index, Index>>& links) {
+    std::vector<Index> link(shell.mass.size());
+    std::iota(link.begin(), link.end(), 0);
+    for (const TriangleStencil& triangle : shell.triangles)
+        for (int i = 1; i < 3; ++i) join(link, triangle.vertices[0], triangle.vertices[i]);
+    for (const auto& [one, other] : links) join(link, one, other);
+    Pieces all;
+    all.of_vertex.resize(link.size());
+    for (Index v = 0; v < static_cast<Index>(link.size()); ++v)
+        all.of_vertex[v] = link[v] == v ? all.count++ : all.of_vertex[root(link, v)];
+    return all;
+}
+
+}  // namespace sherd

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/cholmod_session.h"
+
+#include <cblas.h>
+
+#include <stdexcept>
+#include <string>
+
+// Declared here because OpenMP's header belongs to one compiler's runtime, and CHOLMOD may use another. The
+// function exists since OpenMP 3.0.
+extern "C" void omp_set_max_active_levels(int levels);
+
+namespace sherd {
+
+CholmodSession::CholmodSession() {
+    // CHOLMOD asks for OpenMP teams by number, which slows its supernodal code two to three times on small
+    // machines; allowing no active parallel region is the one setting it cannot override.
+    omp_set_max_active_levels(0);
+    openblas_set_num_threads(1);
+    cholmod_start(&common);
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.nmethods = 1;
+}
+
+CholmodSession::~CholmodSession() {
+    cholmod_finish(&common);
+}
+
+void CholmodSession::require(bool success, const char* action) const {
+    if (!success)
+        throw std::runtime_error(std::string("linear solver: cannot ") + action + " (CHOLMOD status " +
+                                 std::to_string(common.status) + ")");
+}
+
+}  // namespace sherd

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cholmod.h>
+
+namespace sherd {
+
+/// CHOLMOD's workspace and parameters, in one thread.
+class CholmodSession {
+  public:
+    CholmodSession();
+    ~CholmodSession();
+    CholmodSession(const CholmodSession&) = delete;
+    /// Throws std::runtime_error: "linear solver: cannot <action>".
+    void require(bool success, const char* action) const;
+
+    cholmod_common common;
+};
+
+}  // namespace sherd

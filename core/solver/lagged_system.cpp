@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/lagged_system.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+
+#include "core/solver/vertex_turns.h"
+
+namespace sherd {
+namespace {
+
+/// What contact may change of a diagonal block, as a share of it in the direction that is softest beside the
+/// change, before a patch is needed.
+constexpr double small_change = 0.03;
+constexpr int rings_around = 3;        // of a patch around what has changed
+constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
+
+void grow(const Shell& shell, std::vector<char>& flags) {
+    const std::vector<char> before = flags;
+    for (const TriangleStencil& triangle : shell.triangles)
+        if (std::ranges::any_of(triangle.vertices, [&](Index v) { return before[v] != 0; }))
+            for (const Index vertex : triangle.vertices) flags[vertex] = 1;
+}
+
+}  // namespace
+
+void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
+    if (outdated) system.topology_changed({}, potential, x);
+    outdated = false;
+    system.factorize(potential, x);
+    sources.resize(x.cols());
+    std::iota(sources.begin(), sources.end(), 0);
+    cracked.assign(x.cols(), 0);
+    frames = inverse_frames(potential.of_shell(), x);
+    turns.clear();
+    inverse_root.clear();
+    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+        inverse_root.push_back(
+            system.hessian().diagonal_block(v).llt().matrixL().solve(Matrix3d::Identity()));
+    in_factor = in_patch = potential.contact_stiffness(x);
+    patch.clear();
+}
+
+void LaggedSystem::turn(const Potential& potential, const Positions& x) {
+    turns = vertex_turns(potential.of_shell(), frames, x);
+    patch.clear();
+    in_patch = in_factor;
+}
+
+bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known) const {
+    if (stiffness == known) return false;
+    Matrix3d change = stiffness - known;
+    if (!turns.empty()) change = turns[vertex].transpose() * change * turns[vertex];
+    return !((inverse_root[vertex] * change * inverse_root[vertex].transpose()).norm() <= small_change);
+}
+
+std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const {
+    std::vector<char> flags = cracked;
+    for (std::size_t v = 0; v < flags.size(); ++v)
+        if (differ(v, stiffness[v], in_factor[v])) flags[v] = 1;
+    if (std::ranges::count(flags, 1) == 0) return {};
+    for (int ring = 0; ring < rings_around; ++ring) grow(shell, flags);
+    return flags;
+}
+
+LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions& x) {
+    const std::vector<Matrix3d> stiffness = potential.contact_stiffness(x);
+    const bool is_patched = !patch.empty() || std::ranges::count(cracked, 1) == 0;
+    bool fits = is_patched;
+    for (std::size_t v = 0; v < stiffness.size() && fits; ++v) fits = !differ(v, stiffness[v], in_patch[v]);
+    if (fits) return Fit::fits;
+    const std::vector<char> inside = changed(potential.of_shell(), stiffness);
+    in_patch = in_factor;
+    patch.clear();
+    if (inside.empty()) return Fit::patched;
+    const auto count = static_cast<double>(std::ranges::count(inside, 1));
+    if (count > largest_patch * static_cast<double>(inside.size())) return Fit::needs_factor;
+    if (graph.size() == 0) graph = VertexGraph(static_cast<Index>(inside.size()), potential.pattern());
+    if (!patch.build(potential, graph, x, inside)) return Fit::needs_factor;
+    for (std::size_t v = 0; v < inside.size(); ++v)
+        if (inside[v]) in_patch[v] = stiffness[v];
+    return Fit::patched;
+}
+
+Positions LaggedSystem::solve_lagged(const Potential& potential, const Positions& right_side) {
+    Positions gathered = Positions::Zero(3, system.hessian().size() / 3);
+    for (std::size_t v = 0; v < sources.size(); ++v) {
+        const auto column = right_side.col(static_cast<Eigen::Index>(v));
+        if (turns.empty())
+            gathered.col(sources[v]) += column;
+        else
+            gathered.col(sources[v]) += turns[v].transpose() * column;
+    }
+    const Positions solution = system.solve(potential, gathered);
+    Positions motion(3, right_side.cols());
+    for (std::size_t v = 0; v < sources.size(); ++v) {
+        const auto column = solution.col(sources[v]);
+        motion.col(static_cast<Eigen::Index>(v)) = turns.empty() ? Vector3d(column) : turns[v] * column;
+    }
+    return motion;
+}
+
+Positions LaggedSystem::solve(const Potential& potential, const Positions& right_side) {
+    if (patch.empty()) return solve_lagged(potential, right_side);
+    Positions motion = patch.solve(right_side);
+    motion += solve_lagged(potential, patch.residual(right_side, motion));
+    motion += patch.solve(patch.residual(right_side, motion));
+    return motion;
+}
+
+void LaggedSystem::topology_changed(const ShellChange& change) {
+    outdated = true;
+    patch.clear();
+    graph = {};
+    if (change.remeshes()) sources.clear();
+    if (!has_factor()) return;
+    for (const Heir& heir : change.vertices) {
+        if (heir.parents.empty()) return sources.clear();
+        const Index parent = heir.parents.front().element;
+        sources.push_back(sources[parent]);
+        inverse_root.push_back(inverse_root[parent]);
+        in_factor.push_back(in_factor[parent]);
+        cracked[parent] = 1;
+        cracked.push_back(1);
+    }
+    in_patch = in_factor;
+    turns.clear();
+}
+
+void LaggedSystem::visit_state(StateVisitor& visit) {
+    auto& [system, outdated, sources, cracked, frames, turns, inverse_root, in_factor, in_patch, graph,
+           patch] = *this;
+    visit(system, outdated, sources, cracked, frames, inverse_root, in_factor);
+    if (has_factor()) system.visit_factor(visit);
+}
+
+}  // namespace sherd

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solver/newton_system.h"
+#include "core/solver/patch.h"
+#include "core/state_visitor.h"
+
+namespace sherd {
+
+/// The factor of the Hessian at an earlier time as an approximate inverse of the Hessian now. Each vertex
+/// takes its part of it turned as the sheet around it has turned since; vertices that were born since take
+/// that of the vertex that they come from. Where contacts have come or gone and around new cracks, a patch
+/// with the Hessian as it is corrects it, before and after (symmetric multiplicative Schwarz: Smith,
+/// Bjorstad, Gropp, Domain Decomposition, 1996).
+class LaggedSystem {
+  public:
+    LaggedSystem() : system(single_precision_solver()) {}
+    /// Factors the Hessian at x.
+    void factorize(const Potential& potential, const Positions& x);
+    /// Whether there is a factor for the shell as it is.
+    bool has_factor() const { return !sources.empty(); }
+    /// Iterations that take as long as a factorization. forces: what an iteration takes beside the solution,
+    /// in entries of a factor that take as long.
+    double iterations_per_factorization(double forces) const {
+        return system.iterations_per_factorization(forces);
+    }
+    /// Looks at how vertices have turned at x, and drops the patch.
+    void turn(const Potential& potential, const Positions& x);
+    enum class Fit { fits, patched, needs_factor };
+    /// Whether the system fits the contacts at x; a patch is made where it does not.
+    Fit fit(const Potential& potential, const Positions& x);
+    /// Solves with the factor. right_side: N, [3, V].
+    Positions solve(const Potential& potential, const Positions& right_side);
+    /// Vertices that are born take their parent's part; a factor of other triangles is dropped.
+    void topology_changed(const ShellChange& change);
+    void visit_state(StateVisitor& visit);
+
+  private:
+    Positions solve_lagged(const Potential& potential, const Positions& right_side);
+    /// Whether what contact has at a vertex is not what is known of it.
+    bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known) const;
+    /// The vertices that differ from the factor, and those around them, [V].
+    std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
+
+    NewtonSystem system;
+    bool outdated = true;                ///< whether the matrix has the pattern of another shell
+    std::vector<Index> sources;          ///< [V] of each vertex that in the factor; empty: there is no factor
+    std::vector<char> cracked;           ///< [V] whether a crack has changed the sheet there since
+    std::vector<Matrix3d> frames;        ///< [F] inverse, at the time of the factor
+    std::vector<Matrix3d> turns;         ///< [V] since then; empty: none
+    std::vector<Matrix3d> inverse_root;  ///< [V] of Cholesky factors of the diagonal blocks of the matrix
+    std::vector<Matrix3d> in_factor;     ///< [V] N/m, contact's part of them
+    std::vector<Matrix3d> in_patch;      ///< [V] N/m, the same with what the patch has
+    VertexGraph graph;                   ///< of the shell as it is; empty: not made yet
+    Patch patch;
+};
+
+}  // namespace sherd

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/newton_system.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace sherd {
+namespace {
+
+/// Shares of the way from the exact Hessian to the convex one that are tried when the exact one is not
+/// positive definite. For a sheet that buckles the exact one is nearly definite, and the convex one, without
+/// any compression, is so much stiffer that iterations progress slowly.
+constexpr std::array shares_of_convex{0.0, 0.25, 1.0};
+constexpr int longest_wait = 16;
+/// A pattern is made anew when fewer than this share of the contacts are left that it was made with, and they
+/// were more than this share of its rows.
+constexpr double few_left = 0.5, many_pairs = 0.02;
+
+}  // namespace
+
+void NewtonSystem::analyze(const Potential& potential, const Positions& x) {
+    matrix = potential.hessian_pattern(x);
+    contact_pairs = potential.contacts(x).size();
+    const Stopwatch watch(potential.time_spent(), Task::analysis);
+    solver->analyze(*matrix);
+}
+
+void NewtonSystem::topology_changed(const ShellChange&, const Potential& potential, const Positions& x) {
+    analyze(potential, x);
+}
+
+void NewtonSystem::fit_pattern(const Potential& potential, const Positions& x) {
+    if (!matrix) analyze(potential, x);
+    const std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
+    if (pairs.empty() && contact_pairs == 0) return;
+    const Stopwatch watch(potential.time_spent(), Task::contact);
+    const bool fits =
+        std::ranges::all_of(pairs, [&](const auto& pair) { return matrix->has(pair.first, pair.second); });
+    const bool is_worn = thrift == Thrift::remembers &&
+                         static_cast<double>(contact_pairs) > many_pairs * matrix->size() &&
+                         static_cast<double>(pairs.size()) < few_left * static_cast<double>(contact_pairs);
+    if (!fits || is_worn) analyze(potential, x);
+}
+
+bool NewtonSystem::has_factor(const Potential& potential) {
+    const Stopwatch watch(potential.time_spent(), Task::factorization);
+    return solver->factorize(*matrix);
+}
+
+bool NewtonSystem::has_factor(const Potential& potential, const Positions& x, int number) {
+    const double convex = shares_of_convex[number];
+    if (convex > 0) potential.hessian(x, Curvature::convex, *matrix);
+    if (convex > 0 && convex < 1) {
+        const std::vector<double> flattened(matrix->values().begin(), matrix->values().end());
+        potential.hessian(x, Curvature::exact, *matrix);
+        const std::vector<double> exact(matrix->values().begin(), matrix->values().end());
+        matrix->blend(exact, flattened, convex);
+    } else if (convex == 0) {
+        potential.hessian(x, Curvature::exact, *matrix);
+    }
+    return has_factor(potential);
+}
+
+void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
+    fit_pattern(potential, x);
+    if (thrift == Thrift::forgets) share = 0;
+    const bool lowers = share > 0 && ++tried >= wait;
+    if (lowers) --share, tried = 0;
+    for (bool first = true; share < static_cast<int>(shares_of_convex.size()); ++share, first = false) {
+        if (!has_factor(potential, x, share)) continue;
+        if (first && lowers) wait = 1;
+        if (!first) {  // what was tried too early costs a factorization: wait longer the next time
+            wait = std::min(2 * wait, longest_wait);
+            tried = 0;
+        }
+        return;
+    }
+    share = 0;
+    throw std::runtime_error(
+        "Newton's method: the convex Hessian is not positive definite (NaN in the positions, or in statics a "
+        "part that nothing holds?)");
+}
+
+Positions NewtonSystem::solve(const Potential& potential, const Positions& right_side) {
+    const Stopwatch watch(potential.time_spent(), Task::solution);
+    return solver->solve(right_side.reshaped()).reshaped(3, right_side.cols());
+}
+
+void NewtonSystem::visit_state(StateVisitor& visit) {
+    auto& [matrix, solver, thrift, share, tried, wait, contact_pairs] = *this;
+    bool known = matrix.has_value();
+    visit(known, share, tried, wait, contact_pairs);
+    if (visit.reads()) matrix.reset();
+    if (!known) return;
+    if (!matrix) matrix.emplace(0, std::vector<std::pair<Index, Index>>(), std::vector<char>());
+    visit(*matrix);
+    if (visit.reads()) solver->analyze(*matrix);
+}
+
+void NewtonSystem::visit_factor(StateVisitor& visit) {
+    matrix->visit_values(visit);
+    if (visit.reads()) solver->factorize(*matrix);
+}
+
+}  // namespace sherd

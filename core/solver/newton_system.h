@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/solver/linear_solver.h"
+#include "core/solver/potential.h"
+#include "core/state_visitor.h"
+
+namespace sherd {
+
+/// How a Hessian that is not positive definite, and a pattern that contacts have left, are treated.
+enum class Thrift {
+    /// The share of the convex matrix that did last time is tried first, and blocks of contacts that are gone
+    /// leave the pattern when they are most of those of contacts.
+    remembers,
+    /// Each matrix is tried exact first, and blocks stay until the topology changes, as up to 2026.
+    forgets
+};
+
+/// The matrix of Newton's method and its factor. The pattern is kept as long as it contains all blocks of the
+/// Hessian, also while contacts come and go.
+class NewtonSystem {
+  public:
+    explicit NewtonSystem(std::unique_ptr<LinearSolver> solver, Thrift thrift = Thrift::remembers)
+        : solver(std::move(solver)), thrift(thrift) {}
+    /// Makes the pattern anew, for Hessians near x, after vertices were split or hinges removed.
+    void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
+    /// Factors the Hessian at x. If it is not positive definite, it is blended with its convex approximation,
+    /// which at last replaces it. Missing blocks of contacts make the pattern anew. Throws std::runtime_error
+    /// when no matrix is positive definite.
+    void factorize(const Potential& potential, const Positions& x);
+    /// Solves with the last factor. right_side: [3, V].
+    Positions solve(const Potential& potential, const Positions& right_side);
+    const BlockMatrix& hessian() const { return *matrix; }  ///< that was factored last
+    /// Iterations of a solution each that take as long as a factorization. forces: what an iteration takes
+    /// beside the solution, in entries of a factor that take as long.
+    double iterations_per_factorization(double forces) const {
+        const FactorCost cost = solver->cost();
+        return cost.factorization / (cost.solution + forces);
+    }
+    /// The pattern, and what is remembered of earlier matrices; factors are made of each matrix anew.
+    void visit_state(StateVisitor& visit);
+    /// For factors that are to last: the matrix that was factored last, after visit_state().
+    void visit_factor(StateVisitor& visit);
+
+  private:
+    void analyze(const Potential& potential, const Positions& x);
+    /// Makes the pattern anew where blocks lack, or most of those of contacts are dead.
+    void fit_pattern(const Potential& potential, const Positions& x);
+    /// Factors the Hessian with this number of a share of the convex one. Returns whether that is definite.
+    bool has_factor(const Potential& potential, const Positions& x, int share);
+    bool has_factor(const Potential& potential);
+
+    std::optional<BlockMatrix> matrix;
+    std::unique_ptr<LinearSolver> solver;
+    Thrift thrift;
+    int share = 0;                  ///< number of the share of the convex matrix that did last
+    int tried = 0, wait = 1;        ///< matrices since it changed, and after how many a lower one is tried
+    std::size_t contact_pairs = 0;  ///< pairs of vertices that were in contact when the pattern was made
+};
+
+}  // namespace sherd

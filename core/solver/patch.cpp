@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/patch.h"
+
+namespace sherd {
+
+bool Patch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
+                  const std::vector<char>& inside) {
+    const Shell& shell = potential.of_shell();
+    std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
+    std::erase_if(pairs, [&](const auto& pair) { return !inside[pair.first] && !inside[pair.second]; });
+    std::vector<char> near = inside;
+    for (const auto& [i, j] : pairs) near[i] = near[j] = 1;
+    for (Index v = 0; v < graph.size(); ++v)
+        if (inside[v])
+            for (const Index other : graph.around(v)) near[other] = 1;
+    vertices.clear();
+    inner.clear();
+    std::vector<char> keep;
+    for (Index v = 0; v < graph.size(); ++v) {
+        if (!near[v]) continue;
+        vertices.push_back(v);
+        keep.push_back(inside[v]);
+        if (inside[v]) inner.push_back(v);
+        for (const Index other : graph.around(v))
+            if (other < v && near[other]) pairs.emplace_back(v, other);
+    }
+    matrix = BlockMatrix::part(vertices, graph.size(), pairs, shell.fixed, shell.guide, shell.guides);
+    solver = single_precision_solver();
+    for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
+        potential.hessian(x, curvature, *matrix);
+        const BlockMatrix own = matrix->restricted(keep);
+        const Stopwatch watch(potential.time_spent(), Task::factorization);
+        if (curvature == Curvature::exact) solver->analyze(own);
+        if (solver->factorize(own)) return true;
+    }
+    clear();
+    return false;
+}
+
+Positions Patch::solve(const Positions& right_side) const {
+    VectorXd own(3 * inner.size());
+    for (std::size_t i = 0; i < inner.size(); ++i)
+        own.segment<3>(static_cast<Eigen::Index>(3 * i)) = right_side.col(inner[i]);
+    own = solver->solve(own);
+    Positions motion = Positions::Zero(3, right_side.cols());
+    for (std::size_t i = 0; i < inner.size(); ++i)
+        motion.col(inner[i]) = own.segment<3>(static_cast<Eigen::Index>(3 * i));
+    return motion;
+}
+
+Positions Patch::residual(Positions right_side, const Positions& motion) const {
+    const Positions product = matrix->times(motion(Eigen::all, vertices));
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        right_side.col(vertices[i]) -= product.col(static_cast<Eigen::Index>(i));
+    return right_side;
+}
+
+}  // namespace sherd

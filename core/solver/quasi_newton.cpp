@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/quasi_newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/solver/kept_momentum.h"
+
+namespace sherd {
+namespace {
+
+/// Iterations that take about as long as one of Newton's method.
+constexpr int per_newton_iteration = 4;
+/// A step is long enough if the slope at its end is at most this share of that at its beginning, upwards: on
+/// a parabola it then has lowered the potential (Hager, Zhang 2005, the approximate Wolfe conditions, which
+/// round-off of the potential does not touch).
+constexpr double steepest_end = 0.8;
+constexpr int most_trials = 30;
+/// And not too short, where a longer one was too long: the slope has fallen to this share, or the two are
+/// nearly the same, or a few trials did not find better.
+constexpr double least_end = 0.5, narrow = 0.2;
+constexpr int enough_trials = 4;
+/// Iterations that a search takes with a new factor; and how often those that a factorization costs are spent
+/// in one search before it gets a new one, whatever its rate.
+constexpr double typical_with_new_factor = 2, most_with_a_factor = 6;
+/// Rates at which corrections fall are taken to be no faster than they were, and until two are known of the
+/// same system as slow as this: a system that is too stiff makes small corrections.
+constexpr double slowest_rate = 0.99;
+/// Share of the tolerance that may be left of the way. The last correction of Newton's method is the square
+/// of the one before, and what is left after it far smaller; energy balances show it.
+constexpr double may_be_left = 0.1;
+/// Forces and all else of an iteration, in entries of a factor for each vertex that take as long.
+constexpr double entries_of_forces = 1000;
+
+}  // namespace
+
+void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, const Positions&) {
+    system.topology_changed(change);
+}
+
+double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
+    return system.iterations_per_factorization(entries_of_forces *
+                                               static_cast<double>(potential.of_shell().mass.size()));
+}
+
+bool QuasiNewton::is_slow(const Potential& potential, const Search& search) const {
+    if (search.exact) return false;
+    const double affordable = iterations_per_factorization(potential);
+    if (search.total > most_with_a_factor * (affordable + 1)) return true;
+    if (search.last <= tolerance || search.rate <= 0 || search.iterations < 3) return false;
+    const double ahead = std::log(search.last / tolerance) / -std::log(std::min(search.rate, slowest_rate));
+    return ahead > affordable + typical_with_new_factor;
+}
+
+void QuasiNewton::factorize(const Potential& potential, const Positions& x, Search& search) {
+    system.factorize(potential, x);
+    search.updates.clear();
+    search.iterations = search.total = 0;
+    search.last = 0;
+    search.exact = true;
+    fewest = 0;
+    spent = 0;
+}
+
+Positions QuasiNewton::correction(const Potential& potential, const Positions& x, Search& search,
+                                  double& slope) {
+    for (;;) {
+        Positions direction = search.updates.apply(
+            -search.gradient, [&](const Positions& one) { return system.solve(potential, one); });
+        slope = direction.cwiseProduct(search.gradient).sum();
+        if (slope < 0 || search.exact) return direction;
+        factorize(potential, x, search);
+    }
+}
+
+double QuasiNewton::left(const Positions& direction, Search& search) {
+    const double now = direction.cwiseAbs().maxCoeff();
+    const bool is_known = search.last > 0;
+    const double rate = is_known ? now / search.last : 0;
+    const double slower = is_known ? std::min(std::max(rate, search.rate), slowest_rate) : slowest_rate;
+    search.rate = rate;
+    search.last = now;
+    // What is left after an exact correction is far smaller than it, as in Newton's method.
+    return search.exact ? may_be_left * now : now * std::max(1.0, slower / (1 - slower));
+}
+
+bool QuasiNewton::advance(const Potential& potential, const Positions& direction, double slope, Positions& x,
+                          Search& search) {
+    const double whole = potential.safe_fraction(x, direction);
+    double scale = whole, near = 0, far = 0, slope_near = slope, slope_far = 0;
+    Positions gradient;  // at near
+    for (int trial = 0; trial < most_trials && scale > 0; ++trial) {
+        Positions there = potential.gradient(x + scale * direction);
+        const double end = there.cwiseProduct(direction).sum();
+        const bool is_too_far = !(end <= -steepest_end * slope) && -slope > search.round_off;
+        if (is_too_far) {
+            far = scale;
+            slope_far = end;
+        } else {
+            near = scale;
+            slope_near = end;
+            gradient = std::move(there);
+            // A contact that begins on the way is to be met, not approached in ever smaller steps.
+            if (far == 0 || end > least_end * slope || far - near < narrow * near || trial > enough_trials)
+                break;
+        }
+        const double secant = std::isfinite(slope_far) ? slope_near / (slope_near - slope_far) : 0;
+        scale = near + (far - near) * std::clamp(secant, 0.1, 0.6);
+    }
+    if (near == 0) return false;
+    search.updates.add(near * direction, gradient - search.gradient);
+    x += near * direction;
+    search.gradient = std::move(gradient);
+    if (near < 1) search.last = 0;
+    search.exact = false;
+    return true;
+}
+
+MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, Positions& x) {
+    MinimiserResult result;
+    Search search;
+    search.gradient = potential.gradient(x);
+    search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
+    if (!system.has_factor() || spent >= iterations_per_factorization(potential))
+        factorize(potential, x, search);
+    else
+        system.turn(potential, x);
+    const int limit = max_iterations * per_newton_iteration;
+    while (result.iterations < limit) {
+        if (is_slow(potential, search)) factorize(potential, x, search);
+        if (!search.exact) {
+            const LaggedSystem::Fit fit = system.fit(potential, x);
+            if (fit == LaggedSystem::Fit::needs_factor) factorize(potential, x, search);
+            if (fit == LaggedSystem::Fit::patched) {
+                search.updates.clear();
+                search.last = 0;
+                search.iterations = 0;
+            }
+        }
+        double slope = 0;
+        Positions direction = correction(potential, x, search, slope);
+        ++result.iterations;
+        ++search.iterations;
+        ++search.total;
+        result.correction = direction.cwiseAbs().maxCoeff();
+        result.converged = left(direction, search) <= may_be_left * tolerance;
+        if (result.converged) keep_momentum(potential, x, search.gradient, tolerance, direction);
+        potential.moved_to(x);
+        const bool was_exact = search.exact;
+        if (slope < 0 && advance(potential, direction, slope, x, search)) {
+            if (result.converged) break;
+        } else if (result.converged || was_exact) {
+            break;
+        } else {
+            factorize(potential, x, search);
+        }
+    }
+    if (result.converged) {
+        fewest = fewest == 0 ? search.iterations : std::min(fewest, search.iterations);
+        spent += search.iterations - fewest;
+    }
+    result.limited = result.iterations >= limit && !result.converged;
+    return result;
+}
+
+void QuasiNewton::visit_state(StateVisitor& visit) {
+    auto& [tolerance, system, fewest, spent] = *this;
+    visit(system, fewest, spent);
+}
+
+}  // namespace sherd

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/block_matrix.h"
+
+namespace sherd {
+
+/// The pattern of a Cholesky factor of a BlockMatrix, in block rows and columns, one for each vertex. Columns
+/// with nearly the same rows are one supernode, whose part of the factor is dense (Liu 1990, "The role of
+/// elimination trees in sparse factorization"). Rows and columns are numbered in the order of elimination,
+/// children before parents.
+struct Supernodes {
+    std::vector<Index> place;        ///< [V] row of each vertex
+    std::vector<Index> first;        ///< [S + 1] first column of each supernode
+    std::vector<Index> of_column;    ///< [V] the supernode of each column
+    std::vector<std::size_t> start;  ///< [S + 1] first of each supernode's `row`
+    std::vector<Index> row;          ///< of each supernode, ascending: its own columns, then those below
+    std::vector<Index> parent;       ///< [S] -1: none
+    /// Of each block below the diagonal of the matrix, in its order, the place in its supernode's rows.
+    std::vector<Index> block_place;
+
+    Index size() const { return static_cast<Index>(parent.size()); }
+    Index columns(Index node) const { return first[node + 1] - first[node]; }
+    std::span<const Index> rows(Index node) const {
+        return {row.data() + start[node], start[node + 1] - start[node]};
+    }
+    double factor_entries() const;  ///< numbers in the factor
+    double operations() const;      ///< additions and multiplications of a factorization
+    std::span<const Index> rows_below(Index node) const { return rows(node).subspan(columns(node)); }
+};
+
+/// Orders the vertices and finds the pattern, with CHOLMOD. Throws std::runtime_error when out of memory.
+Supernodes supernodes(const BlockMatrix& matrix);
+
+/// An order of elimination of the vertices of a matrix in which its factor stays sparse, [V].
+std::vector<Index> elimination_order(const BlockMatrix& matrix);
+
+}  // namespace sherd

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace sherd {
+
+/// What the last steps of a minimisation tell of the inverse Hessian, on top of an approximate one: limited
+/// memory BFGS (Nocedal 1980; Nocedal, Wright, Numerical Optimization, algorithm 7.4).
+class UpdateMemory {
+  public:
+    explicit UpdateMemory(std::size_t size) : size(size) {}
+    void clear() { updates.clear(); }
+    /// step: m, change: N, of the gradient along it; [3, V] each. What shows no convexity is left out.
+    void add(Positions step, Positions change) {
+        const double product = step.cwiseProduct(change).sum();
+        if (!(product > least_cosine * step.norm() * change.norm())) return;
+        if (updates.size() == size) updates.pop_front();
+        updates.push_back({std::move(step), std::move(change), 1 / product});
+    }
+    /// The approximate inverse Hessian times a gradient, m, [3, V]. solve(residual): the inverse that it
+    /// starts from.
+    template <class Solve>
+    Positions apply(Positions gradient, const Solve& solve) const {
+        std::vector<double> shares(updates.size());
+        for (std::size_t i = updates.size(); i-- > 0;) {
+            const auto& [step, change, scale] = updates[i];
+            shares[i] = scale * step.cwiseProduct(gradient).sum();
+            gradient -= shares[i] * change;
+        }
+        Positions direction = solve(gradient);
+        for (std::size_t i = 0; i < updates.size(); ++i) {
+            const auto& [step, change, scale] = updates[i];
+            direction += (shares[i] - scale * change.cwiseProduct(direction).sum()) * step;
+        }
+        return direction;
+    }
+
+  private:
+    static constexpr double least_cosine = 1e-10;
+    struct Update {
+        Positions step, change;
+        double scale;
+    };
+
+    std::size_t size;
+    std::deque<Update> updates;
+};
+
+}  // namespace sherd

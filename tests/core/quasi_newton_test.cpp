@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solver/quasi_newton.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "tests/support/materials.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+#include "tests/support/steps.h"
+
+namespace sherd {
+namespace {
+
+/// Where the sheets are after some steps, and how often a matrix was factored.
+struct Outcome {
+    Positions position;
+    std::int64_t factorizations = 0;
+};
+
+Outcome after(int steps, Shell shell, StepperOptions options, Method method) {
+    options.method = method;
+    ImplicitStepper stepper(shell, options);
+    for (int i = 0; i < steps; ++i) test::advance(stepper);
+    return {shell.position, stepper.time_spent().times(Task::factorization)};
+}
+
+/// The largest distance of a vertex between the two methods, of which the quasi-Newton one factors less.
+double difference(int steps, const Shell& shell, const StepperOptions& options) {
+    const Outcome lagged = after(steps, shell, options, Method::quasi_newton);
+    const Outcome exact = after(steps, shell, options, Method::newton);
+    EXPECT_LT(lagged.factorizations, exact.factorizations);
+    return (lagged.position - exact.position).cwiseAbs().maxCoeff();
+}
+
+/// A plate that spins fast, about an axis in its plane.
+Shell spinning_plate() {
+    Shell shell = test::stacked_plates(1, 8, 0, test::rubber);
+    for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v)
+        shell.velocity.col(v) = Vector3d(0, 60, 0).cross(shell.position.col(v));
+    return shell;
+}
+
+// It must find the minimum that Newton's method finds, within the tolerance.
+TEST(QuasiNewton, EndsWhereNewtonsMethodEnds) {
+    StepperOptions options;
+    options.step = 1e-3;
+    options.tolerance = 1e-9;
+    options.contact.sheets = false;
+    EXPECT_LT(difference(20, spinning_plate(), options), 20 * 1e-9);
+    Shell falling = test::stacked_plates(1, 8, 0, test::rubber);
+    falling.position.row(2).array() += 0.51 * test::rubber.thickness;
+    falling.velocity.row(2).setConstant(-1);
+    options.contact.obstacles = {test::floor()};
+    EXPECT_LT(difference(8, falling, options), 8 * 1e-9);
+}
+
+// Without turning, a factor is useless after a quarter of a turn, and each step would need a new one.
+TEST(QuasiNewton, KeepsAFactorWhileASheetTurns) {
+    StepperOptions options;
+    options.step = 1e-3;
+    options.tolerance = 1e-8;
+    options.contact.sheets = false;
+    const int steps = 100;  // one turn
+    EXPECT_LT(after(steps, spinning_plate(), options, Method::quasi_newton).factorizations, steps / 4);
+}
+
+// Contacts that come and go are patched: each that touches would otherwise cost a factorization.
+TEST(QuasiNewton, FactorsSeldomWhileContactsComeAndGo) {
+    Shell shell = test::stacked_plates(2, 8, 3 * test::rubber.thickness, test::rubber);
+    shell.velocity.rightCols(shell.velocity.cols() / 2).row(2).setConstant(-3);
+    StepperOptions options;
+    options.step = 2e-4;
+    options.tolerance = 1e-8;
+    EXPECT_LT(difference(40, shell, options), 1e-6);
+}
+
+// A part that nothing holds, and NaN, must end with an error and not in a loop.
+TEST(QuasiNewton, SaysThatNothingIsDefinite) {
+    Shell shell = test::two_triangles(test::rubber);
+    TimeSpent spent;
+    Potential potential(shell, {}, spent);
+    potential.begin(test::step_of(shell, 0, 1e-3));
+    Positions x = shell.position;
+    EXPECT_THROW(QuasiNewton().minimise(potential, 10, x), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace sherd
