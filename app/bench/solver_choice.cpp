@@ -11,51 +11,50 @@
 namespace sherd {
 namespace {
 
-const std::vector<std::string> nonlinear{"solver.bending=nonlinear"}, cubic{"solver.bending=cubic"},
-    coupled{"solver.bending=coupled"};
+/// Models of hinges, with the Jacobian of their energies unless another one is given.
+struct Hinges {
+    std::string energies, pairing, beside, bending;
+};
 
-std::vector<std::string> with(std::vector<std::string> settings, const std::string& setting) {
-    settings.push_back(setting);
-    return settings;
+const Hinges nonlinear{"NH", "(NH, NH)", "(NH, NH)", "solver.bending=nonlinear"},
+    cubic{"CS", "(CS, CS)", "(NH, NH)", "solver.bending=cubic"},
+    coupled{"coupled", "coupled", "coupled", "solver.bending=coupled"};
+
+/// Newton's method as it was, in a pairing of the paper with another Jacobian.
+SolverChoice inexact(const Hinges& hinges, const char* pairing, const char* jacobian, const char* colour) {
+    return {.name = pairing,
+            .energies = hinges.energies,
+            .beside = hinges.beside,
+            .settings = {hinges.bending, jacobian, "solver.method=newton-2026"},
+            .exact = false,
+            .colour = colour};
+}
+
+SolverChoice with_method(const Hinges& hinges, const char* method, const char* name, const char* colour) {
+    return {.name = fmt::format("{}{}", name, hinges.pairing),
+            .energies = hinges.energies,
+            .beside = hinges.beside,
+            .settings = {hinges.bending, fmt::format("solver.method={}", method)},
+            .colour = colour,
+            .dashed = hinges.energies == "coupled"};
 }
 
 }  // namespace
 
 std::vector<SolverChoice> solver_choices() {
-    const std::string constant_jacobian = "solver.jacobian=constant",
-                      cubic_jacobian = "solver.jacobian=cubic";
-    return {
-        {.name = "(NH, NH)",
-         .energies = "NH",
-         .beside = "(NH, NH)",
-         .settings = nonlinear,
-         .colour = "#000000"},
-        {.name = "(NH, CS)",
-         .energies = "NH",
-         .beside = "(NH, NH)",
-         .settings = with(nonlinear, cubic_jacobian),
-         .exact = false,
-         .colour = "#e69f00"},
-        {.name = "(NH, CC)",
-         .energies = "NH",
-         .beside = "(NH, NH)",
-         .settings = with(nonlinear, constant_jacobian),
-         .exact = false,
-         .colour = "#f0c800"},
-        {.name = "(CS, CS)", .energies = "CS", .beside = "(NH, NH)", .settings = cubic, .colour = "#009e73"},
-        {.name = "(CS, CC)",
-         .energies = "CS",
-         .beside = "(NH, NH)",
-         .settings = with(cubic, constant_jacobian),
-         .exact = false,
-         .colour = "#56b4e9"},
-        {.name = "coupled",
-         .energies = "coupled",
-         .beside = "coupled",
-         .settings = coupled,
-         .colour = "#cc79a7",
-         .dashed = true},
-    };
+    const char* const as_it_was = "newton-2026";
+    return {with_method(nonlinear, as_it_was, "", "#000000"),
+            inexact(nonlinear, "(NH, CS)", "solver.jacobian=cubic", "#e69f00"),
+            inexact(nonlinear, "(NH, CC)", "solver.jacobian=constant", "#f0c800"),
+            with_method(cubic, as_it_was, "", "#009e73"),
+            inexact(cubic, "(CS, CC)", "solver.jacobian=constant", "#56b4e9"),
+            with_method(nonlinear, "newton", "newton ", "#888888"),
+            with_method(cubic, "newton", "newton ", "#80c8a8"),
+            with_method(nonlinear, "quasi-newton", "quasi-newton ", "#d55e00"),
+            with_method(cubic, "quasi-newton", "quasi-newton ", "#0072b2"),
+            with_method(coupled, as_it_was, "", "#000000"),
+            with_method(coupled, "newton", "newton ", "#888888"),
+            with_method(coupled, "quasi-newton", "quasi-newton ", "#cc79a7")};
 }
 
 std::vector<SolverChoice> exact_choices(const std::string& only) {
