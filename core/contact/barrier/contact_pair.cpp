@@ -26,6 +26,10 @@ double distance(const ContactPair& pair, const PairPositions& x) {
     return std::sqrt(squared_distance(closest_points(pair.kind, x), x));
 }
 
+bool within(double limit, const ContactPair& pair, const PairPositions& x) {
+    return distance_of_boxes(pair.kind, x) < limit && distance(pair, x) < limit;
+}
+
 double value(const ContactPair& pair, const PairPositions& x) {
     const double apart = distance(pair, x);
     if (apart >= pair.activation_distance) return 0;

@@ -23,8 +23,15 @@ struct ContactPair {
     Barrier barrier() const { return {activation_distance - minimum(), spring}; }
 };
 
+/// The order of pairs: of vertices and triangles first, then by their vertices.
+inline bool before(const ContactPair& a, const ContactPair& b) {
+    return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
+}
+
 /// Distance of the two elements, m.
 double distance(const ContactPair& pair, const PairPositions& x);
+/// Whether it is less than `limit`, m.
+bool within(double limit, const ContactPair& pair, const PairPositions& x);
 
 /// Energy, J: stiffness times mollifier times the barrier of the gap, which is the distance less the minimum.
 double value(const ContactPair& pair, const PairPositions& x);

@@ -43,6 +43,8 @@ class BoxTree {
 
     /// The bounding box of all boxes.
     Box bounds() const { return around.empty() ? Box{} : around[0]; }
+    /// The numbers of the boxes, those beside each other in space close together.
+    const std::vector<Index>& order() const { return element; }
 
     /// Calls visit(i, j) once for every box i of this tree and every box j of the other that overlap, in an
     /// order that depends only on the boxes.

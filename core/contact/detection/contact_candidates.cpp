@@ -111,11 +111,14 @@ ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhoo
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
                              ColliderTrees& colliders) {
-    if (surface.sheets_meet()) find_on_sheets(surface, changed);
-    if (surface.collider_vertices() > 0) find_on_colliders(surface, changed, colliders);
+    Found found;
+    if (surface.sheets_meet()) find_on_sheets(surface, changed, found);
+    if (surface.collider_vertices() > 0) find_on_colliders(surface, changed, colliders, found);
+    pairs.add(found, within.start);
 }
 
-void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed) {
+void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
+                                       Found& found) const {
     const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -127,7 +130,7 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     };
     const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
         some.tree.meet(others.tree, [&](Index i, Index j) {
-            consider(surface, kind, both(some.vertices[i], others.vertices[j]));
+            consider(surface, kind, both(some.vertices[i], others.vertices[j]), found);
         });
     };
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
@@ -139,12 +142,12 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
     meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, others_at(edges.tree)));
     edges.tree.meet_itself([&](Index i, Index j) {
-        consider(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]));
+        consider(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]), found);
     });
 }
 
 void ContactCandidates::find_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
-                                          ColliderTrees& colliders) {
+                                          ColliderTrees& colliders, Found& found) const {
     // Boxes of colliders have no margin, so the boxes of sheets have two.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
@@ -161,52 +164,33 @@ void ContactCandidates::find_on_colliders(const ContactSurface& surface, const s
         const auto triangles = those(surface.triangles(), boxes, wanted);
         vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
             consider(surface, PairKind::vertex_triangle,
-                     both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j]));
+                     both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j]), found);
         });
         triangles.tree.meet(trees.points, [&](Index i, Index j) {
             consider(surface, PairKind::vertex_triangle,
-                     both(std::array{first.vertex + j}, triangles.vertices[i]));
+                     both(std::array{first.vertex + j}, triangles.vertices[i]), found);
         });
         edges.tree.meet(trees.edges, [&](Index i, Index j) {
             consider(surface, PairKind::edge_edge,
-                     both(edges.vertices[i], surface.collider_edges()[first.edge + j]));
+                     both(edges.vertices[i], surface.collider_edges()[first.edge + j]), found);
         });
     }
 }
 
 void ContactCandidates::consider(const ContactSurface& surface, PairKind kind,
-                                 const std::array<Index, 4>& vertices) {
+                                 const std::array<Index, 4>& vertices, Found& found) const {
     if (surface.apart(kind, vertices)) return;
     const PairPositions x = columns(within.start, vertices);
     const double way =
         approach(kind, columns(within.motion, vertices)) + 2 * within.margin + within.round_off;
     const double farthest = nearness * surface.thickness(kind, vertices) + way;
     if (separation(kind, x, between_middles(kind, x)) > farthest) return;
-    const Closest closest = closest_points(kind, x);
-    const double distance = std::sqrt(squared_distance(closest, x));
+    const double distance = std::sqrt(squared_distance(closest_points(kind, x), x));
     if (distance > farthest) return;
     const double activation_distance = surface.activation_distance(kind, vertices);
     if (distance <= nearness * activation_distance + way)
-        candidates.push_back({kind, vertices, activation_distance, (x * closest.weights).normalized()});
-}
-
-std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
-                                                 const Neighbourhood& smaller) {
-    std::vector<ContactPair> picked;
-    const double around = 2 * smaller.margin + smaller.round_off;
-    for (auto& [kind, vertices, activation_distance, direction] : candidates) {
-        const PairPositions from = columns(smaller.start, vertices);
-        const PairPositions to = from + columns(smaller.motion, vertices);
-        const double far = nearness * activation_distance + around;
-        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
-        direction = (from * closest_points(kind, from).weights).normalized();
-        if (separation(kind, from, direction) > far && separation(kind, to, direction) > far) continue;
-        picked.push_back(surface.pair(kind, vertices, activation_distance));
-    }
-    std::sort(picked.begin(), picked.end(), [](const ContactPair& a, const ContactPair& b) {
-        return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
-    });
-    return picked;
+        found.push_back(
+            {surface.bare_pair(kind, vertices, activation_distance), distance - activation_distance});
 }
 
 void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
@@ -218,10 +202,7 @@ void ContactCandidates::follow(const ShellChange& change, const ContactSurface& 
     for (Positions* x : {&within.start, &within.motion})
         follow_on_sheets(change, before.collider_vertices(), *x);
     const std::vector<char> changed = changed_vertices(change, before, after);
-    std::erase_if(candidates, [&](const Candidate& candidate) {
-        return std::any_of(candidate.vertices.begin(), candidate.vertices.end(),
-                           [&](Index v) { return changed[v]; });
-    });
+    pairs.remove(changed);
     find(after, changed, colliders);
 }
 

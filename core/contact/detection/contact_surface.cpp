@@ -225,21 +225,21 @@ double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertice
     return first / young(a) + second / young(b);
 }
 
-ContactPair ContactSurface::pair(PairKind kind, const std::array<Index, 4>& vertices,
-                                 double activation_distance) const {
-    const auto [a, b, c, d] = vertices;
-    const bool on_collider = collider_of(kind, vertices);
-    const double on = on_collider ? area_on_collider(kind, vertices) : area(kind, vertices);
-    return {
-        kind,
-        vertices,
-        share * on / column(kind, vertices),
-        activation_distance,
-        kind == PairKind::edge_edge ? edge_mollifier(rest_length(a, b), rest_length(c, d)) : EdgeMollifier{},
-        springs       ? 0
-        : on_collider ? closest_to_collider
-                      : closest_to_sheet,
-        springs};
+ContactPair ContactSurface::bare_pair(PairKind kind, const std::array<Index, 4>& vertices,
+                                      double activation_distance) const {
+    const double closest = springs                       ? 0
+                           : collider_of(kind, vertices) ? closest_to_collider
+                                                         : closest_to_sheet;
+    return {kind, vertices, 0, activation_distance, {}, closest, springs};
+}
+
+void ContactSurface::stiffen(ContactPair& pair) const {
+    const auto& [a, b, c, d] = pair.vertices;
+    const double on = collider_of(pair.kind, pair.vertices) ? area_on_collider(pair.kind, pair.vertices)
+                                                            : area(pair.kind, pair.vertices);
+    pair.stiffness = share * on / column(pair.kind, pair.vertices);
+    if (pair.kind == PairKind::edge_edge)
+        pair.mollifier = edge_mollifier(rest_length(a, b), rest_length(c, d));
 }
 
 }  // namespace sherd

@@ -98,7 +98,11 @@ class ContactSurface {
     /// The activation distance, m; of elements with vertices that are near since the start at most their
     /// reach.
     double activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const;
-    ContactPair pair(PairKind kind, const std::array<Index, 4>& vertices, double activation_distance) const;
+    /// The pair without its stiffness and mollifier.
+    ContactPair bare_pair(PairKind kind, const std::array<Index, 4>& vertices,
+                          double activation_distance) const;
+    /// Gives a pair its stiffness and its mollifier.
+    void stiffen(ContactPair& pair) const;
     /// The collider that one of the elements belongs to; null if none does.
     const ContactCollider* collider_of(PairKind kind, const std::array<Index, 4>& vertices) const;
 

@@ -9,27 +9,16 @@
 namespace sherd {
 namespace {
 
-/// A lower bound of the pair's distance, m: that of the elements' bounding boxes.
-double distance_of_boxes(PairKind kind, const PairPositions& x) {
-    const int first = vertices_of_first(kind);
-    const auto one = x.leftCols(first), other = x.rightCols(4 - first);
-    const Vector3d above = one.rowwise().minCoeff() - other.rowwise().maxCoeff();
-    const Vector3d below = other.rowwise().minCoeff() - one.rowwise().maxCoeff();
-    return std::max(above.maxCoeff(), below.maxCoeff());
-}
-
-/// Whether the pair is closer than `limit`, m.
-bool within(double limit, const ContactPair& pair, const Positions& x) {
-    const PairPositions local = columns(x, pair.vertices);
-    return distance_of_boxes(pair.kind, local) < limit && distance(pair, local) < limit;
-}
-
-/// Margins by which vertices may depart from the motion before candidates are searched again, in half
-/// thicknesses of the thinnest sheet: over many steps, and in one step.
-constexpr double margin_of_all = 0.5, margin_of_step = 0.1;
+/// Margin by which vertices may depart from the motion before candidates are searched again, and by how much
+/// farther than `nearness` says pairs count as near, in half thicknesses of the thinnest sheet.
+constexpr double margin_of_candidates = 0.5, nearby = 0.2;
 
 /// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
 constexpr double clearance_of_springs = 1e-3;
+
+double clearance(const ContactPair& pair) {
+    return (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
+}
 
 /// For how many steps like this one to search candidates: fewer if they lead far. motion: less its mean, m.
 double lookahead(const Positions& motion, double unit) {
@@ -43,64 +32,105 @@ double thinnest_half(const ContactSurface& surface) {
     return thinnest;
 }
 
+/// How much farther apart than when they are active elements may be that count as near, m.
+double reserve_of_near(const ContactSurface& surface) {
+    double thickest = 0;
+    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v)
+        thickest = std::max(thickest, 2 * surface.largest_half_thickness(v));
+    return (ContactCandidates::nearness - 1) * thickest;
+}
+
 }  // namespace
 
 void NearPairs::surface_changed(const ShellChange& change, ContactSurface surface) {
     const ContactSurface before = std::exchange(of, std::move(surface));
     found.follow(change, before, of, colliders);
-    near = {};
     last.resize(3, 0);
 }
 
-const std::vector<ContactPair>& NearPairs::candidates(const Positions& x, const Positions& motion) const {
-    if (near.contains(x) && near.contains(x + motion)) return pairs;
-    const double unit = thinnest_half(of);
-    near = Neighbourhood(x, motion, margin_of_step * unit, of.collider_vertices());
-    if (!found.neighbourhood().contains(near))
-        found = ContactCandidates(of,
-                                  Neighbourhood(x, lookahead(near.motion, unit) * motion,
-                                                margin_of_all * unit, of.collider_vertices()),
-                                  colliders);
-    pairs = found.pick(of, near);
-    return pairs;
+void NearPairs::find(const Positions& x, const Positions& motion) const {
+    const auto reaches = [&](const Positions& to) { return found.neighbourhood().contains(to); };
+    if (reaches(x) && (motion.cols() == 0 || reaches(x + motion))) return;
+    const double unit = thinnest_half(of), margin = margin_of_candidates * unit;
+    const Neighbourhood way(x, motion.cols() == 0 ? Positions::Zero(3, x.cols()) : motion, margin,
+                            of.collider_vertices());
+    found = ContactCandidates(
+        of, Neighbourhood(x, lookahead(way.motion, unit) * way.motion, margin, of.collider_vertices()),
+        colliders);
 }
 
 const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return active;
-    active.clear();
-    for (const ContactPair& pair : candidates(x, Positions::Zero(3, x.cols())))
-        if (within(pair.activation_distance, pair, x)) active.push_back(pair);
+    find(x, {});
+    found.find_active(of, x, active);
     last = x;
     return active;
 }
 
 double NearPairs::safe_fraction(const Positions& x, const Positions& motion) const {
+    find(x, motion);
+    std::vector<ContactPair> close;
+    const double round_off = 4 * found.neighbourhood().round_off;
+    found.visit_near(x, motion, 0, [&](const ContactPair& pair, double least) {
+        const double way = approach(pair.kind, columns(motion, pair.vertices));
+        if (least < pair.minimum() + clearance(pair) + way + round_off) close.push_back(pair);
+    });
+    std::ranges::sort(close, before);
     double fraction = 1;
-    for (const ContactPair& pair : candidates(x, motion)) {
+    for (const ContactPair& pair : close) {
         const PairPositions from = columns(x, pair.vertices);
         const PairPositions way = fraction * columns(motion, pair.vertices);
-        const double clearance = (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
-        const double kept = pair.minimum() + clearance;
+        const double kept = pair.minimum() + clearance(pair);
         if (distance_of_boxes(pair.kind, from) < kept + approach(pair.kind, way))
-            fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance);
+            fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance(pair));
     }
     return fraction;
 }
 
 std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const Positions& motion) const {
+    find(x, motion);
     std::vector<ContactPair> reached;
-    for (const ContactPair& pair : candidates(x, motion)) {
+    found.visit_near(x, motion, 0, [&](const ContactPair& pair, double) {
         const double way = approach(pair.kind, columns(motion, pair.vertices));
-        if (within(pair.activation_distance + way, pair, x)) reached.push_back(pair);
-    }
+        if (within(pair.activation_distance + way, pair, columns(x, pair.vertices))) reached.push_back(pair);
+    });
+    std::ranges::sort(reached, before);
+    for (ContactPair& pair : reached) of.stiffen(pair);
     return reached;
+}
+
+std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
+    find(x, motion);
+    std::vector<ContactPair> near;
+    const double wider = nearby * thinnest_half(of);
+    const double reserve = reserve_of_near(of) + wider;
+    found.visit_near(x, motion, reserve, [&](const ContactPair& pair, double) {
+        const double limit = ContactCandidates::nearness * pair.activation_distance + wider;
+        const PairPositions from = columns(x, pair.vertices), way = columns(motion, pair.vertices);
+        if (!within(limit + approach(pair.kind, way), pair, from)) return;
+        const Vector3d direction = (from * closest_points(pair.kind, from).weights).normalized();
+        if (separation(pair.kind, from, direction) < limit ||
+            separation(pair.kind, from + way, direction) < limit)
+            near.push_back(pair);
+    });
+    std::ranges::sort(near, before);
+    return near;
 }
 
 void NearPairs::add_contacts(const Positions& x, bool ahead,
                              std::vector<std::pair<Index, Index>>& blocks) const {
-    for (const ContactPair& pair : ahead ? candidates(x, Positions::Zero(3, x.cols())) : active_pairs(x))
-        if (!ahead || within(ContactCandidates::nearness * pair.activation_distance, pair, x))
-            add_pairs(blocks, numbered_from(pair.vertices, of.collider_vertices()));
+    const auto add = [&](const ContactPair& pair) {
+        add_pairs(blocks, numbered_from(pair.vertices, of.collider_vertices()));
+    };
+    if (!ahead) {
+        std::ranges::for_each(active_pairs(x), add);
+        return;
+    }
+    find(x, {});
+    found.visit_near(x, {}, reserve_of_near(of), [&](const ContactPair& pair, double) {
+        if (within(ContactCandidates::nearness * pair.activation_distance, pair, columns(x, pair.vertices)))
+            add(pair);
+    });
 }
 
 void NearPairs::add_touched(const Positions& x, std::set<Index>& vertices,

@@ -23,8 +23,8 @@ class NearPairs {
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
-    /// nearer there than a tenth of the thinnest sheet's thickness; valid until the next call.
-    const std::vector<ContactPair>& candidates(const Positions& x, const Positions& motion) const;
+    /// nearer there than a tenth of the thinnest sheet's thickness. They have no stiffness.
+    std::vector<ContactPair> pairs_nearby(const Positions& x, const Positions& motion) const;
     /// The pairs that may be active somewhere in a straight motion from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;
     /// Appends the pairs of shell vertices, numbered as in the shell, that have a block in a Hessian at x;
@@ -38,17 +38,18 @@ class NearPairs {
 
     /// Trees of colliders follow from where these are.
     void visit_state(StateVisitor& visit) {
-        auto& [of, colliders, found, near, pairs, last, active] = *this;
-        visit(of, found, near, pairs, last, active);
+        auto& [of, colliders, found, last, active] = *this;
+        visit(of, found, last, active);
     }
 
   private:
+    /// Sees to it that the candidates are those of a neighbourhood that has x and the motion from it, if any.
+    void find(const Positions& x, const Positions& motion) const;
+
     ContactSurface of;
     // These are caches: no result depends on them.
     mutable ColliderTrees colliders;
     mutable ContactCandidates found;          ///< candidates for many steps to come
-    mutable Neighbourhood near;               ///< the neighbourhood of the current step
-    mutable std::vector<ContactPair> pairs;   ///< pairs that may be active in that neighbourhood
     mutable Positions last;                   ///< m, where the active pairs were last asked for
     mutable std::vector<ContactPair> active;  ///< the active pairs there
 };

@@ -2,6 +2,7 @@
 #include "core/contact/geometry/distance.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sherd {
 namespace {
@@ -76,6 +77,24 @@ double separation(PairKind kind, const PairPositions& x, const Vector3d& directi
     const Eigen::RowVector4d height = direction.transpose() * x;
     return kind == PairKind::edge_edge ? std::min(height[0], height[1]) - std::max(height[2], height[3])
                                        : height[0] - std::max({height[1], height[2], height[3]});
+}
+
+double distance_of_boxes(PairKind kind, const PairPositions& x) {
+    const int first = vertices_of_first(kind);
+    double apart = -std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = x(axis, 0), high = low, other_low = x(axis, first), other_high = other_low;
+        for (int i = 1; i < first; ++i) {
+            low = std::min(low, x(axis, i));
+            high = std::max(high, x(axis, i));
+        }
+        for (int i = first + 1; i < 4; ++i) {
+            other_low = std::min(other_low, x(axis, i));
+            other_high = std::max(other_high, x(axis, i));
+        }
+        apart = std::max({apart, low - other_high, other_low - high});
+    }
+    return apart;
 }
 
 double squared_distance(const Closest& closest, const PairPositions& x) {

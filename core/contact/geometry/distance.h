@@ -37,6 +37,9 @@ Closest closest_points(PairKind kind, const PairPositions& x);
 /// projections overlap. It never exceeds their distance, and equals it along x weights.
 double separation(PairKind kind, const PairPositions& x, const Vector3d& direction);
 
+/// A lower bound of the distance, m: that of the elements' bounding boxes.
+double distance_of_boxes(PairKind kind, const PairPositions& x);
+
 /// Squared distance, m^2.
 double squared_distance(const Closest& closest, const PairPositions& x);
 /// Derivative of the squared distance, m, [3, 4]. Since the closest points minimise the distance, their own

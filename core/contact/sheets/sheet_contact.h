@@ -53,9 +53,9 @@ class SheetContact : public Energy {
         return near.active_pairs(at_end(x));
     }
     /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
-    const std::vector<ContactPair>& pairs_nearby(const Positions& x) const {
+    std::vector<ContactPair> pairs_nearby(const Positions& x) const {
         const Positions& all = at_end(x);
-        return near.candidates(all, Positions::Zero(3, all.cols()));
+        return near.pairs_nearby(all, Positions::Zero(3, all.cols()));
     }
     /// The same as active_pairs(), with the colliders where they are at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {

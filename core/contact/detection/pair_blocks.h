@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/contact/detection/contact_surface.h"
+#include "core/state_visitor.h"
+
+namespace sherd {
+
+/// Pairs of elements, each with the room that was left before it is active when it was last measured. Pairs
+/// beside each other form a block. As long as no two vertices of a block have moved by more than a pair's
+/// room relative to each other, nothing has to be computed for that pair: most pairs of a sheet that stays in
+/// one piece are never looked at. No result depends on when which block was measured.
+class PairBlocks {
+  public:
+    struct Entry {
+        ContactPair pair;
+        double room;  ///< m, distance less activation distance
+    };
+
+    void clear() { blocks.clear(); }
+    /// Adds pairs, with their room at x.
+    void add(const std::vector<Entry>& entries, const Positions& x);
+    /// Removes the pairs with a vertex that has changed. The others may have another stiffness than before.
+    void remove(const std::vector<char>& changed);
+
+    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on that of distances.
+    void find_active(const ContactSurface& surface, const Positions& x, double round_off,
+                     std::vector<ContactPair>& active);
+    /// Calls visit(pair, least) for all pairs that may be nearer at x than their activation distance, a
+    /// `reserve` (m) and what two of their vertices approach each other by in the motion, and perhaps for
+    /// others. least: m, a bound of the pair's distance at x. Pairs have no stiffness.
+    template <class Visit>
+    void visit_near(const Positions& x, const Positions& motion, double reserve, const Visit& visit) const {
+        for (const Block& block : blocks) {
+            const double moved = block.spread(x, &block.reference);
+            const double reach = moved + reserve + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0);
+            for (const Entry& entry : block.entries) {
+                if (entry.room > reach) break;
+                visit(entry.pair, entry.room + entry.pair.activation_distance - moved);
+            }
+        }
+    }
+
+    void visit_state(StateVisitor& visit) {
+        auto& [blocks] = *this;
+        visit(blocks);
+    }
+
+  private:
+    struct Block {
+        std::vector<Entry> entries;   ///< by their room, least first
+        std::vector<Index> vertices;  ///< of all entries, ascending
+        Positions reference;          ///< [3, vertices] m, where the room was measured
+        std::size_t idle = 0;         ///< how often a pair was measured since then and was not active
+
+        /// Lists the vertices of the entries.
+        void list_vertices();
+        void remove(const std::vector<char>& changed);
+        void measure(const Positions& x);
+        /// Bound, m, on how far any two of the vertices have moved relative to each other.
+        double spread(const Positions& x, const Positions* from) const;
+        void visit_state(StateVisitor& visit) {
+            auto& [entries, vertices, reference, idle] = *this;
+            visit(entries, vertices, reference, idle);
+        }
+    };
+
+    std::vector<Block> blocks;
+};
+
+}  // namespace sherd
