@@ -9,52 +9,20 @@
 #include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
+#include "tests/support/surface_pairs.h"
 
 namespace sherd {
 namespace {
 
 using test::Random;
 
-/// Kind and vertices.
-using Name = std::pair<PairKind, std::array<Index, 4>>;
-
-double distance_at(const Name& name, const Positions& x) {
-    const PairPositions local = columns(x, name.second);
-    return std::sqrt(squared_distance(closest_points(name.first, local), local));
-}
-
-/// All pairs that are nearer than `nearness` times where they touch at x, by looking at all there are.
-std::vector<Name> near_pairs(const ContactSurface& surface, const Positions& x) {
-    std::vector<Name> names;
-    const auto look = [&](const Name& name) {
-        const auto& [kind, vertices] = name;
-        if (!surface.apart(kind, vertices) &&
-            distance_at(name, x) < ContactCandidates::nearness * surface.activation_distance(kind, vertices))
-            names.push_back(name);
-    };
-    for (Index v = 0; v < surface.vertices(); ++v)
-        for (const auto& [a, b, c] : surface.triangles()) look({PairKind::vertex_triangle, {v, a, b, c}});
-    for (const auto& first : surface.edges())
-        for (const auto& second : surface.edges())
-            if (first < second) look({PairKind::edge_edge, {first[0], first[1], second[0], second[1]}});
-    for (const auto& [a, b] : surface.collider_edges())
-        for (const auto& [c, d] : surface.edges()) look({PairKind::edge_edge, {a, b, c, d}});
-    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v)
-        for (const auto& [a, b, c] : surface.collider_triangles())
-            look({PairKind::vertex_triangle, {v, a, b, c}});
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-std::vector<Name> names_of(const std::vector<ContactPair>& pairs) {
-    std::vector<Name> names;
-    for (const ContactPair& pair : pairs) names.emplace_back(pair.kind, pair.vertices);
-    return names;
+std::vector<test::PairName> near_pairs(const ContactSurface& surface, const Positions& x) {
+    return test::pairs_nearer_than(ContactCandidates::nearness, surface, x);
 }
 
 void expect_all_near(const ContactSurface& surface, const std::vector<ContactPair>& picked,
                      const Positions& x) {
-    const std::vector<Name> names = names_of(picked), near = near_pairs(surface, x);
+    const std::vector<test::PairName> names = test::names_of(picked), near = near_pairs(surface, x);
     EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
     EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
     EXPECT_TRUE(std::includes(names.begin(), names.end(), near.begin(), near.end()));
@@ -187,7 +155,7 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
         expect_all_near(surface, picked, shell.position);
         ContactCandidates anew(surface, here, none);
         const std::vector<ContactPair> expected = anew.pick(surface, here);
-        EXPECT_EQ(names_of(picked), names_of(expected));
+        EXPECT_EQ(test::names_of(picked), test::names_of(expected));
         for (std::size_t i = 0; i < picked.size(); ++i) {
             EXPECT_EQ(picked[i].stiffness, expected[i].stiffness);
             EXPECT_EQ(picked[i].activation_distance, expected[i].activation_distance);

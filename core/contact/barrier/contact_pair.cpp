@@ -2,6 +2,8 @@
 #include "core/contact/barrier/contact_pair.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cstdint>
 
 namespace sherd {
 namespace {
@@ -21,6 +23,29 @@ PairHessian distance_hessian(const Closest& closest, const PairPositions& x, dou
 }
 
 }  // namespace
+
+void sort(std::vector<ContactPair>& pairs) {
+    // Short keys are compared and moved faster than pairs are.
+    struct Key {
+        std::array<std::uint64_t, 2> order;
+        std::size_t pair;
+    };
+    std::vector<Key> keys;
+    keys.reserve(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [a, b, c, d] = pairs[i].vertices;
+        const auto both = [](std::uint64_t high, std::uint64_t low) { return high << 32 | low; };
+        const std::uint64_t kind = static_cast<std::uint64_t>(pairs[i].kind) << 63;
+        keys.push_back({{kind | both(a, b), both(c, d)}, i});
+    }
+    std::ranges::sort(keys, [](const Key& one, const Key& other) {
+        return one.order[0] != other.order[0] ? one.order[0] < other.order[0] : one.order[1] < other.order[1];
+    });
+    std::vector<ContactPair> sorted;
+    sorted.reserve(pairs.size());
+    for (const Key& key : keys) sorted.push_back(pairs[key.pair]);
+    pairs = std::move(sorted);
+}
 
 double distance(const ContactPair& pair, const PairPositions& x) {
     return std::sqrt(squared_distance(closest_points(pair.kind, x), x));

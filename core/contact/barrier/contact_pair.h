@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/contact/barrier/barrier.h"
 #include "core/contact/barrier/edge_mollifier.h"
@@ -23,10 +24,8 @@ struct ContactPair {
     Barrier barrier() const { return {activation_distance - minimum(), spring}; }
 };
 
-/// The order of pairs: of vertices and triangles first, then by their vertices.
-inline bool before(const ContactPair& a, const ContactPair& b) {
-    return a.kind != b.kind ? a.kind < b.kind : a.vertices < b.vertices;
-}
+/// Sorts pairs by their kind, then by their vertices.
+void sort(std::vector<ContactPair>& pairs);
 
 /// Distance of the two elements, m.
 double distance(const ContactPair& pair, const PairPositions& x);

@@ -193,6 +193,23 @@ void ContactCandidates::consider(const ContactSurface& surface, PairKind kind,
             {surface.bare_pair(kind, vertices, activation_distance), distance - activation_distance});
 }
 
+std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
+                                                 const Neighbourhood& smaller) const {
+    std::vector<ContactPair> picked;
+    const double around = 2 * smaller.margin + smaller.round_off;
+    visit_near(smaller.start, smaller.motion, nearness, around, [&](const ContactPair& pair, double) {
+        const PairPositions from = columns(smaller.start, pair.vertices);
+        const PairPositions to = from + columns(smaller.motion, pair.vertices);
+        const double far = nearness * pair.activation_distance + around;
+        const Vector3d direction = (from * closest_points(pair.kind, from).weights).normalized();
+        if (separation(pair.kind, from, direction) <= far || separation(pair.kind, to, direction) <= far)
+            picked.push_back(pair);
+    });
+    sort(picked);
+    for (ContactPair& pair : picked) surface.stiffen(pair);
+    return picked;
+}
+
 void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
                                const ContactSurface& after, ColliderTrees& colliders) {
     if (within.start.cols() != before.vertices()) {

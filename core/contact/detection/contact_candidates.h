@@ -25,10 +25,14 @@ class ContactCandidates {
     void find_active(const ContactSurface& surface, const Positions& x, std::vector<ContactPair>& active) {
         pairs.find_active(surface, x, within.round_off, active);
     }
+    /// Returns a superset of the pairs that come near contact somewhere in `smaller`, which must lie in the
+    /// neighbourhood. They are ascending, vertex-triangle pairs first.
+    std::vector<ContactPair> pick(const ContactSurface& surface, const Neighbourhood& smaller) const;
     /// See PairBlocks. x, and the ends of the motion, must lie in the neighbourhood.
     template <class Visit>
-    void visit_near(const Positions& x, const Positions& motion, double reserve, const Visit& visit) const {
-        pairs.visit_near(x, motion, reserve + within.round_off, visit);
+    void visit_near(const Positions& x, const Positions& motion, double as_near, double reserve,
+                    const Visit& visit) const {
+        pairs.visit_near(x, motion, as_near, reserve + within.round_off, visit);
     }
     /// Searches pairs again where triangles have other vertices or another place on the sheet, or where
     /// vertices gained or lost twins or others that are near since the start.

@@ -227,9 +227,7 @@ double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertice
 
 ContactPair ContactSurface::bare_pair(PairKind kind, const std::array<Index, 4>& vertices,
                                       double activation_distance) const {
-    const double closest = springs                       ? 0
-                           : collider_of(kind, vertices) ? closest_to_collider
-                                                         : closest_to_sheet;
+    const double closest = springs ? 0 : collider_of(kind, vertices) ? closest_to_collider : closest_to_sheet;
     return {kind, vertices, 0, activation_distance, {}, closest, springs};
 }
 

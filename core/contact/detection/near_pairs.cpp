@@ -9,9 +9,9 @@
 namespace sherd {
 namespace {
 
-/// Margin by which vertices may depart from the motion before candidates are searched again, and by how much
-/// farther than `nearness` says pairs count as near, in half thicknesses of the thinnest sheet.
-constexpr double margin_of_candidates = 0.5, nearby = 0.2;
+/// Margins by which vertices may depart from the motion before candidates are searched again, and for pairs
+/// that are near, in half thicknesses of the thinnest sheet.
+constexpr double margin_of_candidates = 0.5, nearby = 0.1;
 
 /// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
 constexpr double clearance_of_springs = 1e-3;
@@ -32,14 +32,6 @@ double thinnest_half(const ContactSurface& surface) {
     return thinnest;
 }
 
-/// How much farther apart than when they are active elements may be that count as near, m.
-double reserve_of_near(const ContactSurface& surface) {
-    double thickest = 0;
-    for (Index v = surface.collider_vertices(); v < surface.vertices(); ++v)
-        thickest = std::max(thickest, 2 * surface.largest_half_thickness(v));
-    return (ContactCandidates::nearness - 1) * thickest;
-}
-
 }  // namespace
 
 void NearPairs::surface_changed(const ShellChange& change, ContactSurface surface) {
@@ -49,33 +41,41 @@ void NearPairs::surface_changed(const ShellChange& change, ContactSurface surfac
 }
 
 void NearPairs::find(const Positions& x, const Positions& motion) const {
-    const auto reaches = [&](const Positions& to) { return found.neighbourhood().contains(to); };
-    if (reaches(x) && (motion.cols() == 0 || reaches(x + motion))) return;
     const double unit = thinnest_half(of), margin = margin_of_candidates * unit;
-    const Neighbourhood way(x, motion.cols() == 0 ? Positions::Zero(3, x.cols()) : motion, margin,
-                            of.collider_vertices());
+    const Neighbourhood way(x, motion, margin, of.collider_vertices());
     found = ContactCandidates(
         of, Neighbourhood(x, lookahead(way.motion, unit) * way.motion, margin, of.collider_vertices()),
         colliders);
 }
 
+const ContactCandidates& NearPairs::candidates(const Positions& x, const Positions& motion) const {
+    const Neighbourhood& known = found.neighbourhood();
+    if (!known.contains(x) || !known.contains(x + motion)) find(x, motion);
+    return found;
+}
+
+const ContactCandidates& NearPairs::candidates(const Positions& x) const {
+    if (!found.neighbourhood().contains(x)) find(x, Positions::Zero(3, x.cols()));
+    return found;
+}
+
 const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return active;
-    find(x, {});
+    candidates(x);
     found.find_active(of, x, active);
     last = x;
     return active;
 }
 
 double NearPairs::safe_fraction(const Positions& x, const Positions& motion) const {
-    find(x, motion);
     std::vector<ContactPair> close;
-    const double round_off = 4 * found.neighbourhood().round_off;
-    found.visit_near(x, motion, 0, [&](const ContactPair& pair, double least) {
-        const double way = approach(pair.kind, columns(motion, pair.vertices));
-        if (least < pair.minimum() + clearance(pair) + way + round_off) close.push_back(pair);
+    const ContactCandidates& all = candidates(x, motion);
+    const double round_off = 4 * all.neighbourhood().round_off;
+    all.visit_near(x, motion, 1, 0, [&](const ContactPair& pair, double least) {
+        const double way = approach(pair.kind, columns(motion, pair.vertices)) + round_off;
+        if (!surely_free(least - round_off, way, pair.minimum(), clearance(pair))) close.push_back(pair);
     });
-    std::ranges::sort(close, before);
+    sort(close);
     double fraction = 1;
     for (const ContactPair& pair : close) {
         const PairPositions from = columns(x, pair.vertices);
@@ -87,34 +87,21 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
     return fraction;
 }
 
+std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
+    const Neighbourhood near(x, motion, nearby * thinnest_half(of), of.collider_vertices());
+    if (!found.neighbourhood().contains(near)) find(x, motion);
+    return found.pick(of, near);
+}
+
 std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const Positions& motion) const {
-    find(x, motion);
     std::vector<ContactPair> reached;
-    found.visit_near(x, motion, 0, [&](const ContactPair& pair, double) {
+    candidates(x, motion).visit_near(x, motion, 1, 0, [&](const ContactPair& pair, double) {
         const double way = approach(pair.kind, columns(motion, pair.vertices));
         if (within(pair.activation_distance + way, pair, columns(x, pair.vertices))) reached.push_back(pair);
     });
-    std::ranges::sort(reached, before);
+    sort(reached);
     for (ContactPair& pair : reached) of.stiffen(pair);
     return reached;
-}
-
-std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
-    find(x, motion);
-    std::vector<ContactPair> near;
-    const double wider = nearby * thinnest_half(of);
-    const double reserve = reserve_of_near(of) + wider;
-    found.visit_near(x, motion, reserve, [&](const ContactPair& pair, double) {
-        const double limit = ContactCandidates::nearness * pair.activation_distance + wider;
-        const PairPositions from = columns(x, pair.vertices), way = columns(motion, pair.vertices);
-        if (!within(limit + approach(pair.kind, way), pair, from)) return;
-        const Vector3d direction = (from * closest_points(pair.kind, from).weights).normalized();
-        if (separation(pair.kind, from, direction) < limit ||
-            separation(pair.kind, from + way, direction) < limit)
-            near.push_back(pair);
-    });
-    std::ranges::sort(near, before);
-    return near;
 }
 
 void NearPairs::add_contacts(const Positions& x, bool ahead,
@@ -126,10 +113,9 @@ void NearPairs::add_contacts(const Positions& x, bool ahead,
         std::ranges::for_each(active_pairs(x), add);
         return;
     }
-    find(x, {});
-    found.visit_near(x, {}, reserve_of_near(of), [&](const ContactPair& pair, double) {
-        if (within(ContactCandidates::nearness * pair.activation_distance, pair, columns(x, pair.vertices)))
-            add(pair);
+    constexpr double nearness = ContactCandidates::nearness;
+    candidates(x).visit_near(x, Positions(3, 0), nearness, 0, [&](const ContactPair& pair, double) {
+        if (within(nearness * pair.activation_distance, pair, columns(x, pair.vertices))) add(pair);
     });
 }
 

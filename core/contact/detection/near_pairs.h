@@ -23,7 +23,7 @@ class NearPairs {
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
-    /// nearer there than a tenth of the thinnest sheet's thickness. They have no stiffness.
+    /// nearer there than a tenth of the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x, const Positions& motion) const;
     /// The pairs that may be active somewhere in a straight motion from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;
@@ -43,8 +43,10 @@ class NearPairs {
     }
 
   private:
-    /// Sees to it that the candidates are those of a neighbourhood that has x and the motion from it, if any.
     void find(const Positions& x, const Positions& motion) const;
+    // The candidates of a neighbourhood with x, and with the motion from it:
+    const ContactCandidates& candidates(const Positions& x) const;
+    const ContactCandidates& candidates(const Positions& x, const Positions& motion) const;
 
     ContactSurface of;
     // These are caches: no result depends on them.

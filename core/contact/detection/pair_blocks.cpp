@@ -2,13 +2,14 @@
 #include "core/contact/detection/pair_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contact/detection/box_tree.h"
 
 namespace sherd {
 namespace {
 
-/// How many pairs a block has at least, but for the last one.
+/// How many pairs a block has at most.
 constexpr std::size_t block_size = 512;
 
 /// The vertex by whose place a pair is sorted: of a sheet, since elements of colliders may be large.
@@ -16,18 +17,13 @@ Index place_of(const ContactPair& pair) {
     return *std::ranges::max_element(pair.vertices);
 }
 
-template <class T>
-void keep_each_once(std::vector<T>& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 /// The entries in the order of a tree of their places.
 std::vector<PairBlocks::Entry> sorted_in_space(const std::vector<PairBlocks::Entry>& entries,
                                                const Positions& x) {
     std::vector<Index> places;
     for (const PairBlocks::Entry& entry : entries) places.push_back(place_of(entry.pair));
-    keep_each_once(places);
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     std::vector<Box> boxes;
     for (const Index v : places) boxes.push_back({x.col(v), x.col(v)});
     const BoxTree tree(boxes);
@@ -43,22 +39,32 @@ std::vector<PairBlocks::Entry> sorted_in_space(const std::vector<PairBlocks::Ent
 
 }  // namespace
 
-void PairBlocks::Block::list_vertices() {
-    vertices.clear();
+PairBlocks::Block::Block(std::span<const Entry> given, const Positions& x, std::vector<char>& seen)
+    : entries(given.begin(), given.end()) {
+    std::ranges::sort(entries, {}, &Entry::room);
     for (const Entry& entry : entries)
-        vertices.insert(vertices.end(), entry.pair.vertices.begin(), entry.pair.vertices.end());
-    keep_each_once(vertices);
+        largest_activation = std::max(largest_activation, entry.pair.activation_distance);
+    list_vertices(seen);
+    reference = x(Eigen::all, vertices);
 }
 
-void PairBlocks::Block::remove(const std::vector<char>& changed) {
-    const auto has_changed = [&](const Entry& entry) {
-        return std::ranges::any_of(entry.pair.vertices, [&](Index v) { return changed[v]; });
-    };
-    const bool shrinks = std::erase_if(entries, has_changed) > 0;
-    for (Entry& entry : entries) entry.pair.stiffness = 0;
-    if (!shrinks) return;
+void PairBlocks::Block::list_vertices(std::vector<char>& seen) {
+    vertices.clear();
+    for (const Entry& entry : entries)
+        for (const Index v : entry.pair.vertices)
+            if (!std::exchange(seen[v], 1)) vertices.push_back(v);
+    for (const Index v : vertices) seen[v] = 0;
+    std::ranges::sort(vertices);
+}
+
+void PairBlocks::Block::remove(const std::vector<char>& changed, std::vector<char>& seen) {
+    stale = true;
+    const auto has_changed = [&](Index v) { return changed[v] != 0; };
+    if (std::ranges::none_of(vertices, has_changed)) return;
+    std::erase_if(entries,
+                  [&](const Entry& entry) { return std::ranges::any_of(entry.pair.vertices, has_changed); });
     const std::vector<Index> before = vertices;
-    list_vertices();
+    list_vertices(seen);
     for (std::size_t i = 0, old = 0; i < vertices.size(); ++i) {
         while (before[old] != vertices[i]) ++old;
         reference.col(i) = reference.col(old);
@@ -86,39 +92,40 @@ double PairBlocks::Block::spread(const Positions& x, const Positions* from) cons
 
 void PairBlocks::add(const std::vector<Entry>& entries, const Positions& x) {
     const std::vector<Entry> sorted = sorted_in_space(entries, x);
-    for (auto first = sorted.begin(); first != sorted.end();) {
-        const auto last = first + std::min<std::ptrdiff_t>(block_size, sorted.end() - first);
-        Block& block = blocks.emplace_back();
-        block.entries.assign(first, last);
-        std::ranges::sort(block.entries, {}, &Entry::room);
-        block.list_vertices();
-        block.reference = x(Eigen::all, block.vertices);
-        first = last;
-    }
+    std::vector<char> seen(x.cols(), 0);
+    for (std::size_t first = 0; first < sorted.size(); first += block_size)
+        blocks.emplace_back(std::span(sorted).subspan(first, std::min(block_size, sorted.size() - first)), x,
+                            seen);
 }
 
 void PairBlocks::remove(const std::vector<char>& changed) {
-    for (Block& block : blocks) block.remove(changed);
+    std::vector<char> seen(changed.size(), 0);
+    for (Block& block : blocks) block.remove(changed, seen);
     std::erase_if(blocks, [](const Block& block) { return block.entries.empty(); });
+}
+
+void PairBlocks::Block::find_active(const ContactSurface& surface, const Positions& x, double round_off,
+                                    std::vector<ContactPair>& active) {
+    const double reach = spread(x, &reference) + round_off;
+    if (std::exchange(stale, false))
+        for (Entry& entry : entries) entry.pair.stiffness = 0;
+    for (Entry& entry : entries) {
+        if (entry.room > reach) break;
+        if (within(entry.pair.activation_distance, entry.pair, columns(x, entry.pair.vertices))) {
+            if (entry.pair.stiffness == 0) surface.stiffen(entry.pair);
+            active.push_back(entry.pair);
+        } else {
+            ++idle;
+        }
+    }
+    if (idle > entries.size()) measure(x);
 }
 
 void PairBlocks::find_active(const ContactSurface& surface, const Positions& x, double round_off,
                              std::vector<ContactPair>& active) {
     active.clear();
-    for (Block& block : blocks) {
-        const double reach = block.spread(x, &block.reference) + round_off;
-        for (Entry& entry : block.entries) {
-            if (entry.room > reach) break;
-            if (!within(entry.pair.activation_distance, entry.pair, columns(x, entry.pair.vertices))) {
-                ++block.idle;
-                continue;
-            }
-            if (entry.pair.stiffness == 0) surface.stiffen(entry.pair);
-            active.push_back(entry.pair);
-        }
-        if (block.idle > block.entries.size()) block.measure(x);
-    }
-    std::ranges::sort(active, before);
+    for (Block& block : blocks) block.find_active(surface, x, round_off, active);
+    sort(active);
 }
 
 }  // namespace sherd

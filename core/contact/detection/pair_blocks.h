@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/contact/detection/contact_surface.h"
@@ -19,23 +20,25 @@ class PairBlocks {
         double room;  ///< m, distance less activation distance
     };
 
-    void clear() { blocks.clear(); }
     /// Adds pairs, with their room at x.
     void add(const std::vector<Entry>& entries, const Positions& x);
     /// Removes the pairs with a vertex that has changed. The others may have another stiffness than before.
     void remove(const std::vector<char>& changed);
 
-    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on that of distances.
+    /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on that of
+    /// distances.
     void find_active(const ContactSurface& surface, const Positions& x, double round_off,
                      std::vector<ContactPair>& active);
-    /// Calls visit(pair, least) for all pairs that may be nearer at x than their activation distance, a
-    /// `reserve` (m) and what two of their vertices approach each other by in the motion, and perhaps for
-    /// others. least: m, a bound of the pair's distance at x. Pairs have no stiffness.
+    /// Calls visit(pair, least) for all pairs that are nearer at x than `nearness` times their activation
+    /// distance, a `reserve` (m) and what their vertices approach each other by in the motion, if any; and
+    /// for others. least: m, a bound of the pair's distance at x. Not all pairs have their stiffness.
     template <class Visit>
-    void visit_near(const Positions& x, const Positions& motion, double reserve, const Visit& visit) const {
+    void visit_near(const Positions& x, const Positions& motion, double nearness, double reserve,
+                    const Visit& visit) const {
         for (const Block& block : blocks) {
             const double moved = block.spread(x, &block.reference);
-            const double reach = moved + reserve + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0);
+            const double reach = moved + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0) + reserve +
+                                 (nearness - 1) * block.largest_activation;
             for (const Entry& entry : block.entries) {
                 if (entry.room > reach) break;
                 visit(entry.pair, entry.room + entry.pair.activation_distance - moved);
@@ -50,20 +53,26 @@ class PairBlocks {
 
   private:
     struct Block {
-        std::vector<Entry> entries;   ///< by their room, least first
-        std::vector<Index> vertices;  ///< of all entries, ascending
-        Positions reference;          ///< [3, vertices] m, where the room was measured
-        std::size_t idle = 0;         ///< how often a pair was measured since then and was not active
+        std::vector<Entry> entries;     ///< by their room, least first
+        std::vector<Index> vertices;    ///< of all entries, ascending
+        Positions reference;            ///< [3, vertices] m, where the room was measured
+        double largest_activation = 0;  ///< m, no activation distance is larger
+        std::size_t idle = 0;           ///< how often a pair was looked at since then and was not active
+        bool stale = false;             ///< whether the stiffness of pairs may be another one
 
-        /// Lists the vertices of the entries.
-        void list_vertices();
-        void remove(const std::vector<char>& changed);
+        /// With the vertices at x. seen: zeros, one for each vertex.
+        Block(std::span<const Entry> given, const Positions& x, std::vector<char>& seen);
+        Block() = default;
+        void remove(const std::vector<char>& changed, std::vector<char>& seen);
+        void list_vertices(std::vector<char>& seen);
         void measure(const Positions& x);
+        void find_active(const ContactSurface& surface, const Positions& x, double round_off,
+                         std::vector<ContactPair>& active);
         /// Bound, m, on how far any two of the vertices have moved relative to each other.
         double spread(const Positions& x, const Positions* from) const;
         void visit_state(StateVisitor& visit) {
-            auto& [entries, vertices, reference, idle] = *this;
-            visit(entries, vertices, reference, idle);
+            auto& [entries, vertices, reference, largest_activation, idle, stale] = *this;
+            visit(entries, vertices, reference, largest_activation, idle, stale);
         }
     };
 

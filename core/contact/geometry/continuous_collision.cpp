@@ -24,6 +24,11 @@ double approach(PairKind kind, const PairPositions& displacement) {
     return std::sqrt(most);
 }
 
+bool surely_free(double distance, double way, double minimum, double clearance) {
+    const double gap = distance - minimum;
+    return gap > 0 && way <= gap - std::min(kept * gap, clearance);
+}
+
 double safe_fraction(PairKind kind, const PairPositions& x, const PairPositions& displacement, double minimum,
                      double clearance) {
     // Bound on round-off of positions on the way and of the distance: a dozen roundings of numbers of this

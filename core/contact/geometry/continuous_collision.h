@@ -10,6 +10,10 @@ namespace sherd {
 /// Bound, m, on how much the distance of two elements can decrease in a straight motion.
 double approach(PairKind kind, const PairPositions& displacement);
 
+/// Whether safe_fraction() is 1 for any two elements that are at least `distance` apart and approach each
+/// other by `way`, m; both beside round-off.
+bool surely_free(double distance, double way, double minimum, double clearance);
+
 /// Largest fraction, 0 to 1, of the straight motion from x by `displacement` (m) that two elements can make
 /// while their distance stays above `minimum` (m). Up to that fraction the distance exceeds `minimum` by a
 /// tenth of the initial excess, or by `clearance` (m) if that is less, round-off included. Returns 0 if the

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/detection/near_pairs.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/support/materials.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+#include "tests/support/surface_pairs.h"
+
+namespace sherd {
+namespace {
+
+using test::Random;
+
+std::vector<std::pair<Index, Index>> blocks_soon(const NearPairs& near, const Positions& x) {
+    std::vector<std::pair<Index, Index>> blocks;
+    near.add_contacts(x, true, blocks);
+    std::ranges::sort(blocks);
+    return blocks;
+}
+
+/// What a walker answers at x must be what one answers that was never asked before, and its active pairs
+/// those that are found by looking at all that there are.
+void expect_same(const NearPairs& walker, const Positions& x, const Positions& motion) {
+    const NearPairs anew(walker.surface());
+    const std::vector<ContactPair>&pairs = walker.active_pairs(x), &expected = anew.active_pairs(x);
+    RC_ASSERT(test::names_of(pairs) == test::pairs_nearer_than(1, walker.surface(), x));
+    RC_ASSERT(pairs.size() == expected.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        RC_ASSERT(pairs[i].stiffness == expected[i].stiffness);
+        RC_ASSERT(pairs[i].activation_distance == expected[i].activation_distance);
+        RC_ASSERT(pairs[i].mollifier.threshold == expected[i].mollifier.threshold);
+    }
+    RC_ASSERT(walker.safe_fraction(x, motion) == anew.safe_fraction(x, motion));
+    RC_ASSERT(blocks_soon(walker, x) == blocks_soon(anew, x));
+}
+
+/// All fly together; parts of the vertices from `first` on drift and turn each its own way, by about 10^size
+/// m, and each vertex goes to and fro besides.
+Positions stride(Random& random, const Positions& x, Index first, double size) {
+    const double scale = std::pow(10, size + random.uniform(-1, 0.5));
+    const Index parts = 1 + random.below(5), count = static_cast<Index>(x.cols());
+    std::vector<Vector3d> way, turn;
+    for (Index part = 0; part < parts; ++part) {
+        way.push_back(random.matrix<Vector3d>(scale));
+        turn.push_back(random.matrix<Vector3d>(10 * scale));
+    }
+    const Vector3d together = random.matrix<Vector3d>(first == 0 && random.below(2) == 0 ? 0.1 : 0);
+    Positions motion = Positions::Zero(3, count);
+    for (Index v = first; v < count; ++v) {
+        const Index part = (v - first) * parts / (count - first);
+        motion.col(v) = together + way[part] + turn[part].cross(Vector3d(x.col(v))) +
+                        random.matrix<Vector3d>(0.2 * scale);
+    }
+    return motion;
+}
+
+/// Walks about from x, in strides that nothing stops; tries to go elsewhere on the way.
+void walk(const ContactSurface& surface, Positions x, unsigned seed) {
+    Random random(seed);
+    const NearPairs walker(surface);
+    const double size = random.uniform(-5.5, -3);
+    for (int i = 0; i < 12; ++i) {
+        const Positions motion = stride(random, x, surface.collider_vertices(), size);
+        expect_same(walker, x, motion);
+        x += random.uniform(0, 1) * motion;
+    }
+}
+
+// Nothing is computed of pairs that have not moved by the room that they had. A bound that is too bold misses
+// a pair, or a passage, that nothing sees later. Of a sheet with edges shorter than it is thick (2 mm), most
+// pairs are within its thickness at rest.
+RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBefore, ()) {
+    const int count = *rc::gen::element(3, 8);
+    const Material& material = count == 8 ? test::thick_foam : test::ceramic;
+    const Shell shell = test::stacked_plates(2, count, 0.97 * material.thickness, material);
+    walk(ContactSurface(shell), shell.position, *rc::gen::inRange(0u, 1u << 30));
+}
+
+RC_GTEST_PROP(NearPairs, AnswerAsIfNeverAskedBeforeOnSolids, ()) {
+    const Shell shell = test::stacked_plates(1, 4, 0, test::ceramic);
+    const auto ball = test::sphere_surface(0.02, 1);
+    std::vector<ContactCollider> colliders(1);
+    colliders[0].surface = ball.get();
+    const ContactSurface surface(shell, colliders);
+    Positions x(3, surface.vertices());
+    x << ball->points.colwise() + Vector3d(0.01, 0.01, 0.0204), shell.position;
+    walk(surface, x, *rc::gen::inRange(0u, 1u << 30));
+}
+
+}  // namespace
+}  // namespace sherd
