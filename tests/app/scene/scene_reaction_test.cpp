@@ -134,7 +134,7 @@ gravity = [1, 2, -9.81]
 load = { area = [0, 0, 50] }
 [solver]
 step = 5e-3
-tolerance = 1e-9
+tolerance = 1e-10
 membrane = ")" +
                GetParam() + "\"\n");
     for (int i = 0; i < 20; ++i) {
