@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/elastic_gradient.h"
 #include "tests/support/materials.h"
 #include "tests/support/plates.h"
 #include "tests/support/uneven_patch.h"
@@ -22,17 +23,11 @@ const ShellEnergyOptions all_models[] = {
     {.bending = {BendingModel::cubic}, .membrane = MembraneModel::arc},
 };
 
-Positions of_energies(ShellEnergies& energies, const Positions& x) {
-    Positions sum = Positions::Zero(3, x.cols());
-    for (const Energy* energy : energies.elastic()) energy->add_gradient(x, sum);
-    return sum;
-}
-
 void expect_same(const Shell& shell, const ShellEnergyOptions& options, double amplitude) {
     ShellEnergies energies(shell, options);
     const Threads threads;
     ElasticGradient batches(shell, energies, options, threads);
-    const Positions x = test::shaken(shell, amplitude, 5), expected = of_energies(energies, x);
+    const Positions x = test::shaken(shell, amplitude, 5), expected = test::elastic_gradient(energies, x);
     EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm())
         << "model " << static_cast<int>(options.bending.model) << ", " << options.mirrors.size()
         << " mirrors";
@@ -63,7 +58,7 @@ TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
         change.removed_hinges = {remove_hinge_of(shell, shell.hinge_edge[20])};
         for (Energy* energy : energies.elastic()) energy->topology_changed(change, {});
         batches.shell_changed();
-        const Positions expected = of_energies(energies, x);
+        const Positions expected = test::elastic_gradient(energies, x);
         EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
         EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm());
     }

@@ -9,6 +9,7 @@
 
 #include "core/time/highest_frequency.h"
 #include "tests/support/contact_pairs.h"
+#include "tests/support/elastic_gradient.h"
 #include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
@@ -33,12 +34,8 @@ void advance(Stepper& stepper, int steps) {
 }
 
 /// As highest_frequency() asks for it.
-std::function<Positions(const Positions&)> gradient_of(ShellEnergies& forces) {
-    return [&](const Positions& x) {
-        Positions sum = Positions::Zero(3, x.cols());
-        for (const Energy* energy : forces.elastic()) energy->add_gradient(x, sum);
-        return sum;
-    };
+auto gradient_of(ShellEnergies& forces) {
+    return [&](const Positions& x) { return test::elastic_gradient(forces, x); };
 }
 
 /// Eigenvalues, 1/s^2, and modes of the shell at rest, with fixed vertices left out.
