@@ -171,6 +171,8 @@ bool Simulation::attempt(StepReport& report) {
 
 MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult newton, Measured now) {
     double waited = step_size.size();
+    bool is_cut_short =
+        false;  // whether the last solution had no more iterations because edges may still fail
     for (;;) {
         const std::vector<Edge> failing = allowed(most_overloaded_edges(breakable, now.hinges));
         const std::vector<CrackStep> growing = next_crack_steps(now, waited);
@@ -186,8 +188,10 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
             ++report.stages;
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
-        } else if (newton.limited) {
+            is_cut_short = newton.limited;
+        } else if (is_cut_short) {
             newton = solve_stage(report, options.max_iterations);
+            is_cut_short = false;
         } else {
             return newton;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/batches/face_batches.h"
 #include "core/bending/coupled_bending.h"
 #include "core/threads.h"
@@ -23,13 +25,13 @@ class CoupledBatches {
   private:
     /// Four hinges.
     struct alignas(sizeof(Lanes)) Hinges {
-        Lanes start[2];  ///< cos and sin of the angle from which changes are measured
+        std::array<Lanes, 2> start;  ///< cos and sin of the angle from which changes are measured
         std::array<LaneIndices, 4> vertices;
     };
     /// Four faces.
     struct alignas(sizeof(Lanes)) Faces {
         /// Twice the energy is the square of the angles at the sides with it, N m: 00, 11, 22, 01, 02, 12.
-        Lanes rigidity[6];
+        std::array<Lanes, 6> rigidity;
         std::array<LaneIndices, 3> tangents;  ///< numbers of these angles
     };
     /// The rows of a sparse matrix.

@@ -15,7 +15,6 @@ constexpr Index batches_at_once = 64, vertices_at_once = 1024;
 ElasticGradient::ElasticGradient(const Shell& shell, ShellEnergies& energies,
                                  const ShellEnergyOptions& options, const Threads& threads)
     : shell(shell),
-      energies(energies),
       threads(threads),
       cubic(cubic_hinges(energies.of_bending())),
       of_membrane(options.membrane == MembraneModel::constant_strain) {

@@ -33,7 +33,6 @@ class ElasticGradient {
     void find_coupled(const Positions& x);
 
     const Shell& shell;
-    ShellEnergies& energies;
     const Threads& threads;
     const CoupledBending* coupled = nullptr;         ///< in batches; null: is not
     const std::vector<CubicHinge>* cubic = nullptr;  ///< the same

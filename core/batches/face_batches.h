@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/batches/corner_sums.h"
@@ -33,8 +34,9 @@ class FaceBatches {
 
   private:
     struct alignas(sizeof(Lanes)) Batch {
-        Lanes derivatives[2][2];  ///< of the second and the third corner, see MembraneTriangle
-        Lanes stiffness[6];       ///< area times elasticity, J: 00, 11, 22, 01, 02, 12
+        std::array<std::array<Lanes, 2>, 2>
+            derivatives;                 ///< of the second and the third corner, see MembraneTriangle
+        std::array<Lanes, 6> stiffness;  ///< area times elasticity, J: 00, 11, 22, 01, 02, 12
         std::array<LaneIndices, 3> vertices;
         Index place;  ///< of the first corner
     };

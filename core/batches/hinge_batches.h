@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/batches/corner_sums.h"
@@ -22,8 +23,8 @@ class HingeBatches {
 
   private:
     struct alignas(sizeof(Lanes)) Batch {
-        Lanes quadratic[6];  ///< N/m, of all vertices but the first: 00, 11, 22, 01, 02, 12
-        Lanes cubic;         ///< N/m^2
+        std::array<Lanes, 6> quadratic;  ///< N/m, of all vertices but the first: 00, 11, 22, 01, 02, 12
+        Lanes cubic;                     ///< N/m^2
         std::array<LaneIndices, 4> vertices;
         Index place;  ///< of the first vertex
     };
