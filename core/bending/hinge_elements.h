@@ -59,7 +59,6 @@ class HingeEnergy : public ElementEnergy<Hinges> {
         this->elements.follow(change);
     }
     double round_off() const override { return this->elements.round_off(); }
-    const Hinges& all() const { return this->elements; }
 };
 
 }  // namespace sherd
