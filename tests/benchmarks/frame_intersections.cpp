@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // frame_intersections RUN.h5...: of each recording a row of a table, what passes through what in all its
-// frames. What crosses in the first one, and its neighbours, may go on to do so.
+// frames. What crosses or touches in a point in the first one, and its neighbours, may go on to do so.
 #include "tests/support/frame_intersections.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "app/recording/recording.h"
 
 namespace sherd {
 namespace {
 
-/// Pairs of vertices of faces that cross in the first frame, by their numbers at rest.
+/// Pairs of vertices of faces that cross in the first frame, by their numbers at rest, and of vertices that
+/// lie on each other in it: contact knows of no distance that those have to keep.
 class CrossingStart {
   public:
     explicit CrossingStart(const Snapshot& first) {
+        add_touching(first);
         for (const auto& pair : test::frame_intersections(first).passing)
             for (const Index p : first.faces[pair[0]])
                 for (const Index q : first.faces[pair[1]])
@@ -33,6 +37,18 @@ class CrossingStart {
     }
 
   private:
+    void add_touching(const Snapshot& first) {
+        const Positions& x = first.position;
+        const double reach = 1e-9 * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+        std::vector<Eigen::Index> along(x.cols());
+        std::iota(along.begin(), along.end(), 0);
+        std::ranges::sort(along, {}, [&](Eigen::Index v) { return x(0, v); });
+        for (std::size_t i = 0; i < along.size(); ++i)
+            for (std::size_t j = i + 1; j < along.size() && x(0, along[j]) - x(0, along[i]) <= reach; ++j)
+                if ((x.col(along[j]) - x.col(along[i])).norm() <= reach)
+                    together.insert(ordered(first.original[along[i]], first.original[along[j]]));
+    }
+
     static std::pair<Index, Index> ordered(Index a, Index b) { return std::minmax(a, b); }
     std::set<std::pair<Index, Index>> together;
 };
