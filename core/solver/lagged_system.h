@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/solver/hessian_patch.h"
 #include "core/solver/newton_system.h"
-#include "core/solver/patch.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
@@ -52,7 +52,7 @@ class LaggedSystem {
     std::vector<Matrix3d> in_factor;     ///< [V] N/m, contact's part of them
     std::vector<Matrix3d> in_patch;      ///< [V] N/m, the same with what the patch has
     VertexGraph graph;                   ///< of the shell as it is; empty: not made yet
-    Patch patch;
+    HessianPatch patch;
 };
 
 }  // namespace sherd

@@ -108,6 +108,21 @@ def not_apart(top):
             if any(pathlib.PurePath(other).is_relative_to(forbidden) for forbidden in apart)]
 
 
+def types_of_one_name(top):
+    """One line for each type of a header that another header defines, too: the linker takes one of the two for both."""
+    defined, found = {}, []
+    for file in sources(top):
+        if file.suffix != ".h":
+            continue
+        text = (top / file).read_text()
+        inside = re.search(r"^namespace ([\w:]+) {", text, re.MULTILINE)
+        for name in re.findall(r"^(?:struct|class) (\w+)[^;{]*{", text, re.MULTILINE):
+            other = defined.setdefault((inside and inside.group(1), name), file)
+            if other != file:
+                found.append(f"{file}: {name} is a type of {other}, too")
+    return found
+
+
 def violations(top):
     """One line for each rule broken below the folder `top`."""
     found = []
@@ -123,7 +138,7 @@ def violations(top):
         found.extend(circles(included_by(top, floor, room_of)))
     for folder in FILES_WITHOUT_CIRCLES:
         found.extend(circles(included_by(top, folder, stem_of)))
-    return found + not_apart(top)
+    return found + types_of_one_name(top) + not_apart(top)
 
 
 class House(unittest.TestCase):
@@ -179,6 +194,12 @@ class House(unittest.TestCase):
 
     def test_includes_are_written_from_the_top_folder(self):
         self.assertEqual(len(self.found_in(core__b='#include "a.h"')), 1)
+
+    def test_types_of_one_name_are_found(self):
+        one = "namespace sherd {\nclass A {\n};\n}"
+        self.assertEqual(self.found_in(core__b=one, meshops__b="namespace sherd {\nclass A;\n}"), [])
+        self.assertEqual(self.found_in(core__b=one, meshops__b="namespace sherd::test {\nstruct A {\n};\n}"), [])
+        self.assertEqual(len(self.found_in(core__b=one, meshops__b="namespace sherd {\nstruct A : B {\n};\n}")), 1)
 
     def test_long_and_unlicensed_files_are_found(self):
         self.assertEqual(len(self.found_in(core__b="\n" * MOST_LINES)), 1)

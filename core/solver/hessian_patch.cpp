@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/solver/patch.h"
+#include "core/solver/hessian_patch.h"
 
 namespace sherd {
 
-bool Patch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
-                  const std::vector<char>& inside) {
+bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
+                         const std::vector<char>& inside) {
     const Shell& shell = potential.of_shell();
     std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
     std::erase_if(pairs, [&](const auto& pair) { return !inside[pair.first] && !inside[pair.second]; });
@@ -37,7 +37,7 @@ bool Patch::build(const Potential& potential, const VertexGraph& graph, const Po
     return false;
 }
 
-Positions Patch::solve(const Positions& right_side) const {
+Positions HessianPatch::solve(const Positions& right_side) const {
     VectorXd own(3 * inner.size());
     for (std::size_t i = 0; i < inner.size(); ++i)
         own.segment<3>(static_cast<Eigen::Index>(3 * i)) = right_side.col(inner[i]);
@@ -48,7 +48,7 @@ Positions Patch::solve(const Positions& right_side) const {
     return motion;
 }
 
-Positions Patch::residual(Positions right_side, const Positions& motion) const {
+Positions HessianPatch::residual(Positions right_side, const Positions& motion) const {
     const Positions product = matrix->times(motion(Eigen::all, vertices));
     for (std::size_t i = 0; i < vertices.size(); ++i)
         right_side.col(vertices[i]) -= product.col(static_cast<Eigen::Index>(i));

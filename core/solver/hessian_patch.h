@@ -12,7 +12,7 @@
 namespace sherd {
 
 /// Part of a shell whose own equations are solved with the Hessian as it is, the vertices around it held.
-class Patch {
+class HessianPatch {
   public:
     /// graph: of all blocks but those of contacts. inside: [V] flags. Returns false if the part's matrix,
     /// even the convex one, is not positive definite.
