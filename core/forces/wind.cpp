@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sherd {
 namespace {
@@ -29,6 +30,15 @@ Vector3d Wind::at(const Vector3d& place, double time) const {
     return ramp > 0 ? std::clamp(time / ramp, 0.0, 1.0) * sum : sum;
 }
 
+Positions WindEnergy::air_at_corners(const Wind& wind, double time) const {
+    Positions air(3, shell.position.cols());
+    std::vector<char> known(shell.position.cols(), 0);
+    for (const Index triangle : wind.triangles)
+        for (const Index v : shell.triangles[triangle].vertices)
+            if (!std::exchange(known[v], 1)) air.col(v) = wind.at(shell.position.col(v), time);
+    return air;
+}
+
 void WindEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
     for (Wind& wind : winds) follow_faces(change, wind.triangles);
     begin(step);
@@ -36,18 +46,19 @@ void WindEnergy::topology_changed(const ShellChange& change, const StepContext& 
 
 void WindEnergy::begin(const StepContext& step) {
     elements.corners.clear();
-    for (const Wind& wind : winds)
+    for (const Wind& wind : winds) {
+        const Positions at_corners = air_at_corners(wind, step.end());
         for (const Index triangle : wind.triangles) {
             const std::array<Index, 3>& vertices = shell.triangles[triangle].vertices;
             const TrianglePositions x = columns(shell.position, vertices),
                                     v = columns(shell.velocity, vertices),
-                                    origin = columns(step.origin, vertices);
-            TrianglePositions air;
-            for (int i = 0; i < 3; ++i) air.col(i) = wind.at(x.col(i), step.end());
+                                    origin = columns(step.origin, vertices),
+                                    air = columns(at_corners, vertices);
             const Matrix3d stiffness = resistance(wind, x, (air - v).rowwise().mean()) / (3 * step.lag);
             for (int i = 0; i < 3; ++i)
                 elements.corners.push_back({vertices[i], origin.col(i) + step.lag * air.col(i), stiffness});
         }
+    }
 }
 
 }  // namespace sherd

@@ -86,6 +86,9 @@ class WindEnergy : public ElementEnergy<WindCorners> {
     }
 
   private:
+    /// Velocity of the air, m/s, [3, V], at the corners of a wind's triangles.
+    Positions air_at_corners(const Wind& wind, double time) const;
+
     const Shell& shell;
     std::vector<Wind> winds;
 };

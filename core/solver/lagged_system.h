@@ -21,8 +21,8 @@ class LaggedSystem {
     bool has_factor() const { return !sources.empty(); }
     /// Iterations that take as long as a factorization. forces: what an iteration takes beside the solution,
     /// in entries of a factor that take as long.
-    double iterations_per_factorization(double forces) const {
-        return system.iterations_per_factorization(forces);
+    double iterations_per_factorization(double hessian, double forces) const {
+        return system.iterations_per_factorization(hessian, forces);
     }
     /// Looks at how vertices have turned at x, and drops the patch.
     void turn(const Potential& potential, const Positions& x);

@@ -36,9 +36,9 @@ class NewtonSystem {
     const BlockMatrix& hessian() const { return *matrix; }  ///< that was factored last
     /// Iterations of a solution each that take as long as a factorization. forces: what an iteration takes
     /// beside the solution, in entries of a factor that take as long.
-    double iterations_per_factorization(double forces) const {
+    double iterations_per_factorization(double hessian, double forces) const {
         const FactorCost cost = solver->cost();
-        return cost.factorization / (cost.solution + forces);
+        return (cost.factorization + hessian) / (cost.solution + forces);
     }
     /// The pattern, and what is remembered of earlier matrices; factors are made of each matrix anew.
     void visit_state(StateVisitor& visit);

@@ -23,14 +23,24 @@ constexpr int enough_trials = 4;
 /// Iterations that a search takes with a new factor; and how often those that a factorization costs are spent
 /// in one search before it gets a new one, whatever its rate.
 constexpr double typical_with_new_factor = 2, most_with_a_factor = 6;
+/// The first corrections with a factor do not tell their rate yet, unless one is far too long: the slope
+/// rises before this share of it.
+constexpr int first_corrections = 3;
+constexpr double far_too_long = 0.5;
+/// When the second correction of a new factor is, each gets a new one until they fall to this share of the
+/// one before: the Hessian changes as fast as the sheet moves.
+constexpr double falls_fast = 0.2;
+/// When the first correction of an old one is, that many searches at most begin with a new one.
+constexpr int most_anew = 16;
 /// Rates at which corrections fall are taken to be no faster than they were, and until two are known of the
 /// same system as slow as this: a system that is too stiff makes small corrections.
 constexpr double slowest_rate = 0.99;
 /// Share of the tolerance that may be left of the way. The last correction of Newton's method is the square
 /// of the one before, and what is left after it far smaller; energy balances show it.
 constexpr double may_be_left = 0.1;
-/// Forces and all else of an iteration, in entries of a factor for each vertex that take as long.
-constexpr double entries_of_forces = 1000;
+/// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
+/// long.
+constexpr double entries_of_forces = 1000, entries_of_hessian = 5000;
 
 }  // namespace
 
@@ -39,15 +49,17 @@ void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, 
 }
 
 double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
-    return system.iterations_per_factorization(entries_of_forces *
-                                               static_cast<double>(potential.of_shell().mass.size()));
+    const auto vertices = static_cast<double>(potential.of_shell().mass.size());
+    return system.iterations_per_factorization(entries_of_hessian * vertices, entries_of_forces * vertices);
 }
 
 bool QuasiNewton::is_slow(const Potential& potential, const Search& search) const {
     if (search.exact) return false;
+    if (search.each_anew) return true;
     const double affordable = iterations_per_factorization(potential);
     if (search.total > most_with_a_factor * (affordable + 1)) return true;
-    if (search.last <= tolerance || search.rate <= 0 || search.iterations < 3) return false;
+    if (search.last <= tolerance || search.rate <= 0) return false;
+    if (search.iterations < first_corrections && !search.too_long) return false;
     const double ahead = std::log(search.last / tolerance) / -std::log(std::min(search.rate, slowest_rate));
     return ahead > affordable + typical_with_new_factor;
 }
@@ -111,32 +123,63 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
     search.updates.add(near * direction, gradient - search.gradient);
     x += near * direction;
     search.gradient = std::move(gradient);
-    if (near < 1) search.last = 0;
+    search.too_long = near < far_too_long * whole;
+    if (search.too_long)
+        search.rate = std::max(search.rate, 1 - near / whole);
+    else if (near < 1)
+        search.last = 0;
     search.exact = false;
     return true;
+}
+
+void QuasiNewton::begin(const Potential& potential, const Positions& x, Search& search) {
+    search.gradient = potential.gradient(x);
+    search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
+    search.begins_anew = !system.has_factor() || anew > 0 || spent >= iterations_per_factorization(potential);
+    if (anew > 0) --anew;
+    if (search.begins_anew)
+        factorize(potential, x, search);
+    else
+        system.turn(potential, x);
+}
+
+void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& search) {
+    if (search.exact) return;
+    const LaggedSystem::Fit fit = system.fit(potential, x);
+    if (fit == LaggedSystem::Fit::needs_factor) factorize(potential, x, search);
+    if (fit == LaggedSystem::Fit::patched) {
+        search.updates.clear();
+        search.last = 0;
+        search.iterations = 0;
+        search.too_long = false;  // it was because of a contact
+    }
+    if (!is_slow(potential, search)) return;
+    if (!search.begins_anew && search.total == 1) anew = anew_next = std::min(2 * anew_next, most_anew);
+    factorize(potential, x, search);
+}
+
+void QuasiNewton::end(const Search& search) {
+    fewest = fewest == 0 ? search.iterations : std::min(fewest, search.iterations);
+    spent += search.iterations - fewest;
+    if (!search.begins_anew && anew == 0) anew_next = 1;
+}
+
+void QuasiNewton::Search::judge_factor(bool was_exact, double correction) {
+    if (was_exact) {
+        if (correction < falls_fast * last_exact) each_anew = false;
+        last_exact = correction;
+    } else if (total == 2 && too_long) {
+        each_anew = true;
+    }
 }
 
 MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, Positions& x) {
     MinimiserResult result;
     Search search;
-    search.gradient = potential.gradient(x);
-    search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
-    if (!system.has_factor() || spent >= iterations_per_factorization(potential))
-        factorize(potential, x, search);
-    else
-        system.turn(potential, x);
+    begin(potential, x, search);
     const int limit = max_iterations * per_newton_iteration;
     while (result.iterations < limit) {
-        if (is_slow(potential, search)) factorize(potential, x, search);
-        if (!search.exact) {
-            const LaggedSystem::Fit fit = system.fit(potential, x);
-            if (fit == LaggedSystem::Fit::needs_factor) factorize(potential, x, search);
-            if (fit == LaggedSystem::Fit::patched) {
-                search.updates.clear();
-                search.last = 0;
-                search.iterations = 0;
-            }
-        }
+        refit(potential, x, search);
         double slope = 0;
         Positions direction = correction(potential, x, search, slope);
         ++result.iterations;
@@ -149,23 +192,21 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         const bool was_exact = search.exact;
         if (slope < 0 && advance(potential, direction, slope, x, search)) {
             if (result.converged) break;
+            search.judge_factor(was_exact, result.correction);
         } else if (result.converged || was_exact) {
             break;
         } else {
             factorize(potential, x, search);
         }
     }
-    if (result.converged) {
-        fewest = fewest == 0 ? search.iterations : std::min(fewest, search.iterations);
-        spent += search.iterations - fewest;
-    }
+    if (result.converged) end(search);
     result.limited = result.iterations >= limit && !result.converged;
     return result;
 }
 
 void QuasiNewton::visit_state(StateVisitor& visit) {
-    auto& [tolerance, system, fewest, spent] = *this;
-    visit(system, fewest, spent);
+    auto& [tolerance, system, fewest, spent, anew, anew_next] = *this;
+    visit(system, fewest, spent, anew, anew_next);
 }
 
 }  // namespace sherd

@@ -23,16 +23,26 @@ class QuasiNewton : public Minimiser {
   private:
     /// The state of one minimisation.
     struct Search {
-        Positions gradient;       ///< N, at x
-        UpdateMemory updates{8};  ///< since the last factorization of this search
-        double round_off = 0;     ///< J, of the potential
-        double last = 0;          ///< m, largest coordinate of the last correction; 0: of another factor
-        double rate = 0;          ///< at which corrections have fallen
-        int iterations = 0;       ///< with the present factor and patch
-        int total = 0;            ///< with the present factor
-        bool exact = false;       ///< whether the factor is of x
+        Positions gradient;        ///< N, at x
+        UpdateMemory updates{8};   ///< since the last factorization of this search
+        double round_off = 0;      ///< J, of the potential
+        double last = 0;           ///< m, largest coordinate of the last correction; 0: of another factor
+        double rate = 0;           ///< at which corrections have fallen
+        int iterations = 0;        ///< with the present factor and patch
+        int total = 0;             ///< with the present factor
+        double last_exact = 0;     ///< m, largest coordinate of the last correction of a new factor
+        bool exact = false;        ///< whether the factor is of x
+        bool too_long = false;     ///< whether the last correction was, and not because of a contact
+        bool begins_anew = false;  ///< whether the first factor was made for this search
+        bool each_anew = false;    ///< whether each correction gets a new factor, as in Newton's method
+
+        /// What a correction that was made says of how long factors last.
+        void judge_factor(bool was_exact, double correction);
     };
 
+    void begin(const Potential& potential, const Positions& x, Search& search);
+    /// Patches the factor where contacts have changed, or factors anew where that is likely to be cheaper.
+    void refit(const Potential& potential, const Positions& x, Search& search);
     /// Whether a factorization is likely to cost less than the iterations ahead.
     bool is_slow(const Potential& potential, const Search& search) const;
     void factorize(const Potential& potential, const Positions& x, Search& search);
@@ -44,13 +54,15 @@ class QuasiNewton : public Minimiser {
     /// Moves x along the correction as far as the slope falls. Returns whether it moved.
     bool advance(const Potential& potential, const Positions& direction, double slope, Positions& x,
                  Search& search);
+    void end(const Search& search);
     /// Iterations that take as long as a factorization.
     double iterations_per_factorization(const Potential& potential) const;
 
     double tolerance;
     LaggedSystem system;
-    int fewest = 0;    ///< iterations of a search with the present factor; 0: there was none
-    double spent = 0;  ///< iterations beyond those, since the factorization
+    int fewest = 0;               ///< iterations of a search with the present factor; 0: there was none
+    double spent = 0;             ///< iterations beyond those, since the factorization
+    int anew = 0, anew_next = 1;  ///< searches that begin with a new factor, and half as many the next time
 };
 
 }  // namespace sherd

@@ -83,14 +83,15 @@ TEST(Race, IsOfTheSameLapsForAll) {
     EXPECT_GT((results[0].end.position - results[2].end.position).cwiseAbs().maxCoeff(), 0);
 }
 
-// A race from a state is one that goes on, but for what is not in positions and velocities.
+// A race from a state is one that goes on, but for what is not in positions and velocities: it begins with
+// another factor, and ends elsewhere within the tolerance.
 TEST(Race, BeginsWhereItIsTold) {
     const Scene scene = small_plate({});
     MeasuredRun before(scene);
     before.advance_to(5e-4);
     const RaceResult later = race({scene}, {.step = 1e-4, .settling = 0, .laps = 2}, before.motion()).front();
     before.advance_to(7e-4);
-    EXPECT_LE((later.end.position - before.motion().position).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE((later.end.position - before.motion().position).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_GT((before.motion().position - before.shell().rest).cwiseAbs().maxCoeff(), 1e-4);
 }
 

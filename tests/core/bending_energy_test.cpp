@@ -57,11 +57,13 @@ Shell arch() {
     return shell;
 }
 
-/// Swings the arch under its weight for `steps` steps of 5 ms; gives the positions and counts the iterations.
+/// Swings the arch under its weight for `steps` steps of 5 ms; gives the positions and counts the iterations
+/// of Newton's method.
 Positions swung(const BendingOptions& bending, int steps, int& iterations) {
     Shell shell = arch();
     StepperOptions options;
     options.step = 5e-3;
+    options.method = Method::newton;
     options.shell.bending = bending;
     options.tolerance = 1e-11;
     ImplicitStepper time_step(shell, options);

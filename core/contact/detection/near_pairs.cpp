@@ -10,8 +10,12 @@ namespace sherd {
 namespace {
 
 /// Margins by which vertices may depart from the motion before candidates are searched again, and for pairs
-/// that are near, in half thicknesses of the thinnest sheet.
-constexpr double margin_of_candidates = 0.5, nearby = 0.1;
+/// that are near, in half thicknesses of the thinnest sheet; and how far ahead to search.
+constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
+/// Where edges are much longer than the thickness, more costs little: the share of the motion that is margin,
+/// and of an edge that this margin, and the way ahead, may be.
+constexpr double margin_of_motion = 0.5, margin_of_edge = 0.1, ahead_of_edge = 0.5;
+constexpr double most_steps = 10;
 
 /// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
 constexpr double clearance_of_springs = 1e-3;
@@ -20,9 +24,10 @@ double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
 }
 
-/// For how many steps like this one to search candidates: fewer if they lead far. motion: less its mean, m.
-double lookahead(const Positions& motion, double unit) {
-    return std::clamp(12 * unit / motion.colwise().norm().maxCoeff(), 1.0, 10.0);
+double mean_edge(const ContactSurface& surface, const Positions& x) {
+    double sum = 0;
+    for (const auto& [a, b] : surface.edges()) sum += (x.col(a) - x.col(b)).norm();
+    return sum / static_cast<double>(std::max<std::size_t>(surface.edges().size(), 1));
 }
 
 double thinnest_half(const ContactSurface& surface) {
@@ -41,11 +46,13 @@ void NearPairs::surface_changed(const ShellChange& change, ContactSurface surfac
 }
 
 void NearPairs::find(const Positions& x, const Positions& motion) const {
-    const double unit = thinnest_half(of), margin = margin_of_candidates * unit;
-    const Neighbourhood way(x, motion, margin, of.collider_vertices());
-    found = ContactCandidates(
-        of, Neighbourhood(x, lookahead(way.motion, unit) * way.motion, margin, of.collider_vertices()),
-        colliders);
+    const double unit = thinnest_half(of), edge = mean_edge(of, x);
+    const Positions way = Neighbourhood(x, motion, 0, of.collider_vertices()).motion;
+    const double length = way.colwise().norm().maxCoeff();
+    const double margin =
+        std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_edge * edge));
+    const double steps = std::clamp(std::max(ahead * unit, ahead_of_edge * edge) / length, 1.0, most_steps);
+    found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders);
 }
 
 const ContactCandidates& NearPairs::candidates(const Positions& x, const Positions& motion) const {

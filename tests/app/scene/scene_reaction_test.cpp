@@ -153,7 +153,7 @@ fracture = { strain = 0.01 }
 sheets = false
 [solver]
 step = 1e-2
-tolerance = 1e-9
+tolerance = 1e-10
 rule = ")" + rule + "\"\n");
         for (int i = 0; i < 20; ++i) {
             const auto [force, moment] = run.imbalance();
