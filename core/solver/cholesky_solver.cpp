@@ -51,7 +51,9 @@ class CholeskySolver : public LinearSolver {
         cholmod_free_factor(&factor, common());
     }
     CholeskySolver(const CholeskySolver&) = delete;
-    void analyze(const BlockMatrix& matrix) override;
+    using LinearSolver::analyze;
+    void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override;
+    std::vector<Index> order() const override { return of_vertices; }
     bool factorize(const BlockMatrix& matrix) override;
     VectorXd solve(const VectorXd& right_side) override;
     FactorCost cost() const override {
@@ -64,15 +66,17 @@ class CholeskySolver : public LinearSolver {
 
     CholmodSession session;
     Ordering ordering;
+    std::vector<Index> of_vertices;  ///< their order, unless unknowns are ordered
     cholmod_factor* factor = nullptr;
     cholmod_dense *solution = nullptr, *work1 = nullptr, *work2 = nullptr;
 };
 
-void CholeskySolver::analyze(const BlockMatrix& matrix) {
+void CholeskySolver::analyze(const BlockMatrix& matrix, const std::vector<Index>& order_of_vertices) {
     cholmod_sparse sparse = view(matrix);
     cholmod_free_factor(&factor, common());
     if (ordering == Ordering::vertices) {
-        std::vector<Index> order = of_unknowns(elimination_order(matrix));
+        of_vertices = order_of_vertices.empty() ? elimination_order(matrix) : order_of_vertices;
+        std::vector<Index> order = of_unknowns(of_vertices);
         common()->method[0].ordering = CHOLMOD_GIVEN;
         factor = cholmod_analyze_p(&sparse, order.data(), nullptr, 0, common());
     } else {

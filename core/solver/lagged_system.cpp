@@ -111,6 +111,7 @@ Positions LaggedSystem::solve(const Potential& potential, const Positions& right
 
 void LaggedSystem::topology_changed(const ShellChange& change) {
     outdated = true;
+    system.follow(change);
     patch.clear();
     graph = {};
     if (change.remeshes()) sources.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/block_matrix.h"
 
@@ -17,8 +18,12 @@ struct FactorCost {
 /// threads.
 struct LinearSolver {
     virtual ~LinearSolver() = default;
-    /// Prepares for matrices of this pattern. Throws std::runtime_error when out of memory.
-    virtual void analyze(const BlockMatrix& matrix) = 0;
+    /// Prepares for matrices of this pattern. order: in which the vertices are eliminated, [V]; empty: one is
+    /// looked for in which the factor stays sparse. Throws std::runtime_error when out of memory.
+    virtual void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) = 0;
+    void analyze(const BlockMatrix& matrix) { analyze(matrix, {}); }
+    /// The order of the last analysis, [V].
+    virtual std::vector<Index> order() const = 0;
     /// Factors a matrix of the analyzed pattern. Returns false when the solver cannot: it is singular, or the
     /// solver wants it positive definite and it is not.
     virtual bool factorize(const BlockMatrix& matrix) = 0;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/solver/supernodes.h"
+
 namespace sherd {
 namespace {
 
@@ -17,6 +19,8 @@ constexpr int longest_wait = 16;
 /// A pattern is made anew when fewer than this share of the contacts are left that it was made with, and they
 /// were more than this share of its rows.
 constexpr double few_left = 0.5, many_pairs = 0.02;
+/// What a factorization in an order that is kept may cost, times what it did when it was looked for.
+constexpr double most_growth = 1.1;
 
 }  // namespace
 
@@ -24,10 +28,31 @@ void NewtonSystem::analyze(const Potential& potential, const Positions& x) {
     matrix = potential.hessian_pattern(x);
     contact_pairs = potential.contacts(x).size();
     const Stopwatch watch(potential.time_spent(), Task::analysis);
-    solver->analyze(*matrix);
+    if (thrift == Thrift::remembers && cost_of_own > 0 && keeps_order()) return;
+    parents.clear();
+    order.clear();
+    solver->analyze(*matrix, order);
+    cost_of_own = solver->cost().factorization;
 }
 
-void NewtonSystem::topology_changed(const ShellChange&, const Potential& potential, const Positions& x) {
+bool NewtonSystem::keeps_order() {
+    std::vector<Index> kept = with_children(solver->order(), parents);
+    if (static_cast<int>(kept.size()) != matrix->size() / 3) return false;
+    solver->analyze(*matrix, kept);
+    if (solver->cost().factorization > most_growth * cost_of_own) return false;
+    order = std::move(kept);
+    parents.clear();
+    return true;
+}
+
+void NewtonSystem::follow(const ShellChange& change) {
+    for (const Heir& heir : change.vertices)
+        parents.push_back(heir.parents.empty() ? 0 : heir.parents.front().element);
+}
+
+void NewtonSystem::topology_changed(const ShellChange& change, const Potential& potential,
+                                    const Positions& x) {
+    follow(change);
     analyze(potential, x);
 }
 
@@ -89,14 +114,14 @@ Positions NewtonSystem::solve(const Potential& potential, const Positions& right
 }
 
 void NewtonSystem::visit_state(StateVisitor& visit) {
-    auto& [matrix, solver, thrift, share, tried, wait, contact_pairs] = *this;
+    auto& [matrix, solver, thrift, share, tried, wait, parents, order, cost_of_own, contact_pairs] = *this;
     bool known = matrix.has_value();
-    visit(known, share, tried, wait, contact_pairs);
+    visit(known, share, tried, wait, parents, order, cost_of_own, contact_pairs);
     if (visit.reads()) matrix.reset();
     if (!known) return;
     if (!matrix) matrix.emplace(0, std::vector<std::pair<Index, Index>>(), std::vector<char>());
     visit(*matrix);
-    if (visit.reads()) solver->analyze(*matrix);
+    if (visit.reads()) solver->analyze(*matrix, order);
 }
 
 void NewtonSystem::visit_factor(StateVisitor& visit) {

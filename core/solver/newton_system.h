@@ -25,6 +25,8 @@ class NewtonSystem {
   public:
     explicit NewtonSystem(std::unique_ptr<LinearSolver> solver, Thrift thrift = Thrift::remembers)
         : solver(std::move(solver)), thrift(thrift) {}
+    /// Keeps in mind which vertices were born: the pattern must be made anew before the next factorization.
+    void follow(const ShellChange& change);
     /// Makes the pattern anew, for Hessians near x, after vertices were split or hinges removed.
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
     /// Factors the Hessian at x. If it is not positive definite, it is blended with its convex approximation,
@@ -47,6 +49,9 @@ class NewtonSystem {
 
   private:
     void analyze(const Potential& potential, const Positions& x);
+    /// Keeps the order of elimination, with the vertices born since; false if the factor would be much
+    /// larger.
+    bool keeps_order();
     /// Makes the pattern anew where blocks lack, or most of those of contacts are dead.
     void fit_pattern(const Potential& potential, const Positions& x);
     /// Factors the Hessian with this number of a share of the convex one. Returns whether that is definite.
@@ -58,6 +63,9 @@ class NewtonSystem {
     Thrift thrift;
     int share = 0;                  ///< number of the share of the convex matrix that did last
     int tried = 0, wait = 1;        ///< matrices since it changed, and after how many a lower one is tried
+    std::vector<Index> parents;     ///< of the vertices born since the last analysis
+    std::vector<Index> order;       ///< that was given for the last analysis; empty: none
+    double cost_of_own = 0;         ///< of a factorization in the last order that was looked for
     std::size_t contact_pairs = 0;  ///< pairs of vertices that were in contact when the pattern was made
 };
 

@@ -9,11 +9,13 @@ namespace {
 
 class SinglePrecisionSolver : public LinearSolver {
   public:
-    void analyze(const BlockMatrix& matrix) override {
+    using LinearSolver::analyze;
+    void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override {
         single.reset();
         exact.reset();
-        pattern = std::make_shared<const Supernodes>(supernodes(matrix));
+        pattern = std::make_shared<const Supernodes>(supernodes(matrix, order));
     }
+    std::vector<Index> order() const override { return pattern->order(); }
     bool factorize(const BlockMatrix& matrix) override {
         exact.reset();
         if (!single) single.emplace(pattern);

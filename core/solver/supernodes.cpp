@@ -32,14 +32,16 @@ cholmod_sparse graph(const BlockMatrix& matrix) {
 /// The pattern of the factor by CHOLMOD.
 class Analysis {
   public:
-    explicit Analysis(const BlockMatrix& matrix) {
+    explicit Analysis(const BlockMatrix& matrix, const std::vector<Index>& order = {}) {
         session.common.supernodal = CHOLMOD_SUPERNODAL;
         session.common.method[0].ordering =
             matrix.size() / 3 < vertices_for_nested_dissection ? CHOLMOD_AMD : CHOLMOD_METIS;
         // A supernode's columns are of three unknowns each.
         for (std::size_t& columns : session.common.nrelax) columns = (columns + 2) / 3;
         cholmod_sparse sparse = graph(matrix);
-        factor = cholmod_analyze(&sparse, &session.common);
+        if (!order.empty()) session.common.method[0].ordering = CHOLMOD_GIVEN;
+        Index* const given = order.empty() ? nullptr : const_cast<Index*>(order.data());
+        factor = cholmod_analyze_p(&sparse, given, nullptr, 0, &session.common);
         session.require(factor != nullptr, "analyze the matrix");
     }
     ~Analysis() { cholmod_free_factor(&factor, &session.common); }
@@ -79,6 +81,12 @@ void place_blocks(const BlockMatrix& matrix, Supernodes& nodes) {
 
 }  // namespace
 
+std::vector<Index> Supernodes::order() const {
+    std::vector<Index> vertex(place.size());
+    for (std::size_t v = 0; v < place.size(); ++v) vertex[place[v]] = static_cast<Index>(v);
+    return vertex;
+}
+
 double Supernodes::factor_entries() const {
     double sum = 0;
     for (Index node = 0; node < size(); ++node)
@@ -93,8 +101,8 @@ double Supernodes::operations() const {
     return sum;
 }
 
-Supernodes supernodes(const BlockMatrix& matrix) {
-    const Analysis analysis(matrix);
+Supernodes supernodes(const BlockMatrix& matrix, const std::vector<Index>& given) {
+    const Analysis analysis(matrix, given);
     const cholmod_factor& factor = analysis.pattern();
     Supernodes nodes;
     nodes.place.resize(factor.n);
@@ -115,6 +123,20 @@ std::vector<Index> elimination_order(const BlockMatrix& matrix) {
     const Analysis analysis(matrix);
     const auto order = Analysis::array<Index>(analysis.pattern().Perm, analysis.pattern().n);
     return {order.begin(), order.end()};
+}
+
+std::vector<Index> with_children(const std::vector<Index>& order, const std::vector<Index>& parents) {
+    if (order.empty()) return {};
+    std::vector<Index> next(order.size() + parents.size(), -1);
+    for (std::size_t i = 0; i + 1 < order.size(); ++i) next[order[i]] = order[i + 1];
+    auto child = static_cast<Index>(order.size());
+    for (const Index parent : parents) {
+        next[child] = next[parent];
+        next[parent] = child++;
+    }
+    std::vector<Index> all;
+    for (Index v = order.front(); v >= 0; v = next[v]) all.push_back(v);
+    return all;
 }
 
 }  // namespace sherd

@@ -28,15 +28,20 @@ struct Supernodes {
     std::span<const Index> rows(Index node) const {
         return {row.data() + start[node], start[node + 1] - start[node]};
     }
-    double factor_entries() const;  ///< numbers in the factor
-    double operations() const;      ///< additions and multiplications of a factorization
+    std::vector<Index> order() const;  ///< [V] the vertex of each row
+    double factor_entries() const;     ///< numbers in the factor
+    double operations() const;         ///< additions and multiplications of a factorization
     std::span<const Index> rows_below(Index node) const { return rows(node).subspan(columns(node)); }
 };
 
-/// Orders the vertices and finds the pattern, with CHOLMOD. Throws std::runtime_error when out of memory.
-Supernodes supernodes(const BlockMatrix& matrix);
+/// Orders the vertices, unless their order is given, and finds the pattern, with CHOLMOD. Throws
+/// std::runtime_error when out of memory.
+Supernodes supernodes(const BlockMatrix& matrix, const std::vector<Index>& order = {});
 
 /// An order of elimination of the vertices of a matrix in which its factor stays sparse, [V].
 std::vector<Index> elimination_order(const BlockMatrix& matrix);
+/// An order with further vertices, numbered from its size on, each behind its parent: what a crack doubles
+/// has a part of the neighbours that its parent had, so that an order that is good stays so.
+std::vector<Index> with_children(const std::vector<Index>& order, const std::vector<Index>& parents);
 
 }  // namespace sherd
