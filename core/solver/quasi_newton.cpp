@@ -20,6 +20,9 @@ constexpr int most_trials = 30;
 /// nearly the same, or a few trials did not find better.
 constexpr double least_end = 0.5, narrow = 0.2;
 constexpr int enough_trials = 4;
+/// Of an edge, how far a correction is followed before its slope is looked at. Contact in a motion costs the
+/// more the longer it is, and most that are longer are wrong.
+constexpr double share_of_edge = 0.1;
 /// Iterations that a search takes with a new factor; and how often those that a factorization costs are spent
 /// in one search before it gets a new one, whatever its rate.
 constexpr double typical_with_new_factor = 2, most_with_a_factor = 6;
@@ -40,12 +43,22 @@ constexpr double slowest_rate = 0.99;
 constexpr double may_be_left = 0.1;
 /// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
 /// long.
-constexpr double entries_of_forces = 1000, entries_of_hessian = 5000;
+constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
+
+double mean_edge(const Shell& shell) {
+    double sum = 0;
+    for (const TriangleStencil& triangle : shell.triangles)
+        for (int i = 0; i < 3; ++i)
+            sum += (shell.rest.col(triangle.vertices[i]) - shell.rest.col(triangle.vertices[(i + 1) % 3]))
+                       .norm();
+    return sum / std::max(1.0, 3.0 * static_cast<double>(shell.triangles.size()));
+}
 
 }  // namespace
 
 void QuasiNewton::topology_changed(const ShellChange& change, const Potential&, const Positions&) {
     system.topology_changed(change);
+    anew = 0;  // a crack leaves the sheet where it is
 }
 
 double QuasiNewton::iterations_per_factorization(const Potential& potential) const {
@@ -55,7 +68,6 @@ double QuasiNewton::iterations_per_factorization(const Potential& potential) con
 
 bool QuasiNewton::is_slow(const Potential& potential, const Search& search) const {
     if (search.exact) return false;
-    if (search.each_anew) return true;
     const double affordable = iterations_per_factorization(potential);
     if (search.total > most_with_a_factor * (affordable + 1)) return true;
     if (search.last <= tolerance || search.rate <= 0) return false;
@@ -70,6 +82,7 @@ void QuasiNewton::factorize(const Potential& potential, const Positions& x, Sear
     search.iterations = search.total = 0;
     search.last = 0;
     search.exact = true;
+    search.is_old = false;
     fewest = 0;
     spent = 0;
 }
@@ -98,7 +111,8 @@ double QuasiNewton::left(const Positions& direction, Search& search) {
 
 bool QuasiNewton::advance(const Potential& potential, const Positions& direction, double slope, Positions& x,
                           Search& search) {
-    const double whole = potential.safe_fraction(x, direction);
+    double limit = std::min(1.0, search.short_way / direction.cwiseAbs().maxCoeff());
+    double whole = limit * potential.safe_fraction(x, limit * direction);
     double scale = whole, near = 0, far = 0, slope_near = slope, slope_far = 0;
     Positions gradient;  // at near
     for (int trial = 0; trial < most_trials && scale > 0; ++trial) {
@@ -112,6 +126,11 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
             near = scale;
             slope_near = end;
             gradient = std::move(there);
+            if (far == 0 && limit < 1 && whole == limit && end < least_end * slope) {
+                limit = 1;
+                scale = whole = std::max(near, potential.safe_fraction(x, direction));
+                continue;
+            }
             // A contact that begins on the way is to be met, not approached in ever smaller steps.
             if (far == 0 || end > least_end * slope || far - near < narrow * near || trial > enough_trials)
                 break;
@@ -123,9 +142,10 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
     search.updates.add(near * direction, gradient - search.gradient);
     x += near * direction;
     search.gradient = std::move(gradient);
-    search.too_long = near < far_too_long * whole;
+    const double wanted = whole < limit ? whole : 1;
+    search.too_long = near < far_too_long * wanted;
     if (search.too_long)
-        search.rate = std::max(search.rate, 1 - near / whole);
+        search.rate = std::max(search.rate, 1 - near / wanted);
     else if (near < 1)
         search.last = 0;
     search.exact = false;
@@ -134,17 +154,19 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
 
 void QuasiNewton::begin(const Potential& potential, const Positions& x, Search& search) {
     search.gradient = potential.gradient(x);
+    search.short_way = share_of_edge * mean_edge(potential.of_shell());
     search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
-    search.begins_anew = !system.has_factor() || anew > 0 || spent >= iterations_per_factorization(potential);
+    search.is_old = system.has_factor() && anew == 0 && spent < iterations_per_factorization(potential);
     if (anew > 0) --anew;
-    if (search.begins_anew)
-        factorize(potential, x, search);
-    else
+    if (search.is_old)
         system.turn(potential, x);
+    else
+        factorize(potential, x, search);
 }
 
 void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& search) {
     if (search.exact) return;
+    if (search.each_anew) return factorize(potential, x, search);
     const LaggedSystem::Fit fit = system.fit(potential, x);
     if (fit == LaggedSystem::Fit::needs_factor) factorize(potential, x, search);
     if (fit == LaggedSystem::Fit::patched) {
@@ -154,23 +176,21 @@ void QuasiNewton::refit(const Potential& potential, const Positions& x, Search& 
         search.too_long = false;  // it was because of a contact
     }
     if (!is_slow(potential, search)) return;
-    if (!search.begins_anew && search.total == 1) anew = anew_next = std::min(2 * anew_next, most_anew);
+    search.each_anew = !search.is_old && search.too_long && search.total == 2;
+    if (search.is_old && search.too_long && search.total == 1)
+        anew = anew_next = std::min(2 * anew_next, most_anew);
     factorize(potential, x, search);
 }
 
 void QuasiNewton::end(const Search& search) {
     fewest = fewest == 0 ? search.iterations : std::min(fewest, search.iterations);
     spent += search.iterations - fewest;
-    if (!search.begins_anew && anew == 0) anew_next = 1;
+    if (search.is_old) anew_next = 1;
 }
 
-void QuasiNewton::Search::judge_factor(bool was_exact, double correction) {
-    if (was_exact) {
-        if (correction < falls_fast * last_exact) each_anew = false;
-        last_exact = correction;
-    } else if (total == 2 && too_long) {
-        each_anew = true;
-    }
+void QuasiNewton::Search::judge_factor(double correction) {
+    if (correction < falls_fast * last_exact) each_anew = false;
+    last_exact = correction;
 }
 
 MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, Positions& x) {
@@ -192,7 +212,7 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         const bool was_exact = search.exact;
         if (slope < 0 && advance(potential, direction, slope, x, search)) {
             if (result.converged) break;
-            search.judge_factor(was_exact, result.correction);
+            if (was_exact) search.judge_factor(result.correction);
         } else if (result.converged || was_exact) {
             break;
         } else {

@@ -23,21 +23,22 @@ class QuasiNewton : public Minimiser {
   private:
     /// The state of one minimisation.
     struct Search {
-        Positions gradient;        ///< N, at x
-        UpdateMemory updates{8};   ///< since the last factorization of this search
-        double round_off = 0;      ///< J, of the potential
-        double last = 0;           ///< m, largest coordinate of the last correction; 0: of another factor
-        double rate = 0;           ///< at which corrections have fallen
-        int iterations = 0;        ///< with the present factor and patch
-        int total = 0;             ///< with the present factor
-        double last_exact = 0;     ///< m, largest coordinate of the last correction of a new factor
-        bool exact = false;        ///< whether the factor is of x
-        bool too_long = false;     ///< whether the last correction was, and not because of a contact
-        bool begins_anew = false;  ///< whether the first factor was made for this search
-        bool each_anew = false;    ///< whether each correction gets a new factor, as in Newton's method
+        Positions gradient;       ///< N, at x
+        UpdateMemory updates{8};  ///< since the last factorization of this search
+        double short_way = 0;     ///< m, see share_of_edge
+        double round_off = 0;     ///< J, of the potential
+        double last = 0;          ///< m, largest coordinate of the last correction; 0: of another factor
+        double rate = 0;          ///< at which corrections have fallen
+        int iterations = 0;       ///< with the present factor and patch
+        int total = 0;            ///< with the present factor
+        double last_exact = 0;    ///< m, largest coordinate of the last correction of a new factor
+        bool exact = false;       ///< whether the factor is of x
+        bool too_long = false;    ///< whether the last correction was, and not because of a contact
+        bool is_old = false;      ///< whether the factor was made for another search
+        bool each_anew = false;   ///< whether each correction gets a new factor, as in Newton's method
 
-        /// What a correction that was made says of how long factors last.
-        void judge_factor(bool was_exact, double correction);
+        /// What a correction with a factor of x says of how long factors last.
+        void judge_factor(double correction);
     };
 
     void begin(const Potential& potential, const Positions& x, Search& search);
