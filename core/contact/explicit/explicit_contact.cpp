@@ -42,12 +42,11 @@ void ExplicitContact::shell_changed(const ShellChange& change) {
     if (sheets) sheets->surface_changed(change);
 }
 
-ContactForces ExplicitContact::forces(const Substep& at_end) {
-    ContactForces sum(at_end.position.cols(), options.obstacles.size());
+void ExplicitContact::find_forces(const Substep& at_end, ContactForces& sum) {
+    sum.clear(at_end.position.cols(), options.obstacles.size());
     add_obstacles(at_end, sum);
     bodies.add_forces(at_end, before, now, sum);
     if (sheets) add_sheets(at_end, sum);
-    return sum;
 }
 
 void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) const {

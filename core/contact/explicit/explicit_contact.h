@@ -25,8 +25,8 @@ class ExplicitContact {
     /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
     void place(double before, double time);
     void shell_changed(const ShellChange& change);
-    /// Forces at the end of a substep, where the obstacles are.
-    ContactForces forces(const Substep& substep);
+    /// Finds the forces at the end of a substep, where the obstacles are.
+    void find_forces(const Substep& substep, ContactForces& forces);
     /// Stored in all contacts with the shell at x, J.
     double stored_energy(const Positions& x) const;
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
