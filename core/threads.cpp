@@ -2,6 +2,7 @@
 #include "core/threads.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -12,7 +13,7 @@ struct Threads::Arena {
 };
 
 Threads::Threads(int count)
-    : number(std::max(1, count)),
+    : number(std::clamp(count, 1, tbb::info::default_concurrency())),
       arena(number > 1 ? std::make_unique<Arena>(Arena{tbb::task_arena(number)}) : nullptr) {}
 
 Threads::~Threads() = default;

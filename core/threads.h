@@ -13,7 +13,7 @@ namespace sherd {
 /// that what each of them writes for itself has the same bits with any number.
 class Threads {
   public:
-    /// count: at most, this thread among them; at least 1.
+    /// count: at most, this thread among them, but no more than the processor runs at once.
     explicit Threads(int count = 1);
     ~Threads();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bending/hinge_curvature.h"
+#include "core/elements/hinge_angles.h"
 #include "core/shell/face_fields.h"
 
 namespace sherd {
@@ -24,9 +25,9 @@ std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hi
     return sides;
 }
 
-/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of unit normal n.
+/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of normal n.
 Vector3d across(const Vector2d& n) {
-    return {n.x() * n.x(), n.y() * n.y(), n.x() * n.y()};
+    return Vector3d(n.x() * n.x(), n.y() * n.y(), n.x() * n.y()) / n.squaredNorm();
 }
 
 }  // namespace
@@ -34,8 +35,9 @@ Vector3d across(const Vector2d& n) {
 VectorXd hinge_strains(const BreakableShell& shell, const Positions& x) {
     const std::vector<HingeStencil>& hinges = shell.mechanics().hinges;
     VectorXd strains(hinges.size());
-    for (std::size_t i = 0; i < hinges.size(); ++i)
-        strains[i] = hinge_strain(hinges[i].rest, columns(x, hinges[i].vertices));
+    find_hinge_angles(
+        x, static_cast<Index>(hinges.size()), [&](Index i) { return hinges[i].vertices; },
+        [&](Index i, double angle) { strains[i] = hinge_strain(hinges[i].rest, angle); });
     return strains;
 }
 
@@ -55,6 +57,7 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& strains) {
     const Shell& mechanics = shell.mechanics();
     std::vector<std::array<TriangleEdge, 2>> sides;
+    sides.reserve(mechanics.hinges.size());
     for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(shell, i));
     const VectorXd bending = hinge_strains(shell, x);
     const Eigen::Matrix3Xd green = strains ? *strains : green_strains(mechanics, x);
@@ -69,7 +72,7 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
         double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
         for (const auto& [face, corner] : sides[i]) {
             const MembraneTriangle& membrane = mechanics.triangles[face].membrane;
-            const Vector3d part = across(side_normal(membrane, corner).normalized());
+            const Vector3d part = across(side_normal(membrane, corner));
             const Vector3d stiff = membrane.elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
             stretch += 0.5 * part.dot(green.col(face));
             bend += 0.5 * part.dot(curvature.col(face));

@@ -121,9 +121,8 @@ Json iteration_costs(const std::vector<std::string>& models, const std::vector<d
 Json explicit_costs(const std::vector<std::string>& models, bool print) {
     if (print)
         fmt::print(
-            "\n**Explicit steps** of 2e-6 s of a disc that falls on a steel nose: ms of wall time, and "
-            "million "
-            "faces times substeps a second\n\n"
+            "\n**Explicit steps** of 2e-6 s of a disc that falls on a steel nose: ms, with one thread of "
+            "processor time, with two of wall time; and million faces times substeps a second\n\n"
             "| model | faces | substeps a step | a step, one thread | two | a second, one thread | two |\n"
             "| --- | --- | --- | --- | --- | --- | --- |\n");
     Json rows = Json::array();

@@ -10,7 +10,7 @@ namespace sherd {
 struct ExplicitCost {
     std::size_t faces = 0;
     double substeps = 0;  ///< in a step
-    double step = 0;      ///< s, wall time, the least of many
+    double step = 0;      ///< s, the least of many: processor time of one thread, wall time of several
 
     /// Faces times substeps a second.
     double face_steps() const { return static_cast<double>(faces) * substeps / step; }

@@ -12,9 +12,9 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-double least_seconds(const std::function<void()>& work) {
+double least_seconds(int rounds, const std::function<void()>& work) {
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < rounds_of_least_seconds; ++i) {
+    for (int i = 0; i < rounds; ++i) {
         const double start = processor_seconds();
         work();
         least = std::min(least, processor_seconds() - start);
