@@ -134,6 +134,7 @@ Json explicit_costs(const std::vector<std::string>& models, bool print) {
             fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} |\n", model, faces,
                        one.substeps, 1e3 * one.step, 1e3 * two.step, 1e-6 * one.face_steps(),
                        1e-6 * two.face_steps());
+        std::fflush(stdout);
         rows.push_back({{"model", model},
                         {"faces", faces},
                         {"substeps", one.substeps},

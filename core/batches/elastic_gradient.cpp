@@ -12,7 +12,7 @@ constexpr Index batches_at_once = 64, vertices_at_once = 1024;
 
 }  // namespace
 
-ElasticGradient::ElasticGradient(const Shell& shell, ShellEnergies& energies,
+ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energies,
                                  const ShellEnergyOptions& options, const Threads& threads)
     : shell(shell),
       threads(threads),

@@ -14,7 +14,7 @@ namespace sherd {
 class ElasticGradient {
   public:
     /// All of them must outlive this object. options: of the energies.
-    ElasticGradient(const Shell& shell, ShellEnergies& energies, const ShellEnergyOptions& options,
+    ElasticGradient(const Shell& shell, const ShellEnergies& energies, const ShellEnergyOptions& options,
                     const Threads& threads);
     ElasticGradient(const ElasticGradient&) = delete;
     /// Must be called when the shell has changed, or its state was put back.
