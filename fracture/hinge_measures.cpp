@@ -64,6 +64,16 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
     const Eigen::Matrix3Xd curvature =
         curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
 
+    // What the plane's elasticity makes of both, N/m and N/m^2, with the third component twice.
+    Eigen::Matrix3Xd force(3, green.cols()), moment(3, green.cols());
+    for (Eigen::Index face = 0; face < green.cols(); ++face) {
+        const Matrix3d& elasticity = mechanics.triangles[static_cast<std::size_t>(face)].membrane.elasticity;
+        force.col(face) = elasticity * green.col(face);
+        moment.col(face) = elasticity * curvature.col(face);
+    }
+    force.row(2) *= 2;
+    moment.row(2) *= 2;
+
     HingeMeasures measures;
     measures.bending = bending.cwiseAbs();
     measures.strain = measures.stress = VectorXd::Zero(bending.size());
@@ -71,13 +81,11 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
         const double thickness = mean_thickness(mechanics, mechanics.hinges[i].vertices);
         double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
         for (const auto& [face, corner] : sides[i]) {
-            const MembraneTriangle& membrane = mechanics.triangles[face].membrane;
-            const Vector3d part = across(side_normal(membrane, corner));
-            const Vector3d stiff = membrane.elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
+            const Vector3d part = across(side_normal(mechanics.triangles[face].membrane, corner));
             stretch += 0.5 * part.dot(green.col(face));
             bend += 0.5 * part.dot(curvature.col(face));
-            pull += 0.5 * stiff.dot(green.col(face)) / thickness;
-            bending_stress += 0.5 * stiff.dot(curvature.col(face)) / 2;
+            pull += 0.5 * part.dot(force.col(face)) / thickness;
+            bending_stress += 0.5 * part.dot(moment.col(face)) / 2;
         }
         measures.strain[i] = stretch / (0.5 * thickness) + std::abs(bend);
         measures.stress[i] = pull + std::abs(bending_stress);

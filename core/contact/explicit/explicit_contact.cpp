@@ -72,7 +72,7 @@ void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) cons
     if (!shell.lips.empty()) sum.force += lip_forces(at_end.position);
     const Positions& all = sheets->at_end(at_end.position);
     const Index first = sheets->surface().collider_vertices();
-    for (const ContactPair& pair : sheets->active_pairs(at_end.position)) {
+    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
         const PairPositions pressed = -gradient(pair, columns(all, pair.vertices));
         const Index least = *std::ranges::min_element(pair.vertices);
         for (int i = 0; i < 4; ++i) {
@@ -82,14 +82,14 @@ void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) cons
                 sum.obstacles[sheets->obstacle_number(least)].add(all.col(pair.vertices[i]), pressed.col(i));
         }
     }
-    add_sheet_friction(at_end, sum);
+    add_sheet_friction(at_end, all, sum);
 }
 
-void ExplicitContact::add_sheet_friction(const Substep& at_end, ContactForces& sum) const {
+void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions& all,
+                                         ContactForces& sum) const {
     const Index first = sheets->surface().collider_vertices();
-    const Positions& all = sheets->at_end(at_end.position);
     const Positions& colliders_before = sheets->colliders_at_start();
-    for (const ContactPair& pair : sheets->active_pairs(at_end.position)) {
+    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
         PairPositions velocity;
         for (int i = 0; i < 4; ++i)
             velocity.col(i) =

@@ -52,7 +52,8 @@ class ExplicitContact {
   private:
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
-    void add_sheet_friction(const Substep& substep, ContactForces& sum) const;
+    /// all: positions of colliders and sheets at the end of the substep.
+    void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
 
     ContactOptions options;
     const Shell& shell;

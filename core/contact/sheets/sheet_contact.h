@@ -53,6 +53,10 @@ class SheetContact : public Energy {
     const std::vector<ContactPair>& active_pairs(const Positions& x) const {
         return near.active_pairs(at_end(x));
     }
+    /// The same at what at_end() has answered.
+    const std::vector<ContactPair>& active_pairs_of(const Positions& all) const {
+        return near.active_pairs(all);
+    }
     /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const {
         const Positions& all = at_end(x);
