@@ -47,9 +47,10 @@ class EndAt : public RunObserver {
     bool reached = false;
 };
 
-Runner built_runner(const Scene& scene) {
+Runner built_runner(const Scene& scene, int threads) {
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
+    built.options.stepper.threads = threads;
     for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
     return Runner(scene, std::move(built));
 }
@@ -80,7 +81,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
 
 int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
     RunStart start = run_start(file, options);
-    Runner runner = built_runner(scene_from(scene, start.checkpoint));
+    Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of(options, 1));
     const Simulation& simulation = runner.simulation();
     EndOnInterruption interruption(options.progress_to >= 0);
     EndAt end_at(options.until);
@@ -133,9 +134,12 @@ void add_run(CLI::App& program, Command& chosen) {
     command->add_option("--until", options->until, "End at this simulated time; --resume goes on from there")
         ->check(CLI::PositiveNumber)
         ->option_text("TIME");
-    command->add_option("--threads", options->threads, "Threads at most; results do not depend on them")
+    command
+        ->add_option("--threads", options->threads,
+                     "Threads at most; results do not depend on them. Default: as many as the processor runs "
+                     "at once, up to 4")
         ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+        ->option_text("N");
     command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

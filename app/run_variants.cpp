@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <list>
+#include <thread>
 
 #include "app/files/pending_file.h"
 #include "app/progress/interruption.h"
@@ -22,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int poll_interval = 50;  // ms until an interruption is seen
+constexpr int poll_interval = 50;     // ms until an interruption is seen
+constexpr unsigned most_threads = 4;  // that pay
 
 /// What all recordings have in their names: the name that a scene without variants would get.
 fs::path common_output(const Scene& first, const RunOptions& options) {
@@ -49,7 +51,7 @@ std::vector<std::string> arguments_of(const std::string& variant, const fs::path
     if (options.resume) arguments.push_back("--resume");
     if (std::isfinite(options.until))
         arguments.insert(arguments.end(), {"--until", fmt::format("{}", options.until)});
-    arguments.insert(arguments.end(), {"--threads", fmt::format("{}", options.threads)});
+    arguments.insert(arguments.end(), {"--threads", fmt::format("{}", threads_of(options, options.jobs))});
     return arguments;
 }
 
@@ -160,6 +162,12 @@ std::vector<std::string> VariantRunner::run() {
 fs::path recording_name(const Scene& scene) {
     const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
     return fmt::format("{}{}.h5", scene.file.stem().string(), variant);
+}
+
+int threads_of(const RunOptions& options, int runs) {
+    if (options.threads > 0) return options.threads;
+    const unsigned cores = std::min(std::thread::hardware_concurrency(), most_threads);
+    return std::max(1, static_cast<int>(cores) / runs);
 }
 
 int run_variants(std::span<const Scene> variants, const RunOptions& options) {

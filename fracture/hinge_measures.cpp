@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bending/hinge_curvature.h"
+#include "core/elements/hinge_angles.h"
 #include "core/shell/face_fields.h"
 
 namespace sherd {
@@ -24,9 +25,9 @@ std::array<TriangleEdge, 2> sides_of(const BreakableShell& shell, std::size_t hi
     return sides;
 }
 
-/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of unit normal n.
+/// The dot product with a strain (00, 11, 2 * 01) is its component across an edge of normal n.
 Vector3d across(const Vector2d& n) {
-    return {n.x() * n.x(), n.y() * n.y(), n.x() * n.y()};
+    return Vector3d(n.x() * n.x(), n.y() * n.y(), n.x() * n.y()) / n.squaredNorm();
 }
 
 }  // namespace
@@ -34,8 +35,9 @@ Vector3d across(const Vector2d& n) {
 VectorXd hinge_strains(const BreakableShell& shell, const Positions& x) {
     const std::vector<HingeStencil>& hinges = shell.mechanics().hinges;
     VectorXd strains(hinges.size());
-    for (std::size_t i = 0; i < hinges.size(); ++i)
-        strains[i] = hinge_strain(hinges[i].rest, columns(x, hinges[i].vertices));
+    find_hinge_angles(
+        x, static_cast<Index>(hinges.size()), [&](Index i) { return hinges[i].vertices; },
+        [&](Index i, double angle) { strains[i] = hinge_strain(hinges[i].rest, angle); });
     return strains;
 }
 
@@ -55,11 +57,22 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& strains) {
     const Shell& mechanics = shell.mechanics();
     std::vector<std::array<TriangleEdge, 2>> sides;
+    sides.reserve(mechanics.hinges.size());
     for (std::size_t i = 0; i < mechanics.hinges.size(); ++i) sides.push_back(sides_of(shell, i));
     const VectorXd bending = hinge_strains(shell, x);
     const Eigen::Matrix3Xd green = strains ? *strains : green_strains(mechanics, x);
     const Eigen::Matrix3Xd curvature =
         curvatures ? *curvatures : curvatures_of_hinges(mechanics, sides, bending, AngleShare::equal);
+
+    // What the plane's elasticity makes of both, N/m and N/m^2, with the third component twice.
+    Eigen::Matrix3Xd force(3, green.cols()), moment(3, green.cols());
+    for (Eigen::Index face = 0; face < green.cols(); ++face) {
+        const Matrix3d& elasticity = mechanics.triangles[static_cast<std::size_t>(face)].membrane.elasticity;
+        force.col(face) = elasticity * green.col(face);
+        moment.col(face) = elasticity * curvature.col(face);
+    }
+    force.row(2) *= 2;
+    moment.row(2) *= 2;
 
     HingeMeasures measures;
     measures.bending = bending.cwiseAbs();
@@ -68,13 +81,11 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
         const double thickness = mean_thickness(mechanics, mechanics.hinges[i].vertices);
         double stretch = 0, bend = 0, pull = 0, bending_stress = 0;
         for (const auto& [face, corner] : sides[i]) {
-            const MembraneTriangle& membrane = mechanics.triangles[face].membrane;
-            const Vector3d part = across(side_normal(membrane, corner).normalized());
-            const Vector3d stiff = membrane.elasticity.transpose() * Vector3d(part[0], part[1], 2 * part[2]);
+            const Vector3d part = across(side_normal(mechanics.triangles[face].membrane, corner));
             stretch += 0.5 * part.dot(green.col(face));
             bend += 0.5 * part.dot(curvature.col(face));
-            pull += 0.5 * stiff.dot(green.col(face)) / thickness;
-            bending_stress += 0.5 * stiff.dot(curvature.col(face)) / 2;
+            pull += 0.5 * part.dot(force.col(face)) / thickness;
+            bending_stress += 0.5 * part.dot(moment.col(face)) / 2;
         }
         measures.strain[i] = stretch / (0.5 * thickness) + std::abs(bend);
         measures.stress[i] = pull + std::abs(bending_stress);

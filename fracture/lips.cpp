@@ -39,6 +39,33 @@ bool overlaps_faces(const Mesh& mesh, const Shell& shell, const Positions& x, Ve
     });
 }
 
+/// A lip, or a piece of one, with the triangle that it is a side of.
+struct LipSide {
+    LipSide(const Mesh& mesh, const Shell& shell, Halfedge h)
+        : ends{mesh.source(h), mesh.target(h)},
+          apex(mesh.target(mesh.next(h))),
+          rest(shell.rest),
+          length((rest.col(number(ends[0])) - rest.col(number(ends[1]))).norm()) {}
+
+    /// Where a vertex of the other lip lies along this one at rest: 0 at its first end, 1 at its second one,
+    /// exactly if it was born with that.
+    double place(Vertex vertex) const {
+        const Vector3d at = rest.col(number(vertex)), start = rest.col(number(ends[0])),
+                       end = rest.col(number(ends[1]));
+        if (at == start) return 0;
+        if (at == end) return 1;
+        return (at - start).dot(end - start) / (length * length);
+    }
+    std::array<Index, 4> stencil(Vertex vertex) const {
+        return {number(vertex), number(ends[0]), number(ends[1]), number(apex)};
+    }
+
+    std::array<Vertex, 2> ends;
+    Vertex apex;
+    const Positions& rest;
+    double length;  ///< m, at rest
+};
+
 }  // namespace
 
 void Lips::open(const TopologyChange& change) {
@@ -99,13 +126,20 @@ void Lips::write(const Mesh& mesh, Shell& shell) const {
     shell.lips.clear();
     for (const std::array<Edge, 2>& lips : edges)
         for (const int side : {0, 1}) {
-            const Halfedge h = inner(mesh, lips[side]), facing = inner(mesh, lips[1 - side]);
-            const Vertex a = mesh.source(h), b = mesh.target(h), apex = mesh.target(mesh.next(h));
-            const double length = (shell.rest.col(number(a)) - shell.rest.col(number(b))).norm();
-            for (const auto& [own, other] : {Twins{a, mesh.target(facing)}, Twins{b, mesh.source(facing)}})
-                if (twins.has(own, other) && shell.rest.col(number(own)) == shell.rest.col(number(other)))
-                    shell.lips.push_back({{number(other), number(a), number(b), number(apex)},
-                                          length * shell.young[number(a)] / 8});
+            const LipSide lip(mesh, shell, inner(mesh, lips[side]));
+            const Halfedge facing = inner(mesh, lips[1 - side]);
+            const double from = lip.place(mesh.target(facing)), to = lip.place(mesh.source(facing));
+            const double common = std::min(to, 1.0) - std::max(from, 0.0);
+            if (common <= 0) continue;
+            const double stiffness = common * lip.length * shell.young[number(lip.ends[0])] / 8;
+            for (const auto& [end, place] :
+                 {std::pair{mesh.target(facing), from}, {mesh.source(facing), to}}) {
+                const bool ahead = place >= 0 && place <= 1;
+                if (!ahead || !(twins.has(lip.ends[0], end) || twins.has(lip.ends[1], end))) continue;
+                // Where both have an end, each is held in front of the other one.
+                const bool meets_end = place == 0 || place == 1;
+                shell.lips.push_back({lip.stencil(end), meets_end ? stiffness : 2 * stiffness});
+            }
         }
 }
 

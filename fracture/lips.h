@@ -35,7 +35,8 @@ class Lips {
 
     /// Adds to sheet.twins and sets sheet.lips. A lip resists overlap like a column of sheet whose
     /// cross-section is the lip's length times the thickness and whose length is the thickness: the force per
-    /// metre of crack is Y / 2 times the overlap, on any mesh.
+    /// metre of crack is Y / 2 times the overlap, on any mesh. Where a lip has been cut, its pieces face what
+    /// they lie on: each end of the way that two have in common is held in front of the other one.
     void write(const Mesh& mesh, Shell& shell) const;
 
     bool has_twin(Vertex vertex) const { return twins.has(vertex); }

@@ -8,9 +8,15 @@ namespace sherd {
 /// Processor time of this program so far, s, of all of its threads together.
 double processor_seconds();
 
-constexpr int rounds_of_least_seconds = 3;
+// The least of some rounds: of many short ones some are not disturbed by what else runs.
 
-/// The least processor time of some rounds, s.
-double least_seconds(const std::function<void()>& work);
+/// Processor time, s.
+double least_seconds(int rounds, const std::function<void()>& work);
+/// The same of three rounds.
+inline double least_seconds(const std::function<void()>& work) {
+    return least_seconds(3, work);
+}
+/// Wall time, s.
+double least_wall_seconds(int rounds, const std::function<void()>& work);
 
 }  // namespace sherd

@@ -28,6 +28,7 @@ class PairedBending : public Energy {
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override {
         jacobian->add_pattern(pairs);
     }
+    const Energy& of_force() const { return *force; }
     void visit_state(StateVisitor& visit) override {
         auto& [force, jacobian] = *this;
         visit(force, jacobian);
@@ -70,6 +71,12 @@ std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions&
                                                cubic_energy(shell, BendingModel::cubic, jacobian));
     return std::make_unique<PairedBending>(cubic_energy(shell, model, exact_jacobian(model)),
                                            nonlinear_energy(shell));
+}
+
+const std::vector<CubicHinge>* cubic_hinges(const Energy& bending) {
+    const auto* pair = dynamic_cast<const PairedBending*>(&bending);
+    const auto* cubic = dynamic_cast<const CubicBending*>(pair != nullptr ? &pair->of_force() : &bending);
+    return cubic != nullptr ? &cubic->all().hinges : nullptr;
 }
 
 }  // namespace sherd

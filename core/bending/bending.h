@@ -48,4 +48,8 @@ BendingJacobian exact_jacobian(BendingModel model);
 std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options = {},
                                        const std::vector<MirrorHinge>& mirrors = {});
 
+/// The cubic hinges (cubic_hinge()) that a bending energy has its forces from, one for each of the shell;
+/// null: it has none.
+const std::vector<CubicHinge>* cubic_hinges(const Energy& bending);
+
 }  // namespace sherd

@@ -30,6 +30,7 @@ class CoupledBending : public Energy {
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
 
     const Folds& all_folds() const { return folds; }
+    double start_angle(Index fold) const { return start[fold]; }  ///< rad, from which changes are measured
     const FaceCurvature& face_curvature() const { return curvature; }
     /// What a face's change of curvature costs, J m^2: twice the energy is k^T of this k.
     Matrix3d rigidity(Index face) const {

@@ -64,6 +64,26 @@ std::vector<Patches::Share> FaceCurvature::shares_of(Index edge) const {
                           Patches::Share{folds_of_edges() + edge, own});
 }
 
+Matrix3d FaceCurvature::per_tangent(Index face) const {
+    Matrix3d curvatures = Matrix3d::Zero();
+    Eigen::Matrix3Xd free(3, 0);
+    for (int side = 0; side < 3; ++side) {
+        const Vector3d curvature = curvature_of_tangent(patches.triangle(face), side);
+        if (patches.fold_at(face, side) >= 0) {
+            curvatures.col(side) = curvature;
+        } else {
+            free.conservativeResize(Eigen::NoChange, free.cols() + 1);
+            free.rightCols<1>() = curvature;
+        }
+    }
+    if (free.cols() == 0) return curvatures;
+    const Matrix3d& elasticity = shell.triangles[face].membrane.elasticity;
+    for (int side = 0; side < 3; ++side)
+        if (patches.fold_at(face, side) >= 0)
+            curvatures.col(side) = relaxed(curvatures.col(side), free, elasticity);
+    return curvatures;
+}
+
 void FaceCurvature::update_face(Index face) {
     std::vector<Term>& terms = faces[face];
     terms.clear();
@@ -74,26 +94,20 @@ void FaceCurvature::update_face(Index face) {
         else
             known->per_angle += per_angle;
     };
-    Eigen::Matrix3Xd free(3, 0);
+    const Matrix3d curvatures = per_tangent(face);
     for (int side = 0; side < 3; ++side) {
         const Index fold = patches.fold_at(face, side);
-        const Vector3d curvature = curvature_of_tangent(patches.triangle(face), side);
-        if (fold < 0) {
-            free.conservativeResize(Eigen::NoChange, free.cols() + 1);
-            free.rightCols<1>() = curvature;
-        } else if (fold < folds_of_edges()) {
+        const Vector3d curvature = curvatures.col(side);
+        if (fold < 0) continue;
+        if (fold < folds_of_edges()) {
             add(fold, 0.5 * curvature);
         } else {
-            const TriangleEdge first = (*patches.sides_of(fold - folds_of_edges()))[0];
-            const double sign = first.triangle == face && first.corner == side ? 1 : -1;
-            if (sign < 0) add(fold, curvature);
+            const bool of_first = is_first(fold - folds_of_edges(), {face, side});
+            if (!of_first) add(fold, curvature);
             for (const Patches::Share& share : shares[fold - folds_of_edges()])
-                add(share.fold, sign * share.weight * curvature);
+                add(share.fold, (of_first ? share.weight : -share.weight) * curvature);
         }
     }
-    if (free.cols() == 0) return;
-    const Matrix3d& elasticity = shell.triangles[face].membrane.elasticity;
-    for (Term& term : terms) term.per_angle = relaxed(term.per_angle, free, elasticity);
 }
 
 }  // namespace sherd

@@ -42,6 +42,17 @@ class FaceCurvature {
         return sum;
     }
 
+    /// The curvature of a face, (00, 11, 2 * 01) in a column, for each radian from its facet to the tangent
+    /// at a side, 1/m, with what its free sides do then; those of free sides are zero.
+    Matrix3d per_tangent(Index face) const;
+    /// How the angle from T0's facet to the tangent at an edge with a hinge follows from the angles of folds.
+    std::span<const Patches::Share> shares_of_first(Index edge) const { return shares[edge]; }
+    /// Whether the side at an edge with a hinge is T0's.
+    bool is_first(Index edge, const TriangleEdge& side) const {
+        const TriangleEdge first = (*patches.sides_of(edge))[0];
+        return first.triangle == side.triangle && first.corner == side.corner;
+    }
+
     /// The faces' sides and what folds are there.
     const Patches& around() const { return patches; }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/elements/hinge_angles.h"
+
 namespace sherd {
 
 std::array<Index, 4> Folds::vertices(Index fold) const {
@@ -57,7 +59,13 @@ VectorXd Folds::angles(const Positions& x) const {
 
 VectorXd Folds::angles(const Positions& x, std::span<const Index> some) const {
     VectorXd all = VectorXd::Zero(size());
-    for (const Index fold : some) all[fold] = hinge_angle(positions(fold, x));
+    std::size_t first = 0;  // of edges, which come after mirrors
+    for (; first < some.size() && some[first] < folds_of_edges(); ++first)
+        all[some[first]] = hinge_angle(positions(some[first], x));
+    const auto edges = some.subspan(first);
+    find_hinge_angles(
+        x, static_cast<Index>(edges.size()), [&](Index i) { return vertices(edges[i]); },
+        [&](Index i, double angle) { all[edges[i]] = angle; });
     return all;
 }
 

@@ -59,6 +59,7 @@ class HingeEnergy : public ElementEnergy<Hinges> {
         this->elements.follow(change);
     }
     double round_off() const override { return this->elements.round_off(); }
+    const Hinges& all() const { return this->elements; }
 };
 
 }  // namespace sherd

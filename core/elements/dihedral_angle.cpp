@@ -11,6 +11,7 @@ namespace sherd {
 ///       + d_i d_j n c^T / l^2).
 /// The last term is symmetric only when summed over both triangles; its symmetric part has the same sum.
 /// Compare Tamstorf and Grinspun, Discrete bending forces and their Jacobians (2013).
+template <>
 void DihedralAngle::add_hessian(double factor, HingeHessian& hessian) const {
     constexpr double d[3] = {-1, 1, 0};
     const Vector3d along = edge / length;

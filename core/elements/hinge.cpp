@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/elements/dihedral_angle.h"
+#include "core/elements/hinge_angles.h"
 
 namespace sherd {
 namespace {
@@ -32,9 +33,13 @@ double hinge_angle(const HingePositions& x) {
     return DihedralAngle(x).angle();
 }
 
-double hinge_strain(const RestHinge& rest, const HingePositions& x) {
-    const double change = std::remainder(hinge_angle(x) - rest.angle, 2 * std::numbers::pi);
+double hinge_strain(const RestHinge& rest, double angle) {
+    const double change = std::remainder(angle - rest.angle, 2 * std::numbers::pi);
     return rest.edge_length / rest.area * change;
+}
+
+double hinge_strain(const RestHinge& rest, const HingePositions& x) {
+    return hinge_strain(rest, hinge_angle(x));
 }
 
 }  // namespace sherd

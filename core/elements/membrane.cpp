@@ -5,14 +5,12 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "core/elements/membrane_stress.h"
+
 namespace sherd {
 namespace {
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
-
-Vector3d strain_of(const Matrix32& F) {
-    return {0.5 * (F.col(0).squaredNorm() - 1), 0.5 * (F.col(1).squaredNorm() - 1), F.col(0).dot(F.col(1))};
-}
 
 Eigen::Matrix2d tensor(const Vector3d& stress) {
     Eigen::Matrix2d s;
@@ -80,11 +78,10 @@ double value(const MembraneTriangle& triangle, const TrianglePositions& x) {
 TrianglePositions gradient(const MembraneTriangle& triangle, const TrianglePositions& x) {
     const Matrix32 F = deformation_gradient(triangle, x);
     const Vector3d stress = triangle.area * (triangle.elasticity * strain_of(F));
-    const Vector3d first = stress[0] * F.col(0) + stress[2] * F.col(1);
-    const Vector3d second = stress[2] * F.col(0) + stress[1] * F.col(1);
+    const Matrix32 P = pulled(F, stress);
     TrianglePositions gradient;
     for (int i = 0; i < 3; ++i)
-        gradient.col(i) = triangle.derivatives(i, 0) * first + triangle.derivatives(i, 1) * second;
+        gradient.col(i) = triangle.derivatives(i, 0) * P.col(0) + triangle.derivatives(i, 1) * P.col(1);
     return gradient;
 }
 

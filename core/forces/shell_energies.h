@@ -45,6 +45,9 @@ class ShellEnergies {
 
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
+    const Energy& of_bending() const { return *bending; }
+    const Energy& of_membrane() const { return *membrane; }
+    const MirrorEnergy& of_mirrors() const { return mirrors; }  ///< of hinges that are not coupled
     std::vector<Energy*> loads();
     const std::vector<OuterEnergy>& outer() const { return others; }
     /// Whether a clamp or a symmetry plane moves as it is told.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shell/face_fields.h"
 
+#include "core/elements/lane_columns.h"
+#include "core/elements/membrane_stress.h"
 #include "core/elements/principal_values.h"
 #include "core/shell/thickness.h"
 
@@ -8,10 +10,24 @@ namespace sherd {
 
 Eigen::Matrix3Xd green_strains(const Shell& shell, const Positions& x) {
     Eigen::Matrix3Xd strains(3, shell.triangles.size());
-    for (Eigen::Index f = 0; f < strains.cols(); ++f) {
-        const auto& [vertices, membrane] = shell.triangles[static_cast<std::size_t>(f)];
-        strains.col(f) = green_strain(membrane, columns(x, vertices));
-    }
+    each_four(static_cast<Index>(strains.cols()), [&](const std::array<Index, Lanes::count>& faces) {
+        std::array<Index, 3> vertices[Lanes::count];
+        Eigen::Matrix<Lanes, 2, 2> derivatives;  // of the second and the third corner
+        for (int lane = 0; lane < Lanes::count; ++lane) {
+            const auto& [of, membrane] = shell.triangles[faces[lane]];
+            vertices[lane] = of;
+            for (int i = 0; i < 2; ++i)
+                for (int j = 0; j < 2; ++j) derivatives(i, j).set(lane, membrane.derivatives(i + 1, j));
+        }
+        const Eigen::Matrix<Lanes, 3, 3> at = lane_columns(x, vertices);
+        const Eigen::Matrix<Lanes, 3, 1> one = at.col(1) - at.col(0), other = at.col(2) - at.col(0);
+        Eigen::Matrix<Lanes, 3, 2> F;
+        F.col(0) = derivatives(0, 0) * one + derivatives(1, 0) * other;
+        F.col(1) = derivatives(0, 1) * one + derivatives(1, 1) * other;
+        const Eigen::Matrix<Lanes, 3, 1> strain = strain_of(F);
+        for (int lane = 0; lane < Lanes::count; ++lane)
+            for (int c = 0; c < 3; ++c) strains(c, faces[lane]) = strain[c][lane];
+    });
     return strains;
 }
 

@@ -4,12 +4,8 @@
 namespace sherd {
 
 void constrain(const Shell& shell, Positions& displacement) {
-    for (std::size_t v = 0; v < shell.fixed.size(); ++v) {
-        if (shell.fixed[v])
-            displacement.col(v).setZero();
-        else if (shell.guide[v] != 0)
-            displacement.col(v) = shell.guides[shell.guide[v] - 1] * displacement.col(v).eval();
-    }
+    for (Index v = 0; v < static_cast<Index>(shell.fixed.size()); ++v)
+        displacement.col(v) = constrained(shell, v, displacement.col(v));
 }
 
 void place_scripted(const Shell& shell, double time, Positions& x) {

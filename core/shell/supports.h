@@ -8,6 +8,13 @@
 
 namespace sherd {
 
+/// What pins and guides leave of the displacement of a vertex.
+inline Vector3d constrained(const Shell& shell, Index vertex, const Vector3d& displacement) {
+    if (shell.fixed[vertex]) return Vector3d::Zero();
+    if (shell.guide[vertex] == 0) return displacement;
+    return shell.guides[shell.guide[vertex] - 1] * displacement;
+}
+
 /// Removes from a displacement (or a gradient) [3, V] the components that pins and guides block.
 void constrain(const Shell& shell, Positions& displacement);
 

@@ -21,6 +21,7 @@ constexpr double resolution_of_contact = 3;
 /// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
 /// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
+constexpr Index vertices_at_once = 512;
 constexpr double most_substeps = 1e6;  // in a step; more say that positions have run away
 
 void require_stable(bool is_stable) {
@@ -37,6 +38,14 @@ std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction
     return some;
 }
 
+/// The coordinates of the vertices from `begin` to before `end`, one after the other.
+Eigen::Map<Eigen::ArrayXd> range_of(Positions& all, Index begin, Index end) {
+    return {all.data() + 3 * begin, 3 * (end - begin)};
+}
+Eigen::Map<const Eigen::ArrayXd> range_of(const Positions& all, Index begin, Index end) {
+    return {all.data() + 3 * begin, 3 * (end - begin)};
+}
+
 /// Masses, kg, [V], without those of what is told where to be.
 VectorXd free_mass(const Shell& shell) {
     VectorXd mass = shell.mass;
@@ -49,6 +58,8 @@ VectorXd free_mass(const Shell& shell) {
 
 ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
     : Stepper(shell, options),
+      threads(options.threads),
+      elastic_gradient(shell, forces, options.shell, threads),
       contact(shell, options.contact, options.gravity),
       elastic(forces.elastic()),
       step{0, options.step, options.step, shell.position, shell.velocity, {}},
@@ -56,9 +67,17 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
       velocity(shell.velocity),
       acceleration(Positions::Zero(3, shell.position.cols())) {}
 
+Vector3d ExplicitStepper::Forces::on(Index v) const {
+    Vector3d all = elastic.col(v) + contact.force.col(v);
+    if (damping.cols() > 0) all += damping.col(v);
+    if (opening.cols() > 0) all += opening.col(v);
+    for (const Positions& one : outer) all += one.col(v);
+    return all;
+}
+
 Positions ExplicitStepper::Forces::sum() const {
-    Positions all = elastic + contact.force + damping + opening;
-    for (const Positions& one : outer) all += one;
+    Positions all(3, elastic.cols());
+    for (Index v = 0; v < static_cast<Index>(all.cols()); ++v) all.col(v) = on(v);
     return all;
 }
 
@@ -67,6 +86,7 @@ bool ExplicitStepper::begin(double of_step) {
     step = {time, of_step, of_step, shell.position, shell.velocity, {}};
     position = shell.position;
     velocity = shell.velocity;
+    measure_vertices();
     contact.of_bodies().begin();
     contact.place(time, time);
     if (first || made) {
@@ -88,7 +108,8 @@ void ExplicitStepper::choose_substep() {
     const double strain = forces.face_strains(shell.position).cwiseAbs().maxCoeff();
     // Every crack counts: what it leaves alone may be a face that swings far faster than with its neighbours.
     if (changed || strain > strain_then + growth) {
-        of_shell = highest_frequency(elastic, shell, shell.position, mode);
+        of_shell = highest_frequency([this](const Positions& x) { return elastic_gradient.at(x); }, shell,
+                                     shell.position, mode);
         changed = false;
         strain_then = strain;
     }
@@ -106,47 +127,79 @@ void ExplicitStepper::choose_substep() {
 
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
-        has_only<ExplicitStepper, Stepper, decltype(contact), decltype(opening), decltype(elastic),
-                 decltype(step), decltype(time), decltype(of_shell), decltype(substeps), decltype(length),
-                 decltype(first), decltype(made), decltype(changed), decltype(strain_then), decltype(mode),
-                 decltype(velocity), decltype(acceleration), decltype(forces_now), decltype(energies_now),
-                 decltype(work), decltype(inertia_work)>());
+        has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
+                 decltype(opening), decltype(elastic), decltype(step), decltype(time), decltype(of_shell),
+                 decltype(substeps), decltype(length), decltype(first), decltype(made), decltype(changed),
+                 decltype(strain_then), decltype(mode), decltype(velocity), decltype(acceleration),
+                 decltype(forces_now), decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided),
+                 decltype(moved), decltype(acceleration_before), decltype(forces_before),
+                 decltype(energies_now), decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
+    if (visit.reads()) elastic_gradient.shell_changed();
     visit(contact, opening, step, time, of_shell, substeps, length, first, made, changed, strain_then, mode,
           velocity, acceleration, forces_now, energies_now, work, inertia_work);
 }
 
-ExplicitStepper::Forces ExplicitStepper::forces_at(const Positions& now) {
-    Forces all;
-    all.elastic = all.damping = Positions::Zero(3, position.cols());
+template <class Range>
+void ExplicitStepper::share_vertices(const Range& range) const {
+    threads.share_ranges(static_cast<Index>(position.cols()), vertices_at_once, range);
+}
+
+void ExplicitStepper::find_forces() {
     {
         const Stopwatch watch(spent, Task::elasticity);
-        for (const Energy* energy : elastic) energy->add_gradient(position, all.elastic);
-        all.elastic *= -1;
+        elastic_gradient.find(position);
     }
-    for (const OuterEnergy& outer : forces.outer()) {
+    forces_now.outer.resize(forces.outer().size());
+    for (std::size_t i = 0; i < forces.outer().size(); ++i) {
         const Stopwatch watch(spent, Task::loads);
-        Positions gradient = Positions::Zero(3, position.cols());
-        outer.energy->add_gradient(outer.of_velocity ? Positions(step.origin + step.lag * now) : position,
-                                   gradient);
-        all.outer.push_back(-gradient);
+        const OuterEnergy& outer = forces.outer()[i];
+        Positions& force = forces_now.outer[i];
+        force.setZero(3, position.cols());
+        outer.energy->add_gradient(
+            outer.of_velocity ? Positions(step.origin + step.lag * velocity) : position, force);
+        force *= -1;
     }
-    all.opening = Positions::Zero(3, position.cols());
-    opening.add_forces(all.opening);
+    forces_now.opening.setZero(3, opening.empty() ? 0 : position.cols());
+    opening.add_forces(forces_now.opening);
     const Stopwatch watch(spent, Task::contact);
-    all.contact = contact.forces({length, position, now});
-    return all;
+    contact.find_forces({length, position, velocity}, forces_now.contact);
 }
 
 void ExplicitStepper::feel() {
-    forces_now = forces_at(velocity);
+    find_forces();
+    forces_now.elastic.resize(3, position.cols());
+    forces_now.damping.setZero(3, options.shell.damping.stiffness > 0 ? position.cols() : 0);
+    elastic_gradient.put_forces(0, static_cast<Index>(position.cols()), forces_now.elastic);
     accelerate();
 }
 
-void ExplicitStepper::accelerate() {
-    acceleration = forces_now.sum() * shell.mass.cwiseInverse().asDiagonal();
-    acceleration.colwise() += options.gravity;
-    constrain(shell, acceleration);
+void ExplicitStepper::accelerate(Index begin, Index end) {
+    const auto some = [&](auto& all) { return range_of(all, begin, end); };
+    auto accelerations = some(acceleration);
+    accelerations = some(forces_now.elastic) + some(forces_now.contact.force);
+    if (forces_now.damping.cols() > 0) accelerations += some(forces_now.damping);
+    if (forces_now.opening.cols() > 0) accelerations += some(forces_now.opening);
+    for (const Positions& one : forces_now.outer) accelerations += some(one);
+    accelerations = accelerations * some(of_mass) + some(gravity);
+    for (auto v = std::ranges::lower_bound(guided, begin); v != guided.end() && *v < end; ++v)
+        acceleration.col(*v) = constrained(shell, *v, acceleration.col(*v));
+}
+
+void ExplicitStepper::measure_vertices() {
+    const Eigen::Index count = shell.mass.size();
+    mass = Vector3d::Ones() * shell.mass.transpose();
+    of_mass = mass.cwiseInverse();
+    gravity = options.gravity.replicate(1, count);
+    guided.clear();
+    for (Index v = 0; v < static_cast<Index>(count); ++v) {
+        if (shell.fixed[v]) {
+            of_mass.col(v).setZero();
+            gravity.col(v).setZero();
+        } else if (shell.guide[v] != 0) {
+            guided.push_back(v);
+        }
+    }
 }
 
 MinimiserResult ExplicitStepper::solve(int) {
@@ -170,20 +223,29 @@ PotentialEnergies ExplicitStepper::elastic_energies() const {
     return *energies_now;
 }
 
-Positions ExplicitStepper::move(double end) {
-    const Positions before = position;
-    velocity += length / 2 * acceleration;
-    position += length * velocity;
+void ExplicitStepper::move(double end) {
+    moved.resize(3, position.cols());
+    share_vertices([&](Index begin, Index end_of_range) {
+        const auto some = [&](auto& all) { return range_of(all, begin, end_of_range); };
+        some(velocity) += length / 2 * some(acceleration);
+        some(moved) = some(position);
+        some(position) += length * some(velocity);
+        some(moved) = some(position) - some(moved);
+    });
+    if (!shell.motions.empty()) move_scripted(end);
+}
+
+void ExplicitStepper::move_scripted(double end) {
+    const Positions drifted = position;
     place_scripted(shell, end, position);
-    Positions moved = position - before;
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
         if (shell.script[v] != 0) {
+            moved.col(v) += position.col(v) - drifted.col(v);
             const Vector3d now = moved.col(v) / length;
             const double change = 0.5 * shell.mass[v] * (now.squaredNorm() - velocity.col(v).squaredNorm());
             work.balance.work_of_supports += change - shell.mass[v] * options.gravity.dot(moved.col(v));
             velocity.col(v) = now;
         }
-    return moved;
 }
 
 void ExplicitStepper::make_substep(double from) {
@@ -191,49 +253,78 @@ void ExplicitStepper::make_substep(double from) {
     substep.begin = from;
     substep.length = length;
     contact.of_bodies().kick(length);
-    const Positions moved = move(substep.end());
+    move(substep.end());
     contact.of_bodies().drift(length);
     contact.place(from, substep.end());
     if (forces.mirrors_move())
         for (Energy* energy : elastic) energy->begin(substep);
     opening.fade(moved, length);
-    const Forces before = std::move(forces_now);
-    const Positions acceleration_before = acceleration;
-    forces_now = forces_at(velocity);
-    if (options.shell.damping.stiffness > 0)
-        forces_now.damping = options.shell.damping.stiffness / length * (forces_now.elastic - before.elastic);
-    accelerate();
-    velocity += length / 2 * acceleration;
+    std::swap(forces_before, forces_now);
+    std::swap(acceleration_before, acceleration);
+    find_forces();
+    const Work of_substep = kick();
     contact.of_bodies().kick(length);
     const double of_mirrors = forces.mirror_work(substep, position);
     work.balance.work_of_supports += of_mirrors;
     work.against_stored += of_mirrors;
-    inertia_work +=
-        0.5 * ((acceleration_before + acceleration).cwiseProduct(moved).colwise().sum() * shell.mass).value();
-    enter(before, moved);
+    enter(of_substep);
 }
 
-void ExplicitStepper::enter(const Forces& before, const Positions& moved) {
-    const auto taken = [&](const Positions& one, const Positions& other) {
-        return -0.5 * (one.cwiseProduct(moved).sum() + other.cwiseProduct(moved).sum());
-    };
+ExplicitStepper::Work ExplicitStepper::kick() {
+    const double damping = options.shell.damping.stiffness;
+    forces_now.elastic.resize(3, position.cols());
+    forces_now.damping.resize(3, damping > 0 ? position.cols() : 0);
+    acceleration.resize(3, position.cols());
+    std::vector<Work> of_ranges((position.cols() + vertices_at_once - 1) / vertices_at_once);
+    share_vertices([&](Index begin, Index end) {
+        const auto some = [&](auto& all) { return range_of(all, begin, end); };
+        elastic_gradient.put_forces(begin, end, forces_now.elastic);
+        const auto elastic_then = some(forces_before.elastic), elastic_now = some(forces_now.elastic);
+        if (damping > 0) some(forces_now.damping) = damping / length * (elastic_now - elastic_then);
+        accelerate(begin, end);
+        some(velocity) += length / 2 * some(acceleration);
+        const ContactForces &then = forces_before.contact, &now = forces_now.contact;
+        of_ranges[begin / vertices_at_once] = {
+            -0.5 * ((elastic_then + elastic_now + some(then.force) + some(now.force)) * some(moved)).sum(),
+            0.5 * (some(mass) * (some(acceleration_before) + some(acceleration)) * some(moved)).sum(),
+            -0.5 * ((some(then.friction) + some(now.friction)) * some(moved)).sum()};
+    });
+    Work all;
+    for (const Work& of_range : of_ranges) {
+        all.of_inertia += of_range.of_inertia;
+        all.against_stored += of_range.against_stored;
+        all.lost_to_friction += of_range.lost_to_friction;
+    }
+    return all;
+}
+
+double ExplicitStepper::taken(const Positions& before, const Positions& now) const {
+    double sum = 0;
+    for (const Positions* forces_of : {&before, &now})
+        if (forces_of->cols() > 0) sum -= 0.5 * forces_of->cwiseProduct(moved).sum();
+    return sum;
+}
+
+void ExplicitStepper::enter(const Work& of_substep) {
     EnergyBalance& balance = work.balance;
+    const Forces& before = forces_before;
     balance.lost_to_damping += taken(before.damping, forces_now.damping);
     balance.lost_to_cracks += taken(before.opening, forces_now.opening);
     for (std::size_t i = 0; i < before.outer.size(); ++i)
         balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
     const ContactForces &then = before.contact, &now = forces_now.contact;
     const double of_obstacles = contact.obstacle_work(means(then.obstacles, now.obstacles));
-    const double of_friction = taken(then.friction, now.friction) +
+    const double of_friction = of_substep.lost_to_friction +
                                contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction));
     balance.work_of_obstacles += of_obstacles;
     balance.lost_to_friction += of_friction;
-    work.against_stored +=
-        taken(before.elastic, forces_now.elastic) + taken(then.force, now.force) + of_obstacles - of_friction;
+    work.against_stored += of_substep.against_stored + of_obstacles - of_friction;
+    inertia_work += of_substep.of_inertia;
+    if (shell.motions.empty()) return;
     // What moves scripted vertices works against all forces on them.
-    const Positions both = before.sum() + forces_now.sum();
     for (Index v = 0; v < static_cast<Index>(shell.script.size()); ++v)
-        if (shell.script[v] != 0) balance.work_of_supports -= 0.5 * both.col(v).dot(moved.col(v));
+        if (shell.script[v] != 0)
+            balance.work_of_supports -= 0.5 * (before.on(v) + forces_now.on(v)).dot(moved.col(v));
 }
 
 void ExplicitStepper::topology_changed(const ShellChange& change) {
@@ -244,15 +335,17 @@ void ExplicitStepper::topology_changed(const ShellChange& change) {
     for (Energy* energy : elastic) energy->topology_changed(change, step);
     for (Energy* energy : forces.loads()) energy->topology_changed(change, step);
     contact.shell_changed(change);
+    elastic_gradient.shell_changed();
     changed = true;
     energies_now.reset();
     append(acceleration, change.vertices);
+    measure_vertices();
     const Positions before = acceleration;
     feel();
     const double gone = ledger.topology_changed(stored(), moving(velocity, position), change.remeshes());
     if (!change.opening) return;
     opening.open(*change.opening, kept_forces(before), gone);
-    forces_now.opening.setZero();
+    forces_now.opening.setZero(3, position.cols());
     opening.add_forces(forces_now.opening);
     accelerate();
 }

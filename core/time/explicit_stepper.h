@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/batches/elastic_gradient.h"
 #include "core/contact/explicit/explicit_contact.h"
 #include "core/state_visitor.h"
 #include "core/time/opening_edges.h"
@@ -40,11 +41,13 @@ class ExplicitStepper : public Stepper {
 
   private:
     /// Forces on the shell, N, [3, V] each; outer: of loads, wind and damping by the medium, one each.
+    /// Damping and opening have no columns where nothing damps or opens.
     struct Forces {
         Positions elastic, damping, opening;
         std::vector<Positions> outer;
         ContactForces contact;
 
+        Vector3d on(Index vertex) const;  ///< of all of them
         Positions sum() const;
         void visit_state(StateVisitor& visit) {
             auto& [elastic, damping, opening, outer, contact] = *this;
@@ -54,19 +57,38 @@ class ExplicitStepper : public Stepper {
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;
     void choose_substep();
-    /// At `position`; velocity: that of the middle of a substep.
-    Forces forces_at(const Positions& velocity);
-    /// Takes forces and acceleration anew, at `position`.
+    /// Takes masses and guides of the shell as it is.
+    void measure_vertices();
+    /// Work in a substep, J.
+    struct Work {
+        double against_stored = 0, of_inertia = 0, lost_to_friction = 0;
+    };
+    /// Calls range(begin, end) for ranges of vertices that together are all.
+    template <class Range>
+    void share_vertices(const Range& range) const;
+    /// Finds all forces at `position` but those of elasticity, of which only the gradient is found. Those of
+    /// the velocity take it as it is, that of the middle of a substep.
+    void find_forces();
+    /// Takes forces and accelerations anew, at `position`.
     void feel();
-    void accelerate();
+    void accelerate() { accelerate(0, static_cast<Index>(position.cols())); }
+    void accelerate(Index begin, Index end);
     void make_substep(double from);
-    /// Moves the shell by a substep and returns the displacement.
-    Positions move(double end);
-    void enter(const Forces& before, const Positions& moved);
+    /// The first half of the kick, and the motion.
+    void move(double end);
+    /// Moves what is told where to be, from where `moved` has it.
+    void move_scripted(double end);
+    /// Takes the forces of elasticity, and makes the second half of the kick.
+    Work kick();
+    /// J, lost by forces that were and are, in the present motion.
+    double taken(const Positions& before, const Positions& now) const;
+    void enter(const Work& of_substep);
 
     /// What must be added to the present forces for vertices to have accelerations as `before` (m/s^2): N.
     Positions kept_forces(const Positions& before) const;
 
+    Threads threads;
+    ElasticGradient elastic_gradient;
     ExplicitContact contact;
     OpeningEdges opening;
     std::vector<Energy*> elastic;
@@ -82,6 +104,13 @@ class ExplicitStepper : public Stepper {
     Positions mode;                    ///< of the highest frequency
     Positions velocity, acceleration;  ///< m/s, m/s^2, at `position`
     Forces forces_now;
+    // Of the shell as it is, [3, V]: masses, kg, and of what is not held one over them and gravity; and what
+    // slides along guides.
+    Positions mass, of_mass, gravity;
+    std::vector<Index> guided;
+    // Of the open substep, kept to save allocations: m, [3, V], and what was at its beginning.
+    Positions moved, acceleration_before;
+    Forces forces_before;
     /// Energies at `position`; none: they have not been asked for since the shell has moved or changed.
     mutable std::optional<PotentialEnergies> energies_now;
     StepWork work;            ///< of the open step

@@ -31,12 +31,6 @@ double shortest_edge(const Shell& shell) {
     return shortest;
 }
 
-Positions gradient(std::span<Energy* const> energies, const Positions& x) {
-    Positions sum = Positions::Zero(3, x.cols());
-    for (const Energy* energy : energies) energy->add_gradient(x, sum);
-    return sum;
-}
-
 void start(const Shell& shell, Positions& mode) {
     if (mode.cols() != shell.mass.size()) mode = Positions::Zero(3, shell.mass.size());
     std::mt19937 random(1);
@@ -50,12 +44,12 @@ void start(const Shell& shell, Positions& mode) {
 struct StiffnessMap {
     using Scalar = double;
 
-    std::span<Energy* const> energies;
+    const std::function<Positions(const Positions&)>& gradient;
     const Shell& shell;
     const Positions& x;
     double length;  ///< m, of trial displacements
     VectorXd root = shell.mass.cwiseSqrt().cwiseInverse();
-    Positions at_x = gradient(energies, x);
+    Positions at_x = gradient(x);
 
     Eigen::Index rows() const { return x.size(); }
     Eigen::Index cols() const { return x.size(); }
@@ -65,7 +59,7 @@ struct StiffnessMap {
         constrain(shell, moved);
         if (!moved.isZero(0)) {
             const double scale = length / moved.cwiseAbs().maxCoeff();
-            moved = (gradient(energies, x + scale * moved) - at_x) / scale * root.asDiagonal();
+            moved = (gradient(x + scale * moved) - at_x) / scale * root.asDiagonal();
             constrain(shell, moved);
         }
         Eigen::Map<Positions>(out, 3, x.cols()) = moved;
@@ -74,11 +68,11 @@ struct StiffnessMap {
 
 }  // namespace
 
-double highest_frequency(std::span<Energy* const> energies, const Shell& shell, const Positions& x,
-                         Positions& mode) {
+double highest_frequency(const std::function<Positions(const Positions&)>& gradient, const Shell& shell,
+                         const Positions& x, Positions& mode) {
     start(shell, mode);
     if (mode.isZero(0)) return 0;
-    StiffnessMap map{energies, shell, x, trial * shortest_edge(shell)};
+    StiffnessMap map{gradient, shell, x, trial * shortest_edge(shell)};
     const Positions begin = mode * shell.mass.cwiseSqrt().asDiagonal();
     Spectra::SymEigsSolver<StiffnessMap> solver(map, 1, std::min(basis, map.rows()));
     solver.init(begin.data());

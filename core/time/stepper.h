@@ -31,6 +31,7 @@ struct StepperOptions {
     /// the time.
     bool arc_length = false;
     double last_load = 1;
+    int threads = 1;  ///< at most; results do not depend on them
     ShellEnergyOptions shell = {};
     ContactOptions contact = {};
 };

@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, FractureBench,
                                          FractureBound{"bent plate with a centre crack", {0.04, 0.04}},
                                          FractureBound{"double cantilever", {0.06, 0.5, 0.1}},
                                          FractureBound{"notch and offset hole", {0.005}},
-                                         FractureBound{"branching", {0.02, 0, 0.3, 8}},
+                                         FractureBound{"branching", {0.02, 0, 0.4, 8}},
                                          FractureBound{"released strip", {0.03, 0.05}},
                                          FractureBound{"released strip with a scored line", {0.03, 1e-9}}));
 

@@ -3,10 +3,12 @@
 #include "fracture/lips.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <memory>
 
+#include "core/contact/lips/lip.h"
 #include "core/time/implicit_stepper.h"
 #include "fracture/breakable_shell.h"
 #include "meshops/generate.h"
@@ -18,11 +20,18 @@ namespace {
 
 constexpr double strip_length = 0.12, strip_width = 0.04, middle = strip_length / 2;
 
+SheetInput strip_input(Layout layout) {
+    SheetInput strip;
+    strip.mesh = generate_rectangle(strip_length, strip_width, {0.01, layout, 3});
+    strip.material = test::glass;
+    return strip;
+}
+
 /// The halves of a strip, which lie as they were; each vertex moves with a velocity of its own.
 class BrokenStrip {
   public:
     /// step: s.
-    BrokenStrip(Layout layout, double step) : sheet({input(layout)}) {
+    BrokenStrip(Layout layout, double step) : sheet({strip_input(layout)}) {
         sheet.fail(rim_of_left_half());
         StepperOptions options;
         options.step = step;
@@ -71,12 +80,6 @@ class BrokenStrip {
     double largest_overlap = 0;  ///< m, of lips that are not left to the barrier
 
   private:
-    static SheetInput input(Layout layout) {
-        SheetInput strip;
-        strip.mesh = generate_rectangle(strip_length, strip_width, {0.01, layout, 3});
-        strip.material = test::glass;
-        return strip;
-    }
     bool left(Face face) const {
         double x = 0;
         for (const Vertex v : sheet.mesh().vertices_around_face(sheet.mesh().halfedge(face)))
@@ -174,6 +177,72 @@ TEST(BrokenStrip, LipsThatCrossAreNotLeftToTheBarrier) {
         if (!strip.on_left[v]) x(0, v) += test::glass.thickness;
     EXPECT_TRUE(strip.sheet.release_apart());
     EXPECT_TRUE(strip.sheet.mechanics().twins.empty());
+}
+
+/// The halves of a strip with a straight crack, whose lips are cut by edges that end there.
+class CutStrip {
+  public:
+    CutStrip() : sheet({strip_input(Layout::structured)}) { sheet.fail(crack()); }
+
+    /// Makes an edge from the apex of one of the lips' triangles towards its lip, at this share of it.
+    void cut(unsigned lip, double share) {
+        const std::vector<Halfedge> all = lips();
+        const Halfedge h = all[lip % all.size()];
+        const Vertex apex = sheet.mesh().target(sheet.mesh().next(h));
+        const Vector3d end =
+            (1 - share) * rest(sheet.mesh().source(h)) + share * rest(sheet.mesh().target(h));
+        AdvanceOptions options;
+        options.snap = false;
+        options.always_straight = true;
+        sheet.advance(apex, end - rest(apex), options);
+    }
+    /// Energy, J, of the lips with the halves pushed into each other by `overlap` m.
+    double energy(double overlap) {
+        Shell& shell = sheet.mechanics();
+        Positions x = shell.rest;
+        for (const TriangleStencil& triangle : shell.triangles)
+            for (const Index v : triangle.vertices)
+                if (columns(shell.rest, triangle.vertices).row(0).mean() > middle)
+                    x(0, v) = shell.rest(0, v) - overlap;
+        return LipContact(shell.lips).value(x);
+    }
+    std::size_t lip_count() const { return lips().size(); }
+
+  private:
+    Vector3d rest(Vertex v) const { return sheet.mechanics().rest.col(static_cast<Index>(v)); }
+    bool is_on_crack(Edge edge) const {
+        return rest(sheet.mesh().vertex(edge, 0)).x() == middle &&
+               rest(sheet.mesh().vertex(edge, 1)).x() == middle;
+    }
+    std::vector<Edge> crack() const {
+        std::vector<Edge> edges;
+        for (const Edge edge : sheet.mesh().edges())
+            if (is_on_crack(edge)) edges.push_back(edge);
+        return edges;
+    }
+    std::vector<Halfedge> lips() const {
+        std::vector<Halfedge> all;
+        for (const Edge edge : crack()) {
+            const Halfedge h = sheet.mesh().halfedge(edge);
+            all.push_back(sheet.mesh().is_border(h) ? sheet.mesh().opposite(h) : h);
+        }
+        return all;
+    }
+
+    BreakableShell sheet;
+};
+
+// A crack that ends at a closed lip cuts it. A piece between two such cuts had nothing that held it in front
+// of the other lip, and passed through it.
+RC_GTEST_PROP(CutStrip, HasLipsAsStiffAsWholeOnes, ()) {
+    CutStrip strip;
+    const std::size_t whole = strip.lip_count();
+    const double overlap = 1e-5, stiffness = test::glass.young / 2 * strip_width;
+    RC_ASSERT(std::abs(strip.energy(overlap) / (0.5 * stiffness * overlap * overlap) - 1) < 1e-9);
+    for (int i = 0; i < 8; ++i) strip.cut(*rc::gen::inRange(0u, 1u << 30), *rc::gen::inRange(20, 81) / 100.0);
+    RC_PRE(strip.lip_count() > whole);
+    RC_ASSERT(std::abs(strip.energy(overlap) / (0.5 * stiffness * overlap * overlap) - 1) < 1e-9);
+    RC_ASSERT(strip.energy(-overlap) == 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, BrokenStrips, ::testing::Values(Layout::structured, Layout::delaunay),

@@ -29,16 +29,19 @@ Neighbourhood::Neighbourhood(const Positions& x, const Positions& motion, double
 bool Neighbourhood::contains(const Positions& x, double spare) const {
     if (x.cols() != start.cols() || rounding_at_least * x.cwiseAbs().maxCoeff() > round_off) return false;
     const bool skip = colliders_rest && x.leftCols(colliders) == start.leftCols(colliders);
-    const auto looked_at = [&](const Positions& all) {
-        return all.rightCols(all.cols() - (skip ? colliders : 0));
-    };
-    const Positions difference = looked_at(x) - looked_at(start);
-    const Positions moved = colliders > 0 ? difference : less_mean(difference);
-    const auto along_motion = looked_at(motion);
-    const double way = along_motion.squaredNorm(), along = moved.cwiseProduct(along_motion).sum();
+    const Eigen::Index first = skip ? colliders : 0;
+    const Vector3d mean = colliders > 0 ? Vector3d::Zero() : Vector3d((x - start).rowwise().mean());
+    const auto moved = [&](Eigen::Index v) -> Vector3d { return x.col(v) - start.col(v) - mean; };
+    double way = 0, along = 0;
+    for (Eigen::Index v = first; v < x.cols(); ++v) {
+        way += motion.col(v).squaredNorm();
+        along += moved(v).dot(motion.col(v));
+    }
     const double time = way > 0 ? std::clamp(along / way, 0.0, 1.0) : 0;
     const double limit = std::max(0.0, margin - spare);
-    return ((moved - time * along_motion).colwise().squaredNorm().array() <= limit * limit).all();
+    for (Eigen::Index v = first; v < x.cols(); ++v)
+        if (!((moved(v) - time * motion.col(v)).squaredNorm() <= limit * limit)) return false;
+    return true;
 }
 
 bool Neighbourhood::contains(const Neighbourhood& other) const {

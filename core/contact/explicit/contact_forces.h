@@ -20,12 +20,13 @@ struct ContactForces {
         visit(force, obstacles, friction, obstacle_friction);
     }
 
-    ContactForces() = default;
-    ContactForces(Eigen::Index vertices, std::size_t number_of_obstacles)
-        : force(Positions::Zero(3, vertices)),
-          obstacles(number_of_obstacles),
-          friction(force),
-          obstacle_friction(number_of_obstacles) {}
+    /// Makes all of it zero.
+    void clear(Eigen::Index vertices, std::size_t number_of_obstacles) {
+        force.setZero(3, vertices);
+        friction.setZero(3, vertices);
+        obstacles.assign(number_of_obstacles, {});
+        obstacle_friction.assign(number_of_obstacles, {});
+    }
     /// Adds friction that an obstacle exerts at a point (m), N.
     void rub(std::size_t obstacle, const Vector3d& at, const Vector3d& rubbed) {
         obstacles[obstacle].add(at, rubbed);

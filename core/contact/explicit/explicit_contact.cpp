@@ -42,12 +42,11 @@ void ExplicitContact::shell_changed(const ShellChange& change) {
     if (sheets) sheets->surface_changed(change);
 }
 
-ContactForces ExplicitContact::forces(const Substep& at_end) {
-    ContactForces sum(at_end.position.cols(), options.obstacles.size());
+void ExplicitContact::find_forces(const Substep& at_end, ContactForces& sum) {
+    sum.clear(at_end.position.cols(), options.obstacles.size());
     add_obstacles(at_end, sum);
     bodies.add_forces(at_end, before, now, sum);
     if (sheets) add_sheets(at_end, sum);
-    return sum;
 }
 
 void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) const {
@@ -70,19 +69,34 @@ void ExplicitContact::add_obstacles(const Substep& at_end, ContactForces& sum) c
 }
 
 void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) const {
-    Positions gradient = Positions::Zero(3, at_end.position.cols());
-    sheets->add_gradient(at_end.position, gradient);
-    sum.force += lip_forces(at_end.position) - gradient;
-    sheets->add_reactions(at_end.position, sum.obstacles);
-    add_sheet_friction(at_end, sum);
+    if (!shell.lips.empty()) sum.force += lip_forces(at_end.position);
+    const Positions& all = sheets->at_end(at_end.position);
+    const Index first = sheets->surface().collider_vertices();
+    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
+        const PairPositions pressed = -gradient(pair, columns(all, pair.vertices));
+        const Index least = *std::ranges::min_element(pair.vertices);
+        for (int i = 0; i < 4; ++i) {
+            if (pair.vertices[i] < first) continue;
+            sum.force.col(pair.vertices[i] - first) += pressed.col(i);
+            if (least < first)
+                sum.obstacles[sheets->obstacle_number(least)].add(all.col(pair.vertices[i]), pressed.col(i));
+        }
+    }
+    add_sheet_friction(at_end, all, sum);
 }
 
-void ExplicitContact::add_sheet_friction(const Substep& at_end, ContactForces& sum) const {
+void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions& all,
+                                         ContactForces& sum) const {
     const Index first = sheets->surface().collider_vertices();
-    const Positions& all = sheets->at_end(at_end.position);
-    Positions velocity(3, all.cols());
-    velocity << (all - sheets->at_start(at_end.position)).leftCols(first) / at_end.length, at_end.velocity;
-    for (const ContactPair& pair : sheets->active_pairs(at_end.position)) {
+    const Positions& colliders_before = sheets->colliders_at_start();
+    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
+        PairPositions velocity;
+        for (int i = 0; i < 4; ++i)
+            velocity.col(i) =
+                pair.vertices[i] < first
+                    ? Vector3d((all.col(pair.vertices[i]) - colliders_before.col(pair.vertices[i])) /
+                               at_end.length)
+                    : Vector3d(at_end.velocity.col(pair.vertices[i] - first));
         const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
         const auto mobility = [&](const PairPositions& along) {
             double of_slip = 0;
@@ -92,7 +106,7 @@ void ExplicitContact::add_sheet_friction(const Substep& at_end, ContactForces& s
             return of_slip;
         };
         const PairPositions rubbed =
-            pair_friction(pair, columns(all, pair.vertices), columns(velocity, pair.vertices),
+            pair_friction(pair, columns(all, pair.vertices), velocity,
                           collider ? collider->friction : options.friction, at_end.length, mobility);
         const Index least = *std::ranges::min_element(pair.vertices);
         for (int i = 0; i < 4; ++i) {

@@ -25,8 +25,8 @@ class ExplicitContact {
     /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
     void place(double before, double time);
     void shell_changed(const ShellChange& change);
-    /// Forces at the end of a substep, where the obstacles are.
-    ContactForces forces(const Substep& substep);
+    /// Finds the forces at the end of a substep, where the obstacles are.
+    void find_forces(const Substep& substep, ContactForces& forces);
     /// Stored in all contacts with the shell at x, J.
     double stored_energy(const Positions& x) const;
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
@@ -52,7 +52,8 @@ class ExplicitContact {
   private:
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
-    void add_sheet_friction(const Substep& substep, ContactForces& sum) const;
+    /// all: positions of colliders and sheets at the end of the substep.
+    void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
 
     ContactOptions options;
     const Shell& shell;

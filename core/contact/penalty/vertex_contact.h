@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/contact/colliders/placed_box.h"
 #include "core/contact/colliders/start_depth.h"
 #include "core/contact/colliders/touch.h"
 #include "core/contact/penalty/point_force.h"
@@ -45,9 +46,11 @@ class VertexContact {
     /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
     template <class Add>
     void add_springs(const Positions& x, const Eigen::Isometry3d& pose, Curvature curvature, Add add) const {
+        const PlacedBox box(*collider.shape, pose);
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-            if (const Overlap at = overlap(x, v, pose); at.depth > 0)
-                add(v, spring(at, stiffness(v), curvature));
+            if (box.is_near(box.local(x.col(v)), reach(v)))
+                if (const Overlap at = overlap(x, v, pose); at.depth > 0)
+                    add(v, spring(at, stiffness(v), curvature));
     }
     /// Calls add(vertex, force, anchor) for each vertex with friction; frame: from the anchors' frame to
     /// space.
@@ -74,8 +77,7 @@ class VertexContact {
     /// the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,
                     double margin = 0) const {
-        const double reach = 0.5 * shell.thickness[vertex] + margin - start_depth(shell, number, vertex);
-        return sherd::overlap(*collider.shape, pose, x.col(vertex), reach);
+        return sherd::overlap(*collider.shape, pose, x.col(vertex), reach(vertex) + margin);
     }
 
     void visit_state(StateVisitor& visit) {
@@ -88,6 +90,9 @@ class VertexContact {
         Index vertex;
         SlidingPoint point;
     };
+    double reach(Index vertex) const {  ///< m
+        return 0.5 * shell.thickness[vertex] - start_depth(shell, number, vertex);
+    }
     double stiffness(Index vertex) const {  ///< N/m
         return column_stiffness(shell.footprint[vertex], shell.thickness[vertex], shell.young[vertex],
                                 collider.young);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/sheets/sheet_contact.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -33,6 +34,7 @@ SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool
 }
 
 void SheetContact::begin(const StepContext& step) {
+    if (std::ranges::none_of(obstacles, &Obstacle::moves)) return;
     start = collider_positions(obstacles, step.begin);
     end = collider_positions(obstacles, step.end());
 }

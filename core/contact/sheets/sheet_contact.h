@@ -48,9 +48,14 @@ class SheetContact : public Energy {
     /// surface() numbers them, [3, surface().vertices()].
     const Positions& at_end(const Positions& x) const { return with(end, x); }
     Positions at_start(const Positions& x) const { return with(start, x); }
+    const Positions& colliders_at_start() const { return start; }  ///< [3, S] m
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
     const std::vector<ContactPair>& active_pairs(const Positions& x) const {
         return near.active_pairs(at_end(x));
+    }
+    /// The same at what at_end() has answered.
+    const std::vector<ContactPair>& active_pairs_of(const Positions& all) const {
+        return near.active_pairs(all);
     }
     /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const {

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batches/coupled_batches.h"
+
+#include <numeric>
+
+#include "core/elements/dihedral_angle.h"
+
+namespace sherd {
+namespace {
+
+constexpr Index batches_at_once = 64, rows_at_once = 512;
+
+}  // namespace
+
+CoupledBatches::Rows CoupledBatches::Rows::transposed(Index columns) const {
+    Rows other;
+    other.start.assign(columns + 1, 0);
+    for (const Index c : column) ++other.start[c + 1];
+    std::partial_sum(other.start.begin(), other.start.end(), other.start.begin());
+    other.column.resize(column.size());
+    other.weight.resize(column.size());
+    std::vector<Index> next(other.start.begin(), other.start.end() - 1);
+    for (Index row = 0; row + 1 < static_cast<Index>(start.size()); ++row)
+        for (Index i = start[row]; i < start[row + 1]; ++i) {
+            const Index at = next[column[i]]++;
+            other.column[at] = row;
+            other.weight[at] = weight[i];
+        }
+    return other;
+}
+
+void CoupledBatches::build(const Shell& of, const CoupledBending& bending, std::span<const Index> face_order,
+                           std::span<const Index> hinge_order) {
+    shell = &of;
+    of_hinges = Lanes::count * batches_of(hinge_order.size());
+    folds = of_hinges + bending.all_folds().folds_of_edges();
+    build_hinges(of, bending, hinge_order);
+    build_faces(bending, face_order);
+    changes.assign(folds, 0);
+    of_length.assign(of_hinges, 0);
+}
+
+Index CoupledBatches::number(const CoupledBending& bending, Index fold) const {
+    const Index mirrors = bending.all_folds().folds_of_edges();
+    return fold < mirrors ? of_hinges + fold : fold_of_hinge[shell->edge_hinge[fold - mirrors]];
+}
+
+void CoupledBatches::build_hinges(const Shell& of, const CoupledBending& bending,
+                                  std::span<const Index> order) {
+    const Index mirrors = bending.all_folds().folds_of_edges();
+    fold_of_hinge.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) fold_of_hinge[order[i]] = static_cast<Index>(i);
+    hinges.assign(batches_of(order.size()), {});
+    shares = {};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(of_hinges); ++i) {
+        const Index hinge = order[std::min(i, order.size() - 1)], edge = of.hinge_edge[hinge];
+        auto& [start, vertices] = hinges[i / Lanes::count];
+        const int lane = static_cast<int>(i % Lanes::count);
+        const double angle = bending.start_angle(mirrors + edge);
+        start[0].set(lane, std::cos(angle));
+        start[1].set(lane, std::sin(angle));
+        for (int v = 0; v < 4; ++v) vertices[v][lane] = of.hinges[hinge].vertices[v];
+        if (i < order.size())
+            for (const auto& [fold, weight] : bending.face_curvature().shares_of_first(edge))
+                shares.append(number(bending, fold), weight);
+        shares.end_row();
+    }
+    shared = shares.transposed(folds);
+}
+
+void CoupledBatches::build_faces(const CoupledBending& bending, std::span<const Index> order) {
+    const FaceCurvature& curvature = bending.face_curvature();
+    const Index mirrors = bending.all_folds().folds_of_edges();
+    faces.assign(batches_of(order.size()), {});
+    at_sides.sides.assign(faces.size(), {});
+    Index next_free = 2 * folds;
+    for (std::size_t i = 0; i < Lanes::count * faces.size(); ++i) {
+        const Index face = order[std::min(i, order.size() - 1)];
+        auto& [rigidity, tangents_of] = faces[i / Lanes::count];
+        const int lane = static_cast<int>(i % Lanes::count);
+        for (int side = 0; side < 3; ++side) {
+            const Index fold = i < order.size() ? curvature.around().fold_at(face, side) : -1;
+            Index tangent = next_free, by = folds;
+            if (fold < 0) {
+                ++next_free;
+            } else {
+                const Index here = number(bending, fold);
+                tangent = 2 * here;
+                if (fold >= mirrors) {
+                    by = here;
+                    if (!curvature.is_first(fold - mirrors, {face, side})) ++tangent;
+                }
+            }
+            tangents_of[side][lane] = tangent;
+            at_sides.sides[i / Lanes::count][side][lane] = by;
+        }
+        const Matrix3d C = curvature.per_tangent(face), full = C.transpose() * bending.rigidity(face) * C;
+        const double entries[] = {full(0, 0), full(1, 1), full(2, 2), full(0, 1), full(0, 2), full(1, 2)};
+        for (int k = 0; k < 6; ++k) rigidity[k].set(lane, entries[k]);
+    }
+    tangents.assign(next_free, 0);
+    of_tangents.assign(next_free, 0);
+    at_sides.per_length.assign(folds + 1, 0);
+}
+
+void CoupledBatches::find(const PaddedPositions& x, const Threads& threads, std::vector<double>& of_mirrors) {
+    const Index mirrors = folds - of_hinges;
+    for (Index m = 0; m < mirrors; ++m) {
+        changes[of_hinges + m] = of_mirrors[m];
+        tangents[2 * (of_hinges + m)] = 0.5 * of_mirrors[m];
+    }
+    const auto batches = [](const auto& all) { return static_cast<Index>(all.size()); };
+    threads.share_ranges(batches(hinges), batches_at_once,
+                         [&](Index begin, Index end) { find_changes(begin, end, x); });
+    threads.share_ranges(of_hinges, rows_at_once, [&](Index begin, Index end) { find_tangents(begin, end); });
+    threads.share_ranges(batches(faces), 2 * batches_at_once,
+                         [&](Index begin, Index end) { find_of_tangents(begin, end); });
+    threads.share_ranges(of_hinges, rows_at_once, [&](Index begin, Index end) { find_moments(begin, end); });
+    for (Index m = 0; m < mirrors; ++m)
+        of_mirrors[m] = 0.5 * of_tangents[2 * (of_hinges + m)] + moment(of_hinges + m);
+}
+
+void CoupledBatches::find_changes(Index begin, Index end, const PaddedPositions& x) {
+    wide_loop(begin, end, [&](Index b) {
+        const auto& [start, vertices] = hinges[b];
+        Eigen::Matrix<Lanes, 3, 4> at;
+        for (int v = 0; v < 4; ++v) at.col(v) = gather(x, vertices[v]);
+        const DihedralAngleOf<Lanes> fold(at);
+        const Lanes change = fold.angle_from({start[0], start[1]}), inverse = 1 / fold.edge_length();
+        for (int lane = 0; lane < Lanes::count; ++lane) {
+            changes[b * Lanes::count + lane] = change[lane];
+            of_length[b * Lanes::count + lane] = inverse[lane];
+        }
+    });
+}
+
+void CoupledBatches::find_tangents(Index begin, Index end) {
+    for (Index fold = begin; fold < end; ++fold) {
+        double sum = 0;
+        for (Index i = shares.start[fold]; i < shares.start[fold + 1]; ++i)
+            sum += shares.weight[i] * changes[shares.column[i]];
+        tangents[2 * fold] = sum;
+        tangents[2 * fold + 1] = changes[fold] - sum;
+    }
+}
+
+void CoupledBatches::find_of_tangents(Index begin, Index end) {
+    wide_loop(begin, end, [&](Index b) {
+        const auto& [D, at] = faces[b];
+        const Lanes angle[] = {gather(tangents, at[0]), gather(tangents, at[1]), gather(tangents, at[2])};
+        scatter(D[0] * angle[0] + D[3] * angle[1] + D[4] * angle[2], at[0], of_tangents);
+        scatter(D[3] * angle[0] + D[1] * angle[1] + D[5] * angle[2], at[1], of_tangents);
+        scatter(D[4] * angle[0] + D[5] * angle[1] + D[2] * angle[2], at[2], of_tangents);
+    });
+}
+
+/// What the angles to tangents in which the fold has a share do by it.
+double CoupledBatches::moment(Index fold) const {
+    double sum = 0;
+    for (Index i = shared.start[fold]; i < shared.start[fold + 1]; ++i) {
+        const double* both = of_tangents.data() + 2 * shared.column[i];
+        sum += shared.weight[i] * (both[0] - both[1]);
+    }
+    return sum;
+}
+
+void CoupledBatches::find_moments(Index begin, Index end) {
+    for (Index fold = begin; fold < end; ++fold)
+        at_sides.per_length[fold] = of_length[fold] * (of_tangents[2 * fold + 1] + moment(fold));
+}
+
+}  // namespace sherd

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batches/face_batches.h"
+
+#include "core/elements/fold_gradient.h"
+#include "core/elements/membrane_stress.h"
+
+namespace sherd {
+namespace {
+
+using LanesMatrix = Eigen::Matrix<Lanes, 3, 3>;
+
+/// Where the symmetric matrix of a batch has an entry.
+constexpr int entry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+}  // namespace
+
+void FaceBatches::build(const Shell& shell, std::span<const Index> order, CornerSums& corners) {
+    batches.assign(batches_of(order.size()), {});
+    for (Index b = 0; b < size(); ++b) {
+        Batch& batch = batches[b];
+        const auto some = order.subspan(b * Lanes::count);
+        const int present = std::min<int>(Lanes::count, static_cast<int>(some.size()));
+        for (int lane = 0; lane < Lanes::count; ++lane) {
+            const auto& [vertices, membrane] = shell.triangles[some[std::min(lane, present - 1)]];
+            for (int i = 0; i < 3; ++i) {
+                batch.vertices[i][lane] = vertices[i];
+                for (int j = 0; j < 3; ++j)
+                    batch.stiffness[entry[i][j]].set(lane, membrane.area * membrane.elasticity(i, j));
+                if (i > 0)
+                    for (int j = 0; j < 2; ++j)
+                        batch.derivatives[i - 1][j].set(lane, membrane.derivatives(i, j));
+            }
+        }
+        batch.place = corners.append(batch.vertices, present);
+    }
+}
+
+void FaceBatches::find(Index begin, Index end, const PaddedPositions& x, const SideMoments* bending,
+                       CornerSums& corners) const {
+    const bool bent = bending != nullptr;
+    wide_loop(begin, end, [&](Index b) {
+        const Batch& batch = batches[b];
+        const auto& D = batch.derivatives;
+        const LanesVector start = gather(x, batch.vertices[0]);
+        const LanesVector one = gather(x, batch.vertices[1]) - start;
+        const LanesVector other = gather(x, batch.vertices[2]) - start;
+        Eigen::Matrix<Lanes, 3, 2> F;
+        for (int i = 0; i < 2; ++i) F.col(i) = D[0][i] * one + D[1][i] * other;
+        const LanesVector strain = strain_of(F);
+        LanesVector stress;
+        for (int i = 0; i < 3; ++i)
+            stress[i] = batch.stiffness[entry[i][0]] * strain[0] + batch.stiffness[entry[i][1]] * strain[1] +
+                        batch.stiffness[entry[i][2]] * strain[2];
+        const Eigen::Matrix<Lanes, 3, 2> P = pulled(F, stress);
+        LanesMatrix gradient;
+        for (int i = 0; i < 2; ++i) gradient.col(i + 1) = D[i][0] * P.col(0) + D[i][1] * P.col(1);
+        gradient.col(0) = -(gradient.col(1) + gradient.col(2));
+        if (bent) {
+            LanesMatrix edges;
+            edges.col(0) = other - one;
+            edges.col(1) = -other;
+            edges.col(2) = one;
+            gradient += fold_gradient(edges, bending->of(b));
+        }
+        for (int i = 0; i < 3; ++i) scatter(gradient.col(i), corners.at(batch.place + i * Lanes::count));
+    });
+}
+
+}  // namespace sherd

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/contact/geometry/shape.h"
+
+namespace sherd {
+
+/// The bounds of a shape where it stands.
+class PlacedBox {
+  public:
+    PlacedBox(const Shape& shape, const Eigen::Isometry3d& pose)
+        : box(shape.bounds()), turn(pose.linear()), at(pose.translation()) {}
+    /// x in the shape's frame, m.
+    Vector3d local(const Vector3d& x) const { return turn.transpose() * (x - at); }
+    /// Whether a point of that frame is no farther outside than `margin`, m, in each direction.
+    bool is_near(const Vector3d& local, double margin) const {
+        return (local.array() >= box.min().array() - margin).all() &&
+               (local.array() <= box.max().array() + margin).all();
+    }
+
+  private:
+    Eigen::AlignedBox3d box;
+    Matrix3d turn;
+    Vector3d at;
+};
+
+}  // namespace sherd

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Batches beside the energies that they stand for: explicit steps would bend and stretch another sheet.
+#include "core/batches/elastic_gradient.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/elastic_gradient.h"
+#include "tests/support/materials.h"
+#include "tests/support/plates.h"
+#include "tests/support/uneven_patch.h"
+
+namespace sherd {
+namespace {
+
+const ShellEnergyOptions all_models[] = {
+    {.bending = {BendingModel::coupled}},
+    {.bending = {BendingModel::cubic}},
+    {.bending = {BendingModel::cubic, BendingJacobian::cubic}},
+    {.bending = {BendingModel::cubic_2007}},
+    {.bending = {BendingModel::nonlinear}},
+    {.bending = {BendingModel::coupled_cubic}},
+    {.bending = {BendingModel::coupled}, .membrane = MembraneModel::arc},
+    {.bending = {BendingModel::cubic}, .membrane = MembraneModel::arc},
+};
+
+void expect_same(const Shell& shell, const ShellEnergyOptions& options, double amplitude) {
+    ShellEnergies energies(shell, options);
+    const Threads threads;
+    ElasticGradient batches(shell, energies, options, threads);
+    const Positions x = test::shaken(shell, amplitude, 5), expected = test::elastic_gradient(energies, x);
+    EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm())
+        << "model " << static_cast<int>(options.bending.model) << ", " << options.mirrors.size()
+        << " mirrors";
+}
+
+// Small angles and large ones, flat and curved, free and held.
+TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
+    Shell flat = test::flat_patch(), curved = test::curved_patch();
+    for (Shell* shell : {&flat, &curved})
+        for (ShellEnergyOptions options : all_models)
+            for (const double amplitude : {0.001, 0.03, 0.3}) {
+                expect_same(*shell, options, amplitude);
+                options.mirrors = test::patch_mirrors(*shell);
+                expect_same(*shell, options, amplitude);
+                options.mirrors.clear();
+            }
+}
+
+// Of what an open edge leaves, too: its sides are free then, and shares go elsewhere.
+TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
+    for (const ShellEnergyOptions& options : all_models) {
+        Shell shell = test::curved_patch();
+        ShellEnergies energies(shell, options);
+        const Threads threads;
+        ElasticGradient batches(shell, energies, options, threads);
+        const Positions x = test::shaken(shell, 0.02, 5), before = batches.at(x);
+        ShellChange change;
+        change.removed_hinges = {remove_hinge_of(shell, shell.hinge_edge[20])};
+        for (Energy* energy : energies.elastic()) energy->topology_changed(change, {});
+        batches.shell_changed();
+        const Positions expected = test::elastic_gradient(energies, x);
+        EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
+        EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm());
+    }
+}
+
+// Else a run would depend on the machine's cores.
+TEST(ElasticGradient, HasTheSameBitsWithAnyNumberOfThreads) {
+    const Shell shell = test::stacked_plates(2, 40, 0.1, test::glass);
+    for (const ShellEnergyOptions& options : {all_models[0], all_models[1]}) {
+        ShellEnergies energies(shell, options);
+        const Positions x = test::shaken(shell, 1e-4, 5);
+        const Threads one, two(2), three(3);
+        const Positions alone = ElasticGradient(shell, energies, options, one).at(x);
+        EXPECT_EQ(ElasticGradient(shell, energies, options, two).at(x), alone);
+        EXPECT_EQ(ElasticGradient(shell, energies, options, three).at(x), alone);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
