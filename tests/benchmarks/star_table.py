@@ -16,7 +16,7 @@ from recorded_run import cracks, recorded_run
 SCENE = "experiments/struck_plate.toml"
 BLOW = numpy.array([0.001, 0.0007])
 THICKNESS, FRACTURE_ENERGY = 1e-3, 1.1e6 ** 2 / 3.2e9  # m, J/m^2: K_Ic^2 / Y
-SPEEDS, EDGES, RADII = ("20", "50", "70"), (0.002, 0.0016, 0.00125), (0.005, 0.01, 0.015)
+SPEEDS, EDGES, RADII = ("12", "20", "50", "70", "100"), (0.002, 0.0016, 0.00125), (0.005, 0.01, 0.015)
 
 
 def main():
