@@ -44,9 +44,10 @@ def row(sherd, name, mesh, remesh):
                 print(f"{name} {remesh} {thickness}: {done.stderr}", file=sys.stderr)
     edges = re.search(r"edges \S+ m on the mean, (\S+) to (\S+) m; smallest angle (\S+)", text)
     shortest, longest, angle = edges.groups() if edges else ("nan", "nan", "?")
+    distance = number(r"at most (\S+) m from", text, "")
     cells = [name, f"{1000 * remesh:g} mm" if remesh else "as it is", number(r"remeshed from ([0-9]+) faces", text, ""),
              number(r"faces ([0-9]+)", text, "?"), f"{1000 * float(shortest):.2g} to {1000 * float(longest):.2g}", angle,
-             number(r"at most (\S+) m from", text, ""), number(r"([0-9]+) pairs of faces cross or touch", text),
+             "0" if distance and float(distance) < 1e-12 else distance, number(r"([0-9]+) pairs of faces cross or touch", text),
              f"{seconds:.1f}", f"{refused} of {len(THICKNESSES)}"]
     print(f"| {' | '.join(cells)} |", flush=True)
     return refused
