@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tears a flap out of a sheet and prints to which power of the distance to its point its width goes.
 
-    tests/benchmarks/flap_table.py build/release/app/sherd [SEEDS]
+    tests/benchmarks/flap_table.py build/release/app/sherd [SEEDS [EDGE...]]
 
-Takes minutes. Needs h5py and numpy.
+EDGE: edge lengths of the meshes, m. Takes minutes. Needs h5py and numpy.
 """
+import itertools
 import sys
 
 import h5py
@@ -43,13 +44,15 @@ def miss(y, width, power):
 
 def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2
-    print("| seed | point (mm from the cuts) | power | off 8/11 (mm) | off 9/8 (mm) |\n| --- | --- | --- | --- | --- |")
-    for seed in range(1, seeds + 1):
-        with recorded_run(program, SCENE, [f"seed={seed}"]) as recording:
+    edges = [float(edge) for edge in sys.argv[3:]] or [0.002]
+    print("| edges (mm) | seed | point (mm from the cuts) | power | off 8/11 (mm) | off 9/8 (mm) |")
+    print("| --- " * 6 + "|")
+    for edge, seed in itertools.product(edges, range(1, seeds + 1)):
+        with recorded_run(program, SCENE, [f"seed={seed}", f"sheet.plate.mesh.edge_length={edge}"]) as recording:
             y, width = widths(recording)
         point, power = free_power(y, width)
         off = " | ".join(f"{1000 * miss(y, width, n):.1f}" for n in (8 / 11, 9 / 8))
-        print(f"| {seed} | {1000 * (point - y[0]):.0f} | {power:.2f} | {off} |", flush=True)
+        print(f"| {1000 * edge:g} | {seed} | {1000 * (point - y[0]):.0f} | {power:.2f} | {off} |", flush=True)
 
 
 if __name__ == "__main__":
