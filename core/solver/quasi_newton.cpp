@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/solver/kept_momentum.h"
 
@@ -45,13 +46,15 @@ constexpr double may_be_left = 0.1;
 /// long.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
 
+/// m; infinite if there are no triangles.
 double mean_edge(const Shell& shell) {
     double sum = 0;
     for (const TriangleStencil& triangle : shell.triangles)
         for (int i = 0; i < 3; ++i)
             sum += (shell.rest.col(triangle.vertices[i]) - shell.rest.col(triangle.vertices[(i + 1) % 3]))
                        .norm();
-    return sum / std::max(1.0, 3.0 * static_cast<double>(shell.triangles.size()));
+    return shell.triangles.empty() ? std::numeric_limits<double>::infinity()
+                                   : sum / (3 * static_cast<double>(shell.triangles.size()));
 }
 
 }  // namespace
