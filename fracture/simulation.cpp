@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/contact/colliders/start_depth.h"
+#include "core/shell/mean_edge_length.h"
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
 #include "fracture/residual_stress.h"
@@ -29,15 +30,6 @@ std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper
         any |= shares[e] > 0;
     }
     return any ? shares : std::vector<double>();
-}
-
-double mean_edge_length(const Shell& shell) {
-    double sum = 0;
-    for (const TriangleStencil& triangle : shell.triangles)
-        for (int i = 0; i < 3; ++i)
-            sum += (shell.rest.col(triangle.vertices[i]) - shell.rest.col(triangle.vertices[(i + 1) % 3]))
-                       .norm();
-    return sum / (3.0 * static_cast<double>(shell.triangles.size()));
 }
 
 StepperOptions stepper_options(const SimulationOptions& options, const Shell& shell) {

@@ -29,38 +29,36 @@ CoupledBatches::Rows CoupledBatches::Rows::transposed(Index columns) const {
     return other;
 }
 
-void CoupledBatches::build(const Shell& of, const CoupledBending& bending, std::span<const Index> face_order,
-                           std::span<const Index> hinge_order) {
+void CoupledBatches::build(const Shell& of, const CoupledBending& bending) {
     shell = &of;
-    of_hinges = Lanes::count * batches_of(hinge_order.size());
+    of_hinges = Lanes::count * batches_of(of.hinges.size());
     folds = of_hinges + bending.all_folds().folds_of_edges();
-    build_hinges(of, bending, hinge_order);
-    build_faces(bending, face_order);
+    build_hinges(bending);
+    build_faces(bending);
     changes.assign(folds, 0);
     of_length.assign(of_hinges, 0);
 }
 
 Index CoupledBatches::number(const CoupledBending& bending, Index fold) const {
     const Index mirrors = bending.all_folds().folds_of_edges();
-    return fold < mirrors ? of_hinges + fold : fold_of_hinge[shell->edge_hinge[fold - mirrors]];
+    return fold < mirrors ? of_hinges + fold : shell->edge_hinge[fold - mirrors];
 }
 
-void CoupledBatches::build_hinges(const Shell& of, const CoupledBending& bending,
-                                  std::span<const Index> order) {
+void CoupledBatches::build_hinges(const CoupledBending& bending) {
     const Index mirrors = bending.all_folds().folds_of_edges();
-    fold_of_hinge.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) fold_of_hinge[order[i]] = static_cast<Index>(i);
-    hinges.assign(batches_of(order.size()), {});
+    const std::size_t count = shell->hinges.size();
+    hinges.assign(batches_of(count), {});
     shares = {};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(of_hinges); ++i) {
-        const Index hinge = order[std::min(i, order.size() - 1)], edge = of.hinge_edge[hinge];
-        auto& [start, vertices] = hinges[i / Lanes::count];
-        const int lane = static_cast<int>(i % Lanes::count);
+    for (Index i = 0; i < of_hinges; ++i) {
+        const Index b = i / Lanes::count;
+        const int lane = i % Lanes::count;
+        const Index hinge = element_of(b, lane, count), edge = shell->hinge_edge[hinge];
+        auto& [start, vertices] = hinges[b];
         const double angle = bending.start_angle(mirrors + edge);
         start[0].set(lane, std::cos(angle));
         start[1].set(lane, std::sin(angle));
-        for (int v = 0; v < 4; ++v) vertices[v][lane] = of.hinges[hinge].vertices[v];
-        if (i < order.size())
+        for (int v = 0; v < 4; ++v) vertices[v][lane] = shell->hinges[hinge].vertices[v];
+        if (lane < present_in(b, count))
             for (const auto& [fold, weight] : bending.face_curvature().shares_of_first(edge))
                 shares.append(number(bending, fold), weight);
         shares.end_row();
@@ -68,18 +66,20 @@ void CoupledBatches::build_hinges(const Shell& of, const CoupledBending& bending
     shared = shares.transposed(folds);
 }
 
-void CoupledBatches::build_faces(const CoupledBending& bending, std::span<const Index> order) {
+void CoupledBatches::build_faces(const CoupledBending& bending) {
     const FaceCurvature& curvature = bending.face_curvature();
     const Index mirrors = bending.all_folds().folds_of_edges();
-    faces.assign(batches_of(order.size()), {});
+    const std::size_t count = shell->triangles.size();
+    faces.assign(batches_of(count), {});
     at_sides.sides.assign(faces.size(), {});
     Index next_free = 2 * folds;
-    for (std::size_t i = 0; i < Lanes::count * faces.size(); ++i) {
-        const Index face = order[std::min(i, order.size() - 1)];
-        auto& [rigidity, tangents_of] = faces[i / Lanes::count];
-        const int lane = static_cast<int>(i % Lanes::count);
+    for (Index i = 0; i < Lanes::count * batches_of(count); ++i) {
+        const Index b = i / Lanes::count;
+        const int lane = i % Lanes::count;
+        const Index face = element_of(b, lane, count);
+        auto& [rigidity, tangents_of] = faces[b];
         for (int side = 0; side < 3; ++side) {
-            const Index fold = i < order.size() ? curvature.around().fold_at(face, side) : -1;
+            const Index fold = lane < present_in(b, count) ? curvature.around().fold_at(face, side) : -1;
             Index tangent = next_free, by = folds;
             if (fold < 0) {
                 ++next_free;
@@ -92,7 +92,7 @@ void CoupledBatches::build_faces(const CoupledBending& bending, std::span<const 
                 }
             }
             tangents_of[side][lane] = tangent;
-            at_sides.sides[i / Lanes::count][side][lane] = by;
+            at_sides.sides[b][side][lane] = by;
         }
         const Matrix3d C = curvature.per_tangent(face), full = C.transpose() * bending.rigidity(face) * C;
         const double entries[] = {full(0, 0), full(1, 1), full(2, 2), full(0, 1), full(0, 2), full(1, 2)};

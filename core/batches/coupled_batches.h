@@ -14,9 +14,7 @@ namespace sherd {
 /// (FaceCurvature): the sum is CoupledBending's in another order.
 class CoupledBatches {
   public:
-    /// faces, hinges: numbers of all, in the order of batches.
-    void build(const Shell& shell, const CoupledBending& bending, std::span<const Index> faces,
-               std::span<const Index> hinges);
+    void build(const Shell& shell, const CoupledBending& bending);
     /// of_mirrors: changes of their angles, rad; they become the energy's derivatives by them, N m.
     void find(const PaddedPositions& x, const Threads& threads, std::vector<double>& of_mirrors);
     /// Of the hinges at the sides of faces.
@@ -47,8 +45,8 @@ class CoupledBatches {
         Rows transposed(Index columns) const;
     };
 
-    void build_hinges(const Shell& shell, const CoupledBending& bending, std::span<const Index> order);
-    void build_faces(const CoupledBending& bending, std::span<const Index> order);
+    void build_hinges(const CoupledBending& bending);
+    void build_faces(const CoupledBending& bending);
     /// Among the folds here; that of a mirror comes after the hinges.
     Index number(const CoupledBending& bending, Index fold) const;
 
@@ -58,8 +56,7 @@ class CoupledBatches {
     void find_moments(Index begin, Index end);
     double moment(Index fold) const;
 
-    Index of_hinges = 0, folds = 0;    ///< how many folds are hinges, in whole batches, and all
-    std::vector<Index> fold_of_hinge;  ///< [H]
+    Index of_hinges = 0, folds = 0;  ///< how many folds are hinges, in whole batches, and all
     const Shell* shell = nullptr;
     std::vector<Hinges> hinges;
     std::vector<Faces> faces;

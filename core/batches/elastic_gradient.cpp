@@ -25,16 +25,13 @@ ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energi
 }
 
 void ElasticGradient::build() {
-    std::vector<Index> face_order(shell.triangles.size()), hinge_order(shell.hinges.size());
-    std::iota(face_order.begin(), face_order.end(), 0);
-    std::iota(hinge_order.begin(), hinge_order.end(), 0);
     corners.clear();
-    if (of_membrane) faces.build(shell, face_order, corners);
-    if (cubic != nullptr) hinges.build(shell, *cubic, hinge_order, corners);
+    if (of_membrane) faces.build(shell, corners);
+    if (cubic != nullptr) hinges.build(shell, *cubic, corners);
     corners.prepare(static_cast<Index>(shell.position.cols()));
     positions.resize(shell.position.cols());
     if (coupled != nullptr) {
-        bends.build(shell, *coupled, face_order, hinge_order);
+        bends.build(shell, *coupled);
         mirrors.resize(coupled->all_folds().folds_of_edges());
         std::iota(mirrors.begin(), mirrors.end(), 0);
         of_mirrors.resize(mirrors.size());

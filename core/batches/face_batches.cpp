@@ -14,14 +14,13 @@ constexpr int entry[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
 }  // namespace
 
-void FaceBatches::build(const Shell& shell, std::span<const Index> order, CornerSums& corners) {
-    batches.assign(batches_of(order.size()), {});
+void FaceBatches::build(const Shell& shell, CornerSums& corners) {
+    const std::size_t count = shell.triangles.size();
+    batches.assign(batches_of(count), {});
     for (Index b = 0; b < size(); ++b) {
         Batch& batch = batches[b];
-        const auto some = order.subspan(b * Lanes::count);
-        const int present = std::min<int>(Lanes::count, static_cast<int>(some.size()));
         for (int lane = 0; lane < Lanes::count; ++lane) {
-            const auto& [vertices, membrane] = shell.triangles[some[std::min(lane, present - 1)]];
+            const auto& [vertices, membrane] = shell.triangles[element_of(b, lane, count)];
             for (int i = 0; i < 3; ++i) {
                 batch.vertices[i][lane] = vertices[i];
                 for (int j = 0; j < 3; ++j)
@@ -31,7 +30,7 @@ void FaceBatches::build(const Shell& shell, std::span<const Index> order, Corner
                         batch.derivatives[i - 1][j].set(lane, membrane.derivatives(i, j));
             }
         }
-        batch.place = corners.append(batch.vertices, present);
+        batch.place = corners.append(batch.vertices, present_in(b, count));
     }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "core/batches/corner_sums.h"
 #include "core/shell/shell.h"
@@ -23,8 +22,8 @@ struct SideMoments {
 /// The faces of a shell in batches, with the gradient of their membrane energy (constant strain).
 class FaceBatches {
   public:
-    /// order: numbers of all faces. Their corners are appended to `corners`.
-    void build(const Shell& shell, std::span<const Index> order, CornerSums& corners);
+    /// The corners of all faces are appended to `corners`.
+    void build(const Shell& shell, CornerSums& corners);
     Index size() const { return static_cast<Index>(batches.size()); }
 
     /// Puts the gradients, N, of the batches from `begin` to before `end` into their corners, with what

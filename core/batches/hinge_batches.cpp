@@ -5,22 +5,20 @@
 
 namespace sherd {
 
-void HingeBatches::build(const Shell& shell, const std::vector<CubicHinge>& hinges,
-                         std::span<const Index> order, CornerSums& corners) {
-    batches.assign(batches_of(order.size()), {});
+void HingeBatches::build(const Shell& shell, const std::vector<CubicHinge>& hinges, CornerSums& corners) {
+    const std::size_t count = shell.hinges.size();
+    batches.assign(batches_of(count), {});
     for (Index b = 0; b < size(); ++b) {
         Batch& batch = batches[b];
-        const auto some = order.subspan(b * Lanes::count);
-        const int present = std::min<int>(Lanes::count, static_cast<int>(some.size()));
         for (int lane = 0; lane < Lanes::count; ++lane) {
-            const Index hinge = some[std::min(lane, present - 1)];
+            const Index hinge = element_of(b, lane, count);
             const Matrix3d Q = hinges[hinge].quadratic.bottomRightCorner<3, 3>();
             const double entries[] = {Q(0, 0), Q(1, 1), Q(2, 2), Q(0, 1), Q(0, 2), Q(1, 2)};
             for (int k = 0; k < 6; ++k) batch.quadratic[k].set(lane, entries[k]);
             batch.cubic.set(lane, hinges[hinge].cubic);
             for (int v = 0; v < 4; ++v) batch.vertices[v][lane] = shell.hinges[hinge].vertices[v];
         }
-        batch.place = corners.append(batch.vertices, present);
+        batch.place = corners.append(batch.vertices, present_in(b, count));
     }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "core/batches/corner_sums.h"
 #include "core/bending/cubic_hinge.h"
@@ -13,9 +12,8 @@ namespace sherd {
 /// The cubic hinges of a shell in batches, with the gradient of their energy.
 class HingeBatches {
   public:
-    /// order: numbers of all hinges. Their vertices are appended to `corners`.
-    void build(const Shell& shell, const std::vector<CubicHinge>& hinges, std::span<const Index> order,
-               CornerSums& corners);
+    /// The vertices of all hinges are appended to `corners`.
+    void build(const Shell& shell, const std::vector<CubicHinge>& hinges, CornerSums& corners);
     Index size() const { return static_cast<Index>(batches.size()); }
 
     /// Puts the gradients, N, of the batches from `begin` to before `end` into their corners.

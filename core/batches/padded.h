@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -49,6 +50,15 @@ inline void scatter(const Lanes& values, const LaneIndices& at, std::vector<doub
 /// How many batches of four there are of so many elements.
 constexpr Index batches_of(std::size_t elements) {
     return static_cast<Index>((elements + Lanes::count - 1) / Lanes::count);
+}
+
+/// How many elements batch b has, of so many in all.
+constexpr int present_in(Index b, std::size_t elements) {
+    return std::min<int>(Lanes::count, static_cast<int>(elements) - b * Lanes::count);
+}
+/// The element of a lane; the last one again where there are no more.
+constexpr Index element_of(Index b, int lane, std::size_t elements) {
+    return std::min(b * Lanes::count + lane, static_cast<Index>(elements) - 1);
 }
 
 }  // namespace sherd

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/shell/mean_edge_length.h"
 #include "core/solver/kept_momentum.h"
 
 namespace sherd {
@@ -45,17 +45,6 @@ constexpr double may_be_left = 0.1;
 /// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
 /// long.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
-
-/// m; infinite if there are no triangles.
-double mean_edge(const Shell& shell) {
-    double sum = 0;
-    for (const TriangleStencil& triangle : shell.triangles)
-        for (int i = 0; i < 3; ++i)
-            sum += (shell.rest.col(triangle.vertices[i]) - shell.rest.col(triangle.vertices[(i + 1) % 3]))
-                       .norm();
-    return shell.triangles.empty() ? std::numeric_limits<double>::infinity()
-                                   : sum / (3 * static_cast<double>(shell.triangles.size()));
-}
 
 }  // namespace
 
@@ -157,7 +146,7 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
 
 void QuasiNewton::begin(const Potential& potential, const Positions& x, Search& search) {
     search.gradient = potential.gradient(x);
-    search.short_way = share_of_edge * mean_edge(potential.of_shell());
+    search.short_way = share_of_edge * mean_edge_length(potential.of_shell());
     search.round_off = potential.round_off() + 1e-12 * std::abs(potential.value(x));
     search.is_old = system.has_factor() && anew == 0 && spent < iterations_per_factorization(potential);
     if (anew > 0) --anew;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """mesh_table SHERD [FILE | NAME]...: what `sherd check` says of rough meshes, 0.2 m long, as they are and remeshed, at
-three thicknesses; seconds are of processor time, at the first of these. FILE is a mesh file, NAME one of tests/support/rough_meshes.py; without any, all of these."""
+three thicknesses; seconds are of processor time, at the first of these. FILE is a mesh file, NAME one of
+tests/support/rough_meshes.py; without any, all of these."""
 import pathlib
 import re
 import resource

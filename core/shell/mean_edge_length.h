@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shell/shell.h"
+
+namespace sherd {
+
+/// m, at rest, an edge counted once for each of its triangles; infinite if there are none.
+double mean_edge_length(const Shell& shell);
+
+}  // namespace sherd
