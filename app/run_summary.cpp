@@ -31,6 +31,17 @@ std::string load_words(const LoadHistory& load) {
     return words;
 }
 
+/// How long, how often and why explicit steps were made between implicit ones.
+std::string explicit_words(const RunTotals& totals) {
+    constexpr std::array<const char*, urgency_count> names{"", "strikes", "stress", "cracks",
+                                                           "unsolved steps"};
+    std::vector<std::string> causes;
+    for (std::size_t u = 1; u < urgency_count; ++u)
+        if (totals.urgencies[u] > 0) causes.push_back(fmt::format("{} {}", names[u], totals.urgencies[u]));
+    return fmt::format("{:g} s of it{}", totals.explicit_time,
+                       causes.empty() ? "" : fmt::format("; begun by: {}", fmt::join(causes, ", ")));
+}
+
 std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulation& simulation) {
     std::vector<std::string> names;
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o)
@@ -54,6 +65,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     else
         add_row(text, "simulated time", fmt::format("{:g} s", totals.last.time));
     add_row(text, "wall time", fmt::format("{:.1f} s", end.wall_seconds));
+    if (scene.solver.alternates) add_row(text, "explicit steps", explicit_words(totals));
     add_row(text, scene.solver.scheme == Scheme::explicit_differences ? "substeps" : "Newton iterations",
             fmt::format("{} ({:.2f} a step)", totals.newton_iterations,
                         static_cast<double>(totals.newton_iterations) /

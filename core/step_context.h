@@ -14,8 +14,9 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 /// The origins of a rigid body in a step (see StepContext); its displacement and rotation since the step's
 /// beginning replace the positions.
 struct BodyOrigin {
-    Vector6d pose = Vector6d::Zero();      ///< m, rad
-    Vector6d velocity = Vector6d::Zero();  ///< m/s, rad/s
+    Vector6d pose = Vector6d::Zero();              ///< m, rad
+    Vector6d velocity = Vector6d::Zero();          ///< m/s, rad/s
+    Vector3d angular_momentum = Vector3d::Zero();  ///< kg m^2/s
 };
 
 /// One implicit time step as energies see it. The time scheme defines the velocity at the step's end as a

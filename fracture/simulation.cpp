@@ -78,7 +78,8 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       fragments(breakable.mesh(), breakable.face_areas()),
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
-      step_size(options.stepper.step) {}
+      step_size(options.stepper.step,
+                options.adaptive ? StepSize::Growth::steady : StepSize::Growth::doubling) {}
 
 BreakableShell Simulation::with_cracks(BreakableShell sheets) {
     keep_loads(sheets, options.stepper.shell);
@@ -101,10 +102,8 @@ StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
     release_apart();
-    while (!attempt(report)) {
-        if (!step_size.halve()) give_up(report);
-        ++report.halvings;
-    }
+    while (!attempt(report))
+        if (!try_otherwise(report)) give_up(report);
     finish(report);
     return report;
 } catch (const Error&) {
@@ -138,6 +137,7 @@ void Simulation::give_up(const StepReport& report) const {
 }
 
 bool Simulation::attempt(StepReport& report) {
+    urgency = Urgency::unsolved;
     if (!stepper->begin(step_size.size())) return false;
     MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
@@ -148,6 +148,8 @@ bool Simulation::attempt(StepReport& report) {
     ends_at_crack = options.until_crack && fails(now);
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
     report_peaks(report, measures);
+    urgency = judged(report, now);
+    if (urgency != Urgency::none) return false;
     hinge_peaks.judge(breakable, measures);
     const bool in_stages = options.rule == BreakingRule::staged && !ends_at_crack;
     if (in_stages) newton = break_in_stages(report, newton, now);
@@ -196,7 +198,7 @@ std::vector<CrackStep> Simulation::next_crack_steps(const Measured& now, double 
     Judged judged{now.strains, now.hinges, time(), time() + step_size.size(), waited, {}, {}};
     judged.is_opening = [this](Index edge) { return stepper->held(edge) > 0; };
     // Energy swings too much in fast plates, and hinges that are not coupled have none of use.
-    if (options.stepper.scheme != Scheme::explicit_differences && stepper->coupled_bending() != nullptr &&
+    if (stepper->scheme() != Scheme::explicit_differences && stepper->coupled_bending() != nullptr &&
         !growth.tips().empty())
         judged.equilibrium = {stepper->position, stepper->elastic_gradient(), stepper->lip_forces(),
                               stepper->coupled_bending()};
@@ -279,6 +281,8 @@ void Simulation::finish(StepReport& report) {
     report.lip_overlap = stepper->lip_overlap();
     report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
     report.fragments = fragments.count();
+    report.is_explicit = stepper->scheme() == Scheme::explicit_differences;
+    pace_on(report);
 }
 
 void Simulation::add_touch(StepReport& report) {
@@ -306,10 +310,14 @@ void Simulation::read_gauges(StepReport& report) const {
 
 void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
-           hinge_peaks, obstacles_touched, bodies_touched, step_size, ends_at_crack, forbidden, grown] =
-        *this;
+           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, ends_at_crack, forbidden,
+           grown] = *this;
+    // What is put back is that of the scheme which the stepper had.
+    Scheme scheme = stepper->scheme();
+    visit(scheme);
+    if (scheme != stepper->scheme()) change_scheme(scheme);
     visit(options.gauges, steps, events, residual, breakable, stepper, growth, fragments, hinge_peaks,
-          obstacles_touched, bodies_touched, step_size, ends_at_crack, forbidden, grown);
+          obstacles_touched, bodies_touched, step_size, pace, ends_at_crack, forbidden, grown);
 }
 
 Snapshot Simulation::snapshot() const {

@@ -10,6 +10,7 @@
 #include "fracture/gauge.h"
 #include "fracture/hinge_peaks.h"
 #include "fracture/snapshot.h"
+#include "fracture/step_pace.h"
 #include "fracture/step_report.h"
 #include "fracture/step_size.h"
 
@@ -34,6 +35,12 @@ struct SimulationOptions {
     double tolerance = 1e-6;  ///< largest coordinate of the last correction, in mean edge lengths
     BreakingRule rule = BreakingRule::staged;
     int max_stages = 100;  ///< stages of staged breaking in one step
+    /// Implicit and explicit steps alternate (StepPace), beginning with implicit ones. Explicit steps are
+    /// parts, halved as often as need be, of the stepper's, so that they are not longer than explicit_step,
+    /// s.
+    bool alternates = false;
+    double explicit_step = 2e-6;
+    bool adaptive = false;  ///< implicit steps get shorter where something strikes or breaks, too
     /// End with the first hinges that fail. The step is halved as far as it can be to find their moment; no
     /// new equilibrium is sought.
     bool until_crack = false;
@@ -81,14 +88,20 @@ class Simulation {
     void visit_state(StateVisitor& visit);
 
   private:
-    [[noreturn]] void give_up(const StepReport& report) const;
-    /// Solves a step from its beginning, including its breaking. Returns whether it could be solved.
-    bool attempt(StepReport& report);
     /// What is judged, at the stepper's position.
     struct Measured {
         FaceStrains strains;
         HingeMeasures hinges;
     };
+    [[noreturn]] void give_up(const StepReport& report) const;
+    /// Solves a step from its beginning, including its breaking. Returns whether it is made; else urgency
+    /// says why not.
+    bool attempt(StepReport& report);
+    /// Makes what follows an attempt in vain another one. Returns false when nothing is left to try.
+    bool try_otherwise(StepReport& report);
+    /// Judges an implicit step that has been solved.
+    Urgency judged(const StepReport& report, const Measured& measured);
+    void change_scheme(Scheme scheme);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, Measured measured);
     Measured measured() const;
@@ -122,6 +135,7 @@ class Simulation {
     void release_apart();
     void report_peaks(StepReport& report, const HingeMeasures& measures) const;
     void finish(StepReport& report);
+    void pace_on(const StepReport& report);
     void add_touch(StepReport& report);
     void read_gauges(StepReport& report) const;
 
@@ -136,6 +150,8 @@ class Simulation {
     HingePeaks hinge_peaks;
     std::vector<char> obstacles_touched, bodies_touched;
     StepSize step_size;
+    StepPace pace;
+    Urgency urgency = Urgency::none;  ///< of the last attempt
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
 };

@@ -5,15 +5,31 @@ namespace sherd {
 
 bool StepSize::halve() {
     if (!can_halve()) return false;
-    ++halvings;
+    length = std::max(smallest, ticks() / 2);
     successes = 0;
     return true;
 }
 
+void StepSize::keep(int halvings) {
+    length = whole >> std::min(halvings, most_halvings);
+    is_kept = true;
+}
+
+void StepSize::resume() {
+    length = whole;
+    successes = 0;
+    is_kept = false;
+}
+
 void StepSize::advance() {
     done += ticks();
-    if (halvings == 0 || ++successes < enough || done % (2 * ticks()) != 0) return;
-    --halvings;
+    if (is_kept || length == whole) return;
+    if (growth == Growth::steady) {
+        length = std::min(whole, length + length / 20);
+        return;
+    }
+    if (++successes < enough || done % (2 * length) != 0) return;
+    length *= 2;
     successes = 0;
 }
 

@@ -1,41 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace sherd {
 
-/// The length of time steps: it is the nominal one, is halved when a step cannot be solved, and is doubled
-/// again after some successful steps. No step crosses a multiple of the nominal length.
+/// The length of time steps: it is the nominal one, is halved when a step shall be shorter, and grows again
+/// after steps that succeed. No step crosses a multiple of the nominal length.
 class StepSize {
   public:
+    enum class Growth {
+        doubling,  ///< after four steps that succeed
+        steady     ///< by 5 % after each of them
+    };
     static constexpr int most_halvings = 10;  ///< the smallest step is 1/1024 of the nominal one
 
     /// nominal: s.
-    explicit StepSize(double nominal) : nominal(nominal) {}
+    explicit StepSize(double nominal, Growth growth = Growth::doubling) : nominal(nominal), growth(growth) {}
 
     double size() const { return seconds(ticks()); }  ///< s, length of the next step
     double time() const { return seconds(done); }     ///< s, end of the last step
 
-    bool can_halve() const { return halvings < most_halvings; }
+    bool can_halve() const { return length > smallest; }
     /// Halves the next step. Returns false when it has the smallest length already.
     bool halve();
+    /// Steps have the nominal length halved so often until resume().
+    void keep(int halvings);
+    void resume();
+    /// Whether the next step begins at a multiple of the nominal length.
+    bool is_at_whole() const { return done % whole == 0; }
     /// Must be called when the next step is finished.
     void advance();
 
   private:
     static constexpr int enough = 4;  // steps in succession that succeed before a longer one is tried
+    // Lengths are multiples of a tick, so that times have no round-off that adds up.
+    static constexpr std::int64_t smallest = 1024, whole = smallest << most_halvings;
 
-    std::int64_t ticks() const { return std::int64_t{1} << (most_halvings - halvings); }
+    /// The next step: what is left to a multiple of the nominal length is divided evenly.
+    std::int64_t ticks() const {
+        const std::int64_t left = whole - done % whole;
+        return left <= length ? left : left < 2 * length ? (left + 1) / 2 : length;
+    }
     /// Exactly an integer times the nominal length after whole steps.
     double seconds(std::int64_t count) const {
-        return static_cast<double>(count) * nominal / (1 << most_halvings);
+        return static_cast<double>(count) * nominal / static_cast<double>(whole);
     }
 
     double nominal;
-    std::int64_t done = 0;  ///< in units of the smallest step
-    int halvings = 0;       ///< of the next step
-    int successes = 0;      ///< steps since the last change of length
+    Growth growth;
+    std::int64_t done = 0;        ///< ticks
+    std::int64_t length = whole;  ///< ticks, that the next step has if there is room
+    int successes = 0;            ///< steps since the last change of length
+    bool is_kept = false;         ///< whether the length stays
 };
 
 }  // namespace sherd

@@ -142,6 +142,11 @@ struct Table<StepReport> {
         visit("halvings", {"1", "of this step, because longer ones could not be solved"}, &R::halvings);
         visit("stages", {"1", "stages of breaking"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
+        visit("is_explicit", {"1", "whether the step was made of substeps, 0 no, 1 yes"}, &R::is_explicit);
+        visit("urgency",
+              {"1",
+               "why explicit steps begin after implicit ones: 1 a strike, 2 stress, 3 a crack, 4 unsolved"},
+              &R::urgency);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
         visit("obstacle_overlap", {"m", "how deep a sheet's surface is in an obstacle"},
               &R::obstacle_overlap);

@@ -9,9 +9,10 @@
 /// Here rows of plain structs are columns of a recording, one dataset a member.
 namespace sherd::recording_format {
 
-/// The member type of a column as it is stored (HDF5 has no bool that all readers know).
+/// The member type of a column as it is stored (HDF5 has no bool that all readers know, and enumerations are
+/// numbers).
 template <class T>
-using Stored = std::conditional_t<std::same_as<T, bool>, std::uint8_t, T>;
+using Stored = std::conditional_t<std::same_as<T, bool> || std::is_enum_v<T>, std::uint8_t, T>;
 
 inline std::string column(const std::string& group, const char* name) {
     return fmt::format("{}/{}", group, name);
@@ -44,7 +45,7 @@ template <class Row>
 void append_table(hid_t file, std::span<const Row> rows, const std::string& group = Table<Row>::group) {
     visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         std::vector<Stored<T>> values;
-        for (const Row& row : rows) values.push_back(row.*member);
+        for (const Row& row : rows) values.push_back(static_cast<Stored<T>>(row.*member));
         hdf5::append<Stored<T>>(file, column(group, name), values);
     });
 }
@@ -67,7 +68,7 @@ std::vector<Row> read_table(hid_t file, const std::string& group = Table<Row>::g
     std::vector<Row> rows(table_rows<Row>(file, group));
     visit_columns<Row>(file, group, [&]<class T>(const char* name, T Row::*member) {
         const std::vector<Stored<T>> values = hdf5::read<Stored<T>>(file, column(group, name));
-        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = values[i];
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = static_cast<T>(values[i]);
     });
     return rows;
 }

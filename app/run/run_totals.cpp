@@ -9,6 +9,8 @@ void RunTotals::stepped(const StepReport& report, const CrackEvents& events) {
     cracks += events.failures.size();
     halvings += report.halvings;
     smallest_step = std::min(smallest_step, report.step_size);
+    if (report.is_explicit) explicit_time += report.step_size;
+    ++urgencies[static_cast<std::size_t>(report.urgency)];
     load.add(report.load);
     capped += report.stage_cap_reached;
     newton_iterations += report.newton_iterations;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "app/run/load_history.h"
@@ -14,13 +15,17 @@ class RunTotals : public RunObserver {
     void stepped(const StepReport& report, const CrackEvents& events) override;
 
     void visit_state(StateVisitor& visit) {
-        auto& [cracks, capped, newton_iterations, halvings, smallest_step, load, peaks, last] = *this;
-        visit(cracks, capped, newton_iterations, halvings, smallest_step, load, peaks, last);
+        auto& [cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
+               peaks, last] = *this;
+        visit(cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
+              peaks, last);
     }
 
     std::size_t cracks = 0, capped = 0;
     std::int64_t newton_iterations = 0, halvings = 0;
     double smallest_step = std::numeric_limits<double>::infinity();  ///< s
+    double explicit_time = 0;                                        ///< s, in explicit steps
+    std::array<std::int64_t, urgency_count> urgencies{};             ///< how often each was met by them
     LoadHistory load;
     StepReport peaks;
     StepReport last;

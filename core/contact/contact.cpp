@@ -50,6 +50,10 @@ Positions Contact::pushed_along() const {
     return sheet_contact->pushed_along(shell.position);
 }
 
+void Contact::end_at(const Positions& x) {
+    if (body_contact) body_contact->end_at(x);
+}
+
 void Contact::finish(const Positions& x) {
     if (body_contact) body_contact->finish(x);
 }

@@ -36,6 +36,8 @@ class Contact {
     /// Displacement in the step, m, [3, V], by which moving obstacles push the vertices near them; zero for
     /// other vertices.
     Positions pushed_along() const;
+    /// Lets the bodies make the step that ends with the shell at x, which is not finished yet.
+    void end_at(const Positions& x);
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
 

@@ -27,21 +27,24 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
       mirrors(shell, uncoupled_mirrors(options)),
       mirror_supports(options.mirror_supports) {
     for (const MirrorHinge& mirror : options.mirrors) mirror_scripts.push_back(mirror.script);
-    const auto add = [&](double EnergyBalance::*part, std::unique_ptr<Energy> energy, bool of_velocity) {
-        others.push_back({part, std::move(energy), of_velocity});
-    };
     if (!options.loads.empty())
-        add(&EnergyBalance::work_of_loads, std::make_unique<LoadEnergy>(shell, options.loads), false);
+        others.push_back(
+            {&EnergyBalance::work_of_loads, std::make_unique<LoadEnergy>(shell, options.loads), false});
     if (!options.winds.empty())
-        add(&EnergyBalance::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds), true);
+        others.push_back(
+            {&EnergyBalance::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds), true});
+    damp(options);
+}
+
+void ShellEnergies::damp(const ShellEnergyOptions& options) {
+    std::erase_if(others, [](const OuterEnergy& one) { return one.part == &EnergyBalance::lost_to_damping; });
+    const auto add = [&](std::unique_ptr<Energy> energy) {
+        others.push_back({&EnergyBalance::lost_to_damping, std::move(energy), true});
+    };
     if (options.damping.stiffness > 0)
-        add(&EnergyBalance::lost_to_damping,
-            std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model,
-                                               options.membrane),
-            true);
-    if (options.damping.mass > 0)
-        add(&EnergyBalance::lost_to_damping, std::make_unique<MassDamping>(shell, options.damping.mass),
-            true);
+        add(std::make_unique<StiffnessDamping>(shell, options.damping.stiffness, options.bending.model,
+                                               options.membrane));
+    if (options.damping.mass > 0) add(std::make_unique<MassDamping>(shell, options.damping.mass));
 }
 
 void ShellEnergies::visit_state(StateVisitor& visit) {

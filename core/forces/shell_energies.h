@@ -43,6 +43,9 @@ class ShellEnergies {
     /// The shell must outlive this object.
     ShellEnergies(const Shell& shell, const ShellEnergyOptions& options);
 
+    /// Takes the damping of other options instead, from the shell as it is now.
+    void damp(const ShellEnergyOptions& options);
+
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
     const Energy& of_bending() const { return *bending; }

@@ -24,6 +24,8 @@ struct Minimiser {
     /// Moves x [3, V] m towards the minimum, in at most `max_iterations` iterations of Newton's method or in
     /// what replaces them. The potential must be finite at x; it stays finite along every motion.
     virtual MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) = 0;
+    /// m; the largest coordinate of the last correction.
+    virtual void set_tolerance(double tolerance) = 0;
     virtual void visit_state(StateVisitor& visit) = 0;
 };
 

@@ -19,6 +19,7 @@ class Newton : public Minimiser {
                  thrift) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
     MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) override;
+    void set_tolerance(double value) override { tolerance = value; }
     void visit_state(StateVisitor& visit) override {
         auto& [tolerance, system] = *this;
         visit(system);

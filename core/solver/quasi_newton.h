@@ -18,6 +18,7 @@ class QuasiNewton : public Minimiser {
     explicit QuasiNewton(double tolerance = 1e-9) : tolerance(tolerance) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
     MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) override;
+    void set_tolerance(double value) override { tolerance = value; }
     void visit_state(StateVisitor& visit) override;
 
   private:

@@ -22,6 +22,9 @@ class EnergyLedger {
     /// Opens a step with what is stored at its beginning. An open step is discarded; what changes of the
     /// shell in it have taken counts as lost to cracks. moving: for the first step.
     void begin(double stored, double moving);
+    /// The next step is another scheme's, whose contact may store less, or more, at the same positions: the
+    /// scheme takes it.
+    void scheme_changed() { is_rebased = true; }
     /// The step has been solved: that much is stored where a change of the shell will find it.
     void solved(double stored) { solution = stored; }
     /// The same of the moving energy, for schemes whose solution has its velocities; else it is that of the
@@ -31,12 +34,17 @@ class EnergyLedger {
     /// triangles (remeshed). Returns what that took of what was stored, J.
     double topology_changed(double stored, double moving, bool remeshed);
     void finish(const StepWork& work, double stored, double moving);
+    /// J, that the scheme takes in the open step, whose work is this.
+    double taken_by_scheme(const StepWork& work, double stored) const {
+        return work.balance.lost_to_scheme + work.against_stored - (stored - at_begin) - opened - reshaped;
+    }
 
     const EnergyBalance& balance() const { return all; }  ///< of the finished steps
 
   private:
     EnergyBalance all;
     bool started = false;
+    bool is_rebased = false;           ///< whether the next step is the first one of another scheme
     double last = 0, last_moving = 0;  ///< J, stored and moving at the end of the last step
     double at_begin = 0;               ///< J, stored at the beginning of the open step
     double solution = 0;               ///< J, stored when the open step was solved last

@@ -56,8 +56,8 @@ VectorXd free_mass(const Shell& shell) {
 
 }  // namespace
 
-ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options)
-    : Stepper(shell, options),
+ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start)
+    : Stepper(shell, options, std::move(start)),
       threads(options.threads),
       elastic_gradient(shell, forces, options.shell, threads),
       contact(shell, options.contact, options.gravity),
@@ -128,15 +128,15 @@ void ExplicitStepper::choose_substep() {
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
         has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
-                 decltype(opening), decltype(elastic), decltype(step), decltype(time), decltype(of_shell),
-                 decltype(substeps), decltype(length), decltype(first), decltype(made), decltype(changed),
-                 decltype(strain_then), decltype(mode), decltype(velocity), decltype(acceleration),
-                 decltype(forces_now), decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided),
-                 decltype(moved), decltype(acceleration_before), decltype(forces_before),
-                 decltype(energies_now), decltype(work), decltype(inertia_work)>());
+                 decltype(opening), decltype(elastic), decltype(step), decltype(of_shell), decltype(substeps),
+                 decltype(length), decltype(first), decltype(made), decltype(changed), decltype(strain_then),
+                 decltype(mode), decltype(velocity), decltype(acceleration), decltype(forces_now),
+                 decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided), decltype(moved),
+                 decltype(acceleration_before), decltype(forces_before), decltype(energies_now),
+                 decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
     if (visit.reads()) elastic_gradient.shell_changed();
-    visit(contact, opening, step, time, of_shell, substeps, length, first, made, changed, strain_then, mode,
+    visit(contact, opening, step, of_shell, substeps, length, first, made, changed, strain_then, mode,
           velocity, acceleration, forces_now, energies_now, work, inertia_work);
 }
 
@@ -356,12 +356,17 @@ Positions ExplicitStepper::kept_forces(const Positions& before) const {
     return kept;
 }
 
-void ExplicitStepper::finish() {
+StepWork ExplicitStepper::all_work() const {
     const ExplicitBodies& bodies = contact.of_bodies();
-    work.against_stored -= bodies.contact_work() - bodies.friction_work();
-    work.balance.lost_to_friction -= bodies.friction_work();
-    work.balance.lost_to_scheme += bodies.work_of_all() - bodies.kinetic_change();
-    ledger.finish(work, stored(), moving(velocity, position));
+    StepWork all = work;
+    all.against_stored -= bodies.contact_work() - bodies.friction_work();
+    all.balance.lost_to_friction -= bodies.friction_work();
+    all.balance.lost_to_scheme += bodies.work_of_all() - bodies.kinetic_change();
+    return all;
+}
+
+void ExplicitStepper::finish() {
+    ledger.finish(all_work(), stored(), moving(velocity, position));
     shell.position = position;
     shell.velocity = velocity;
     time = step.end();

@@ -19,7 +19,9 @@ namespace sherd {
 class ExplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
-    ExplicitStepper(Shell& shell, const StepperOptions& options);
+    ExplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start);
+    ExplicitStepper(Shell& shell, const StepperOptions& options)
+        : ExplicitStepper(shell, options, stepper_start(shell, options)) {}
 
     using Stepper::begin;
     bool begin(double length) override;
@@ -27,6 +29,7 @@ class ExplicitStepper : public Stepper {
     MinimiserResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
     double held(Index edge) const override { return opening.held(edge); }
+    double taken_by_scheme() override { return ledger.taken_by_scheme(all_work(), stored()); }
     void topology_changed(const ShellChange& change) override;
     void finish() override;
 
@@ -83,6 +86,8 @@ class ExplicitStepper : public Stepper {
     /// J, lost by forces that were and are, in the present motion.
     double taken(const Positions& before, const Positions& now) const;
     void enter(const Work& of_substep);
+    /// That of the open step, which has been made, with the bodies'.
+    StepWork all_work() const;
 
     /// What must be added to the present forces for vertices to have accelerations as `before` (m/s^2): N.
     Positions kept_forces(const Positions& before) const;
@@ -93,7 +98,6 @@ class ExplicitStepper : public Stepper {
     OpeningEdges opening;
     std::vector<Energy*> elastic;
     StepContext step;                  ///< the open one, or the last one
-    double time = 0;                   ///< s, end of the finished steps
     double of_shell = 0;               ///< rad/s, highest frequency without contact
     int substeps = 0;                  ///< of the open step, or of the last one
     double length = 0;                 ///< s, of each of them

@@ -4,11 +4,12 @@
 namespace sherd {
 
 StepContext ImplicitEuler::begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
-                                 double length) const {
+                                 double length) {
     StepContext step{time, length, length, shell.position, shell.velocity, {}};
     for (const RigidBody& body : bodies) {
         BodyOrigin origin;
         origin.velocity << body.velocity, body.spin();
+        origin.angular_momentum = body.angular_momentum;
         step.bodies.push_back(origin);
     }
     return step;

@@ -8,7 +8,7 @@ namespace sherd {
 /// Implicit Euler: it is of first order, keeps no history, and damps all vibrations.
 struct ImplicitEuler : TimeScheme {
     StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
-                      double length) const override;
+                      double length) override;
     void topology_changed(const Shell& shell, const ShellChange& change, StepContext& step) override;
     void finish(const StepContext& step, const Positions& x, Shell& shell) override;
 };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/time/implicit_stepper.h"
 
+#include <algorithm>
+
 #include "core/shell/inheritance.h"
 #include "core/shell/supports.h"
 #include "core/solver/newton.h"
 #include "core/solver/quasi_newton.h"
+#include "core/time/bdf2.h"
 #include "core/time/implicit_euler.h"
 #include "core/time/statics.h"
 
@@ -13,6 +16,7 @@ namespace {
 
 std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     if (scheme == Scheme::statics) return std::make_unique<Statics>();
+    if (scheme == Scheme::bdf2) return std::make_unique<Bdf2>();
     return std::make_unique<ImplicitEuler>();
 }
 
@@ -30,8 +34,8 @@ std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options) {
 
 }  // namespace
 
-ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
-    : Stepper(shell, options),
+ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start)
+    : Stepper(shell, options, std::move(start)),
       scheme(time_scheme(options.scheme)),
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
       loads(forces.loads()),
@@ -43,11 +47,11 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options)
 }
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
-    static_assert(has_only<ImplicitStepper, Stepper, decltype(time), decltype(step), decltype(scheme),
-                           decltype(inertia), decltype(loads), decltype(contact), decltype(opening),
-                           decltype(potential), decltype(minimiser), decltype(path), decltype(unbalanced)>());
+    static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
+                           decltype(loads), decltype(contact), decltype(opening), decltype(potential),
+                           decltype(minimiser), decltype(path), decltype(unbalanced)>());
     Stepper::visit_state(visit);
-    visit(time, step, inertia, contact, opening, *minimiser, unbalanced);
+    visit(step, *scheme, inertia, contact, opening, *minimiser, unbalanced);
     if (path) visit(*path);
 }
 
@@ -61,6 +65,9 @@ std::vector<Energy*> ImplicitStepper::all_energies() {
 
 bool ImplicitStepper::begin(double length) {
     step = scheme->begin(shell, contact.bodies(), time, length);
+    // Inertia is the stiffer the shorter the step, and makes more of what is left of the way.
+    const double shorter = step.inertia > 0 ? std::min(1.0, length / options.step) : 1;
+    minimiser->set_tolerance(options.tolerance * shorter);
     if (path) path->begin(length, step);
     const double elastic = elastic_at_start(step);
     potential.begin(step);
@@ -139,6 +146,11 @@ Positions ImplicitStepper::newly_unbalanced(std::span<const Heir> heirs) {
     if (before.cols() > 0) append(before, heirs);
     unbalanced = potential.gradient(position) * shell.mass.cwiseInverse().asDiagonal();
     return (before.cols() > 0 ? Positions(unbalanced - before) : unbalanced) * shell.mass.asDiagonal();
+}
+
+double ImplicitStepper::taken_by_scheme() {
+    contact.end_at(position);
+    return ledger.taken_by_scheme(work(), stored());
 }
 
 void ImplicitStepper::finish() {

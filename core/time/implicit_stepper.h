@@ -18,7 +18,9 @@ namespace sherd {
 class ImplicitStepper : public Stepper {
   public:
     /// The shell must outlive this object.
-    ImplicitStepper(Shell& shell, const StepperOptions& options);
+    ImplicitStepper(Shell& shell, const StepperOptions& options, StepperStart start);
+    ImplicitStepper(Shell& shell, const StepperOptions& options)
+        : ImplicitStepper(shell, options, stepper_start(shell, options)) {}
 
     using Stepper::begin;
     bool begin(double length) override;
@@ -28,6 +30,7 @@ class ImplicitStepper : public Stepper {
     void finish() override;
 
     double held(Index edge) const override { return opening.held(edge); }
+    double taken_by_scheme() override;
     double load() const override { return step.load; }
     bool arrived() const override { return path && path->arrived(); }
     std::vector<Reaction> reactions() const override;
@@ -56,7 +59,6 @@ class ImplicitStepper : public Stepper {
     /// Enters inertia and weight, and what the scheme takes of their work; adds their gradient.
     void add_inertia(EnergyBalance& balance, Positions& gradient) const;
 
-    double time = 0;   ///< s, end of the finished steps
     StepContext step;  ///< the open step, or the last one
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;

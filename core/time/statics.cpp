@@ -3,8 +3,7 @@
 
 namespace sherd {
 
-StepContext Statics::begin(const Shell& shell, const std::vector<RigidBody>&, double time,
-                           double length) const {
+StepContext Statics::begin(const Shell& shell, const std::vector<RigidBody>&, double time, double length) {
     StepContext step{time, length, length, shell.position, {}, {}, 0, time + length};
     step.velocity_origin = Positions::Zero(3, shell.position.cols());
     return step;

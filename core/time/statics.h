@@ -9,7 +9,7 @@ namespace sherd {
 /// against the displacement in a step, as if the step's length were its duration.
 struct Statics : TimeScheme {
     StepContext begin(const Shell& shell, const std::vector<RigidBody>& bodies, double time,
-                      double length) const override;
+                      double length) override;
     void topology_changed(const Shell& shell, const ShellChange& change, StepContext& step) override;
     void finish(const StepContext& step, const Positions& x, Shell& shell) override;
 };

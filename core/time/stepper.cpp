@@ -24,19 +24,40 @@ ShellEnergyOptions shell_options(const Shell& shell, const StepperOptions& optio
     return all;
 }
 
-}  // namespace
-
-std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options) {
+std::unique_ptr<Stepper> stepper_of(Shell& shell, const StepperOptions& options, StepperStart start) {
     if (options.scheme == Scheme::explicit_differences)
-        return std::make_unique<ExplicitStepper>(shell, options);
-    return std::make_unique<ImplicitStepper>(shell, options);
+        return std::make_unique<ExplicitStepper>(shell, options, std::move(start));
+    return std::make_unique<ImplicitStepper>(shell, options, std::move(start));
 }
 
-Stepper::Stepper(Shell& shell, const StepperOptions& options)
+}  // namespace
+
+StepperStart stepper_start(const Shell& shell, const StepperOptions& options) {
+    return {ShellEnergies(shell, shell_options(shell, options))};
+}
+
+std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options) {
+    return stepper_of(shell, options, stepper_start(shell, options));
+}
+
+std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme) {
+    StepperOptions options = before->options;
+    options.scheme = scheme;
+    options.contact.bodies = before->bodies();
+    before->forces.damp(shell_options(before->shell, options));
+    before->ledger.scheme_changed();
+    return stepper_of(before->shell, options,
+                      {std::move(before->forces), before->ledger, before->spent, before->time});
+}
+
+Stepper::Stepper(Shell& shell, const StepperOptions& options, StepperStart start)
     : position(shell.position),
+      spent(start.spent),
       shell(shell),
       options(options),
-      forces(shell, shell_options(shell, options)) {}
+      forces(std::move(start.forces)),
+      ledger(start.ledger),
+      time(start.time) {}
 
 PotentialEnergies Stepper::energies() const {
     PotentialEnergies sum = elastic_energies();

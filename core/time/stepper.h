@@ -9,10 +9,11 @@
 #include "core/solver/minimiser.h"
 #include "core/state_visitor.h"
 #include "core/time/energy_ledger.h"
+#include "core/time_spent.h"
 
 namespace sherd {
 
-enum class Scheme { implicit_euler, statics, explicit_differences };
+enum class Scheme { implicit_euler, bdf2, statics, explicit_differences };
 /// How an implicit step finds its minimum.
 enum class Method {
     quasi_newton,
@@ -43,6 +44,14 @@ struct PotentialEnergies {
     double stored() const { return bending + membrane + contact; }
 };
 
+/// What steppers have of a run, whatever the scheme.
+struct StepperStart {
+    ShellEnergies forces;
+    EnergyLedger ledger = {};
+    TimeSpent spent = {};
+    double time = 0;  ///< s
+};
+
 /// Advances a shell in time, or in load. Between begin() and finish() the step is open: it can be solved, the
 /// shell changed, and, where solves_again() says so, the step solved again.
 class Stepper {
@@ -68,6 +77,9 @@ class Stepper {
     /// Share of what held an edge together that still does: see ShellChange::opening.
     virtual double held(Index /*edge*/) const { return 0; }
 
+    Scheme scheme() const { return options.scheme; }
+    /// J, that the time scheme takes in the open step, which has been solved.
+    virtual double taken_by_scheme() = 0;
     /// The factor of all loads in the open step, or in the last one: 1, but in statics.
     virtual double load() const { return 1; }
     /// Whether an equilibrium path has arrived at StepperOptions::last_load.
@@ -93,8 +105,8 @@ class Stepper {
     virtual const std::vector<RigidBody>& bodies() const = 0;
 
     virtual void visit_state(StateVisitor& visit) {
-        auto& [position, spent, shell, options, forces, ledger] = *this;
-        visit(position, forces, ledger);
+        auto& [position, spent, shell, options, forces, ledger, time] = *this;
+        visit(position, forces, ledger, time);
     }
 
     /// Where the computing time of the step is booked; callers may book theirs on it, too.
@@ -105,7 +117,7 @@ class Stepper {
 
   protected:
     /// The shell must outlive this object.
-    Stepper(Shell& shell, const StepperOptions& options);
+    Stepper(Shell& shell, const StepperOptions& options, StepperStart start);
     virtual double stored_in_contact() const = 0;  ///< J, elastic, at `position`
     /// Clamps and symmetry planes, too, stand where they are when the step begins.
     void place_clamps_at_start(StepContext step);
@@ -126,9 +138,17 @@ class Stepper {
     StepperOptions options;
     ShellEnergies forces;
     EnergyLedger ledger;
+    double time = 0;  ///< s, end of the finished steps
+
+    friend std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme);
 };
 
+/// The start of a run.
+StepperStart stepper_start(const Shell& shell, const StepperOptions& options);
 /// The stepper of the options' scheme. The shell must outlive it.
 std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options);
+/// One of another scheme, that goes on where a stepper has finished a step. Edges that open are forgotten:
+/// nothing holds them any more.
+std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme);
 
 }  // namespace sherd

@@ -61,6 +61,54 @@ friction = 0.2
 every = 1e-3
 checkpoint = 0.1
 """,
+    # Implicit and explicit steps by turns, with what has to come along.
+    "auto": """
+duration = 0.003
+seed = 6
+[sheet.plate]
+mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
+place = { translate = [0, 0, 0.042], rotate = { axis = [1, 0, 0], degrees = 20 } }
+velocity = [0, 0, -4]
+material = { preset = "stoneware" }
+fracture = { strain = 0.2 }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.ball]
+sphere = { radius = 0.015, centre = [0.03, 0.02, 0.07] }
+density = 7850
+velocity = [0, 0, -6]
+[solver]
+scheme = "auto"
+damping = { stiffness = 2e-8, mass = 1 }
+[output]
+every = 2e-4
+checkpoint = 0.1
+""",
+    # BDF2 with steps that choose their length: what it remembers of the last step.
+    "bdf2": """
+duration = 0.004
+seed = 7
+[sheet.plate]
+mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
+place = { translate = [0, 0, 0.042], rotate = { axis = [1, 0, 0], degrees = 20 } }
+velocity = [0, 0, -4]
+material = { preset = "stoneware" }
+fracture = { strain = 0.2 }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.ball]
+sphere = { radius = 0.015, centre = [0.03, 0.02, 0.07] }
+density = 7850
+velocity = [0, 0, -6]
+[solver]
+scheme = "bdf2"
+adaptive = true
+[output]
+every = 5e-4
+checkpoint = 0.1
+""",
     # Explicit steps, toughness: cracks that cut faces and branch, edges that fade, a clamp, a body.
     "explicit": """
 duration = 2.5e-4

@@ -42,9 +42,36 @@ TEST(StepSize, GrowsAfterFourStepsThatSucceed) {
     EXPECT_EQ(step.size(), 512);
 }
 
-// Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
-RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, ()) {
+TEST(StepSize, GrowsSteadilyByATwentieth) {
+    StepSize step(1024, StepSize::Growth::steady);
+    for (int i = 0; i < 5; ++i) step.halve();
+    const double first = step.size();
+    step.advance();
+    EXPECT_NEAR(step.size() / first, 1.05, 1e-3);
+    int steps = 0;
+    for (; step.size() < 1024; ++steps) step.advance();
+    EXPECT_GT(steps, 60);
+    EXPECT_LT(steps, 120) << "but for what ends with a whole step";
+    EXPECT_EQ(std::fmod(step.time(), 1024), 0);
+}
+
+// Explicit steps have one length, and end where implicit ones can go on.
+TEST(StepSize, KeepsALengthUntilItMayGrow) {
     StepSize step(1024);
+    step.keep(6);
+    for (int i = 0; i < 64; ++i) {
+        EXPECT_EQ(step.size(), 16);
+        EXPECT_EQ(step.is_at_whole(), i == 0);
+        step.advance();
+    }
+    EXPECT_TRUE(step.is_at_whole());
+    step.resume();
+    EXPECT_EQ(step.size(), 1024);
+}
+
+// Whatever fails, no step may reach over the end of a nominal one: frames are recorded there.
+RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, (bool steady)) {
+    StepSize step(1024, steady ? StepSize::Growth::steady : StepSize::Growth::doubling);
     for (int i = 0; i < 300; ++i) {
         if (*rc::gen::inRange(0, 3) == 0) step.halve();
         const double before = step.time(), size = step.size();

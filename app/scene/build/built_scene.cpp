@@ -44,6 +44,9 @@ void require_stability(const Scene& scene, const std::vector<SheetInput>& inputs
 SimulationOptions plain_options(const Scene& scene) {
     SimulationOptions options;
     options.stepper.scheme = scene.solver.scheme;
+    options.alternates = scene.solver.alternates;
+    options.explicit_step = explicit_step;
+    options.adaptive = scene.solver.adaptive;
     options.stepper.method = scene.solver.method;
     options.stepper.step = scene.solver.step;
     options.stepper.arc_length = scene.solver.arc_length;

@@ -13,8 +13,10 @@ namespace sherd {
 std::string crack_step_words(const Scene& scene, const BreakableShell& sheets) {
     const std::optional<double> longest = resolving_step(sheets);
     if (scene.is_static() || !longest) return {};
-    const double step = scene.solver.step, resolving = round_step(*longest);
-    const bool is_explicit = scene.solver.scheme == Scheme::explicit_differences;
+    const bool by_turns = scene.solver.alternates;  // then cracks run in explicit steps
+    const bool is_explicit = by_turns || scene.solver.scheme == Scheme::explicit_differences;
+    const double step = by_turns ? std::min(scene.solver.step, explicit_step) : scene.solver.step,
+                 resolving = round_step(*longest);
     if (step > *longest && is_explicit)
         return fmt::format(
             "one edge a step, slower than their speed limit; solver.step = {:g} lets them reach it",

@@ -9,8 +9,6 @@
 namespace sherd {
 namespace {
 
-constexpr double explicit_step =
-    2e-6;                             // s, between two looks at what breaks: a crack runs a millimetre or so
 constexpr double static_step = 0.05;  // of load factor: a step should turn a shell by some degrees only
 
 bool has_keys(const std::vector<PinSpec>& pins) {
@@ -29,13 +27,20 @@ void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
 }  // namespace
 
 void read_scheme(TomlTable& table, SolverSpec& solver) {
-    constexpr std::array<std::string_view, 3> names{"implicit-euler", "static", "explicit"};
-    constexpr std::array schemes{Scheme::implicit_euler, Scheme::statics, Scheme::explicit_differences};
-    if (table.has("scheme"))
-        solver.scheme = schemes[std::ranges::find(names, table.choice("scheme", names)) - names.begin()];
+    constexpr std::array<std::string_view, 5> names{"implicit-euler", "bdf2", "auto", "explicit", "static"};
+    constexpr std::array schemes{Scheme::implicit_euler, Scheme::bdf2, Scheme::implicit_euler,
+                                 Scheme::explicit_differences, Scheme::statics};
+    if (table.has("scheme")) {
+        const std::string chosen = table.choice("scheme", names);
+        solver.scheme = schemes[std::ranges::find(names, chosen) - names.begin()];
+        solver.alternates = chosen == "auto";
+    }
     const bool statics = solver.scheme == Scheme::statics;
     const bool is_explicit = solver.scheme == Scheme::explicit_differences;
     if (is_explicit) solver.step = explicit_step;
+    solver.adaptive = table.flag("adaptive", solver.adaptive);
+    if (solver.adaptive && (statics || is_explicit || solver.alternates))
+        table.report("adaptive", "is for scheme = \"implicit-euler\" or \"bdf2\"");
     // A step of load changes the matrix more than one of time, and nothing of inertia is in it that stays.
     if (statics) solver.method = Method::newton;
     for (const char* key : {"method", "jacobian", "max_iterations", "tolerance", "max_stages"})

@@ -19,7 +19,12 @@ constexpr double round_off_of_value = 1e-12;
 
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
                          const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
-    : shell(shell), obstacles(obstacles), gravity(gravity), started(std::move(bodies)), finished(started) {
+    : shell(shell),
+      obstacles(obstacles),
+      gravity(gravity),
+      started(std::move(bodies)),
+      finished(started),
+      ended(started) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -292,9 +297,9 @@ void BodyContact::add_contacts(const Positions& x, bool ahead,
             }
 }
 
-void BodyContact::finish(const Positions& x) {
+void BodyContact::end_at(const Positions& x) {
     solve(x);
-    for (std::size_t b = 0; b < steps.size(); ++b) finished[b] = steps[b].moved(part(best, b));
+    for (std::size_t b = 0; b < steps.size(); ++b) ended[b] = steps[b].moved(part(best, b));
 }
 
 double BodyContact::stored_energy(const Positions& x) const {
@@ -317,10 +322,9 @@ double BodyContact::work_of_all() const {
     double sum = 0;
     for (std::size_t b = 0; b < steps.size(); ++b) {
         const Vector6d motion = part(best, b);
-        sum += finished[b].mass * (finished[b].velocity - started[b].velocity).dot(motion.head<3>());
-        sum += (finished[b].angular_momentum - started[b].angular_momentum).dot(motion.tail<3>());
+        sum += steps[b].momentum_rate(ended[b]).dot(motion);
     }
-    return sum / lag;
+    return sum;
 }
 
 double BodyContact::contact_work() const {
@@ -333,7 +337,7 @@ double BodyContact::contact_work() const {
 double BodyContact::kinetic_change() const {
     double sum = 0;
     for (std::size_t b = 0; b < steps.size(); ++b)
-        sum += finished[b].kinetic_energy() - started[b].kinetic_energy();
+        sum += ended[b].kinetic_energy() - started[b].kinetic_energy();
     return sum;
 }
 

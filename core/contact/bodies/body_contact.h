@@ -30,8 +30,13 @@ class BodyContact : public Energy {
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
-    /// Ends the step with the shell at x [3, V] m.
-    void finish(const Positions& x);
+    /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
+    void end_at(const Positions& x);
+    /// Ends the step with the shell at x.
+    void finish(const Positions& x) {
+        end_at(x);
+        finished = ended;
+    }
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const { return finished; }
 
@@ -47,8 +52,8 @@ class BodyContact : public Energy {
     double stored_at_start() const { return start_stored; }  ///< the same at the beginning of the step
     /// What friction takes in the step that ends at x, J.
     double friction_loss(const Positions& x) const;
-    /// Work of the forces of contact and of all forces, weight included, on the bodies in the step that was
-    /// finished last, J.
+    /// Work of the forces of contact and of all forces, weight included, on the bodies in the step that they
+    /// made last, J.
     double contact_work() const;
     double work_of_all() const;
     double kinetic_change() const;  ///< J, in that step
@@ -57,8 +62,8 @@ class BodyContact : public Energy {
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
     /// The rest is made by begin() and topology_changed().
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, obstacles, gravity, started, finished, pairs, steps, obstacle_places, points, sliding,
-               start_stored, lag, base, last, best, at_best] = *this;
+        auto& [shell, obstacles, gravity, started, finished, ended, pairs, steps, obstacle_places, points,
+               sliding, start_stored, lag, base, last, best, at_best] = *this;
         visit(started, finished, pairs, base);
     }
 
@@ -113,8 +118,8 @@ class BodyContact : public Energy {
     const Shell& shell;
     const std::vector<Obstacle>& obstacles;
     Vector3d gravity;
-    std::vector<RigidBody> started,
-        finished;  ///< states at the beginning of the step, and at the end of the last one
+    /// States at the beginning of the step, at the end of the last one, and at that of the open one.
+    std::vector<RigidBody> started, finished, ended;
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
     std::vector<BodyStep> steps;
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step

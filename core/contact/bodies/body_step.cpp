@@ -187,8 +187,16 @@ RigidBody BodyStep::moved(const Vector6d& q) const {
     // In P, torques act on the rotation vector through its Jacobian. The angular momentum takes them
     // directly: otherwise the shell would not gain what the body loses.
     const Vector3d turned_by_torque = inertia * (q.tail<3>() - predicted.tail<3>()) / lag;
-    result.angular_momentum += here.jacobian.transpose().inverse() * turned_by_torque;
+    result.angular_momentum =
+        origin.angular_momentum + here.jacobian.transpose().inverse() * turned_by_torque;
     return result;
+}
+
+Vector6d BodyStep::momentum_rate(const RigidBody& end) const {
+    Vector6d rate;
+    rate << body.mass * (end.velocity - origin.velocity.head<3>()),
+        end.angular_momentum - origin.angular_momentum;
+    return rate / lag;
 }
 
 Touch BodyStep::touch(const Positions& x, const Vector6d& q) const {

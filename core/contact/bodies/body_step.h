@@ -36,6 +36,8 @@ class BodyStep {
     BodyPose pose(const Vector6d& q) const;
     const RigidBody& start() const { return body; }
     RigidBody moved(const Vector6d& q) const;
+    /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
+    Vector6d momentum_rate(const RigidBody& end) const;
     /// What friction with the shell takes in the step, J.
     double friction_loss(const Positions& x, const Vector6d& q) const;
 

@@ -86,6 +86,42 @@ scheme = "explicit"
 step = 2e-6
 damping.stiffness = 2e-8
 )"},
+    {"schemes by turns", R"(duration = 0.002
+[sheet.plate]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
+place = { translate = [0, 0, 0.0175], rotate = { axis = [0, 1, 0], degrees = 9 } }
+velocity = [0, 0, -5]
+material = { preset = "stoneware" }
+fracture = { strain = 0.3 }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.ball]
+sphere = { radius = 0.01, centre = [0, 0, 0.06] }
+density = 7850
+velocity = [0, 0, -5]
+[solver]
+scheme = "auto"
+damping.stiffness = 1e-7
+)"},
+    {"bdf two", R"(duration = 0.006
+[sheet.plate]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
+place = { translate = [0, 0, 0.0175], rotate = { axis = [0, 1, 0], degrees = 9 } }
+velocity = [0, 0, -5]
+material = { preset = "stoneware" }
+fracture = { strain = 0.3 }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.ball]
+sphere = { radius = 0.01, centre = [0, 0, 0.06] }
+density = 7850
+velocity = [0, 0, -5]
+[solver]
+scheme = "bdf2"
+adaptive = true
+)"},
     {"arcs, damping and moving clamps", R"(duration = 0.02
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.3, height = 0.1, edge_length = 0.03 }

@@ -278,5 +278,16 @@ TEST(SceneFracture, ExplicitStepsHaveTheirOwnStepAndNoIterations) {
             << key;
 }
 
+TEST(SceneFracture, SchemesAreReadAndAdaptiveIsForThoseThatAreSolved) {
+    EXPECT_EQ(breaking_plate("strain = 1", "scheme = \"bdf2\"\nadaptive = true").solver.scheme, Scheme::bdf2);
+    const Scene by_turns = breaking_plate("strain = 1", "scheme = \"auto\"");
+    EXPECT_TRUE(by_turns.solver.alternates);
+    EXPECT_EQ(by_turns.solver.step, 1e-4) << "of implicit steps";
+    for (const char* scheme : {"explicit", "auto", "static"})
+        EXPECT_THROW(breaking_plate("strain = 1", std::string("adaptive = true\nscheme = \"") + scheme + '"'),
+                     Error)
+            << scheme;
+}
+
 }  // namespace
 }  // namespace sherd::test

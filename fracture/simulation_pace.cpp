@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "fracture/simulation.h"
+
+// How long the steps of a simulation are, and of which scheme; simulation.cpp has the step.
+
+namespace sherd {
+namespace {
+
+/// How often a step is halved to be no longer than another one.
+int halvings_to(double length, double step) {
+    return std::max(0, static_cast<int>(std::ceil(std::log2(step / length))));
+}
+
+}  // namespace
+
+Urgency Simulation::judged(const StepReport& report, const Measured& measured) {
+    if (stepper->scheme() == Scheme::explicit_differences || !(options.alternates || options.adaptive))
+        return Urgency::none;
+    const PotentialEnergies stored = stepper->energies();
+    StepActivity solved{report.peak_overload, false, stored.contact, stepper->taken_by_scheme(),
+                        kinetic_energy(breakable.mechanics()) + stored.stored()};
+    for (const RigidBody& body : bodies()) solved.energy += body.kinetic_energy();
+    if (options.alternates) {
+        solved.fails = fails(measured);
+        return pace.judge(solved);
+    }
+    const bool could_be_shorter = step_size.size() > options.stepper.step / 64;
+    return could_be_shorter && pace.is_too_long(solved) ? Urgency::strike : Urgency::none;
+}
+
+bool Simulation::try_otherwise(StepReport& report) {
+    if (options.alternates && stepper->scheme() != Scheme::explicit_differences) {
+        report.urgency = urgency;
+        change_scheme(Scheme::explicit_differences);
+        pace.goes_explicit();
+        step_size.keep(halvings_to(options.explicit_step, options.stepper.step));
+        return true;
+    }
+    if (!step_size.halve()) return false;
+    ++report.halvings;
+    return true;
+}
+
+void Simulation::change_scheme(Scheme scheme) {
+    stepper = with_scheme(std::move(stepper), scheme);
+}
+
+void Simulation::pace_on(const StepReport& report) {
+    const StepActivity step{report.peak_overload, report.stages > 0, report.contact, 0,
+                            report.kinetic + report.bending + report.membrane + report.contact};
+    if (!report.is_explicit) {
+        pace.implicit_finished(step);
+    } else if (pace.explicit_finished(step, step_size.is_at_whole()) && options.alternates) {
+        change_scheme(Scheme::implicit_euler);
+        step_size.resume();
+    }
+}
+
+}  // namespace sherd

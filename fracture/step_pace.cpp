@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fracture/step_pace.h"
+
+namespace sherd {
+namespace {
+
+constexpr double much_energy = 5e-3;      // of the largest, in a step
+constexpr double near_failure = 0.7;      // of what something withstands, which implicit peaks underrate
+constexpr double far_beyond = 1.2;        // of the same
+constexpr int soon = 8, most_quiet = 64;  // implicit steps; whole steps
+
+}  // namespace
+
+double StepPace::much(const StepActivity& step) const {
+    return much_energy * std::max(largest_energy, step.energy);
+}
+
+bool StepPace::strikes(const StepActivity& solved) const {
+    return solved.contact > 0 && solved.by_scheme > much(solved);
+}
+
+Urgency StepPace::judge(const StepActivity& solved) const {
+    if (solved.fails) return Urgency::crack;
+    if (implicit_steps < calming) return Urgency::none;
+    if (solved.overload > near_failure) return Urgency::stress;
+    return strikes(solved) ? Urgency::strike : Urgency::none;
+}
+
+bool StepPace::is_too_long(const StepActivity& solved) const {
+    return solved.overload > far_beyond || strikes(solved);
+}
+
+void StepPace::implicit_finished(const StepActivity& step) {
+    largest_energy = std::max(largest_energy, step.energy);
+    ++implicit_steps;
+}
+
+void StepPace::goes_explicit() {
+    const bool in_vain = implicit_steps < soon && quiet > 0;
+    enough = in_vain ? std::min(2 * enough, most_quiet) : least_quiet;
+    quiet = implicit_steps = 0;
+    is_busy = false;
+}
+
+bool StepPace::explicit_finished(const StepActivity& step, bool whole) {
+    largest_energy = std::max(largest_energy, step.energy);
+    // What rings and does not break will not break by that: it only gets less.
+    is_busy = is_busy || step.fails || step.contact > much(step);
+    if (!whole) return false;
+    quiet = is_busy ? 0 : quiet + 1;
+    is_busy = false;
+    return quiet >= enough;
+}
+
+}  // namespace sherd

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/state_visitor.h"
+
+namespace sherd {
+
+/// Why an implicit step should be shorter, or be made of explicit ones.
+enum class Urgency : std::uint8_t {
+    none,
+    strike,    ///< something strikes, and the time scheme takes much of its energy
+    stress,    ///< something may fail soon
+    crack,     ///< something fails
+    unsolved,  ///< the step cannot be solved
+};
+
+inline constexpr std::size_t urgency_count = 5;
+
+/// What a step has done, or would do.
+struct StepActivity {
+    double overload = 0;   ///< see StepReport::peak_overload
+    bool fails = false;    ///< whether anything does
+    double contact = 0;    ///< J, stored in contact at its end
+    double by_scheme = 0;  ///< J, that the time scheme takes
+    double energy = 0;     ///< J, kinetic and stored, at its end
+};
+
+/// Judges steps by what they do. Where schemes alternate, explicit steps follow when an implicit one has been
+/// solved and turns out urgent, and implicit ones when nothing has happened for some whole steps: twice as
+/// many of them each time that explicit steps had to follow at once again.
+class StepPace {
+  public:
+    /// Of an implicit step that has been solved.
+    Urgency judge(const StepActivity& solved) const;
+    /// Whether it should be shorter: it strikes, or goes far over what something withstands.
+    bool is_too_long(const StepActivity& solved) const;
+    /// An implicit step has been finished.
+    void implicit_finished(const StepActivity& step);
+    /// Explicit steps follow.
+    void goes_explicit();
+    /// An explicit step has been finished; whole: at a multiple of the nominal length. Returns whether
+    /// implicit steps shall follow.
+    bool explicit_finished(const StepActivity& step, bool whole);
+    void visit_state(StateVisitor& visit) {
+        auto& [largest_energy, is_busy, quiet, enough, implicit_steps] = *this;
+        visit(largest_energy, is_busy, quiet, enough, implicit_steps);
+    }
+
+  private:
+    static constexpr int least_quiet = 4;  // whole steps
+    static constexpr int calming = 3;      // implicit steps that take what still rings
+
+    double much(const StepActivity& step) const;  ///< J
+    bool strikes(const StepActivity& solved) const;
+
+    double largest_energy = 0;     ///< J, StepActivity::energy in all steps
+    bool is_busy = false;          ///< whether anything has happened since the last whole step
+    int quiet = 0;                 ///< whole steps in which nothing has
+    int enough = least_quiet;      ///< of them, for implicit steps to follow
+    int implicit_steps = calming;  ///< since the last explicit one
+};
+
+}  // namespace sherd

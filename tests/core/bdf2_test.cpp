@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// BDF2 beside motions that are known: with a wrong weight, or a history that does not follow what changes, it
+// would be of first order, or drift.
+#include "core/time/bdf2.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/shell/inheritance.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/plates.h"
+#include "tests/support/steps.h"
+
+namespace sherd::test {
+namespace {
+
+StepperOptions bdf2(double step) {
+    StepperOptions options;
+    options.scheme = Scheme::bdf2;
+    options.step = step;
+    options.gravity.setZero();
+    options.tolerance = 1e-12;
+    return options;
+}
+
+void advance_by(ImplicitStepper& stepper, double length) {
+    ASSERT_TRUE(stepper.begin(length));
+    ASSERT_TRUE(stepper.solve(200).converged);
+    stepper.finish();
+}
+
+/// A lone vertex thrown in a medium that resists, x' = u exp(-c t): where it is off after 0.1 s, m. The steps
+/// are `uneven` times as long, and as short, as their mean by turns.
+double miss_in_a_medium(int steps, double uneven) {
+    Shell shell = lone_vertex(Vector3d::Zero());
+    shell.velocity.col(0) = Vector3d(2, 0, 0);
+    const double rate = 20, mean = 0.1 / steps;
+    StepperOptions options = bdf2(mean);
+    options.shell.damping.mass = rate;
+    ImplicitStepper stepper(shell, options);
+    for (int i = 0; i < steps / 2; ++i) {
+        const double longer = 2 * mean * uneven / (1 + uneven);
+        advance_by(stepper, longer);
+        advance_by(stepper, 2 * mean - longer);
+    }
+    return std::abs(shell.position(0, 0) - 2 / rate * (1 - std::exp(-rate * 0.1)));
+}
+
+// Half the step, a quarter of the error: also where lengths change, as after a step that was halved.
+TEST(Bdf2, IsOfSecondOrderWithStepsOfAnyLength) {
+    for (const double uneven : {1.0, 2.0}) {
+        const double once = miss_in_a_medium(40, uneven), twice = miss_in_a_medium(80, uneven);
+        EXPECT_GT(once / twice, 3.4) << uneven;
+        EXPECT_LT(once / twice, 4.6) << uneven;
+        EXPECT_LT(once, 2e-4);
+    }
+}
+
+/// The rotation of a thrown brick after 0.05 s, in which it tumbles, and what it has lost of its angular
+/// momentum.
+std::pair<Matrix3d, double> tumbled(int steps) {
+    Shell shell = lone_vertex({1, 0, 0});
+    RigidBody brick = rigid_box({0.05, 0.03, 0.01}, 2000);
+    brick.angular_momentum = Vector3d(1, 20, 0.5) * 2e-5;
+    StepperOptions options = bdf2(0.05 / steps);
+    options.contact.bodies = {brick};
+    ImplicitStepper stepper(shell, options);
+    for (int i = 0; i < steps; ++i) advance_by(stepper, options.step);
+    const RigidBody& end = stepper.bodies()[0];
+    return {end.rotation,
+            (end.angular_momentum - brick.angular_momentum).norm() / brick.angular_momentum.norm()};
+}
+
+// The spin of a body that is longer than wide changes as it turns, though nothing acts on it.
+TEST(Bdf2, BodiesTumbleToSecondOrder) {
+    const auto [truth, none] = tumbled(3200);
+    const auto [once, lost] = tumbled(200);
+    const auto [twice, lost_less] = tumbled(400);
+    const double ratio = (once - truth).norm() / (twice - truth).norm();
+    EXPECT_GT(ratio, 3.3);
+    EXPECT_LT(ratio, 4.7);
+    EXPECT_LT(lost, 1e-12);
+}
+
+// A vertex that a crack doubles, and one that is put elsewhere in the sheet, have a past, too: what flies
+// straight on must do so.
+TEST(Bdf2, WhatIsBornHasThePastOfItsParents) {
+    Shell shell = stacked_plates(1, 3, 0, {1000, 0.01, 1e8, 0.2});
+    shell.velocity.colwise() = Vector3d(3, -1, 2);
+    ImplicitStepper stepper(shell, bdf2(1e-3));
+    for (int i = 0; i < 3; ++i) advance_by(stepper, 1e-3);
+    ASSERT_TRUE(stepper.begin(0.7e-3));
+    Shell other = shell;
+    Bdf2 scheme;
+    StepContext step = scheme.begin(other, {}, 0, 1e-3);
+    scheme.finish(step, step.origin + step.lag * step.velocity_origin, other);
+    step = scheme.begin(other, {}, 1e-3, 0.7e-3);
+    const auto last = static_cast<Index>(other.mass.size());
+    ShellChange change;
+    change.vertices = {{last, {{last - 1, 1}}}};
+    for (Positions* columns : {&other.position, &other.velocity}) append(*columns, change.vertices);
+    other.mass.conservativeResize(last + 1);
+    other.mass[last] = other.mass[last - 1] /= 2;
+    scheme.topology_changed(other, change, step);
+    ASSERT_EQ(step.origin.cols(), last + 1);
+    EXPECT_EQ(step.origin.col(last), step.origin.col(last - 1));
+    const Positions ahead = other.position + 0.7e-3 * other.velocity;
+    EXPECT_LT((step.velocity(ahead) - other.velocity).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((step.acceleration(ahead)).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+// What the scheme takes has a formula; were it of implicit Euler, the balance would lack it.
+TEST(Bdf2, TheBalanceExplainsAVibratingPlate) {
+    Shell shell = stacked_plates(1, 6, 0, {1000, 0.002, 1e8, 0.2});
+    for (Index v = 0; v < static_cast<Index>(shell.mass.size()); ++v)
+        shell.velocity(2, v) = 2 * std::cos(40 * shell.position(0, v));
+    ImplicitStepper stepper(shell, bdf2(1e-4));
+    const double start = kinetic_energy(shell);
+    for (int i = 0; i < 40; ++i) advance_by(stepper, i % 3 == 0 ? 1e-4 : 0.6e-4);
+    EXPECT_LT(std::abs(stepper.balance().unexplained), 1e-9 * start);
+    EXPECT_GT(stepper.balance().lost_to_scheme, 0);
+    EXPECT_LT(stepper.balance().lost_to_scheme, 0.9 * start);
+}
+
+}  // namespace
+}  // namespace sherd::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs whose steps are implicit and explicit by turns, or shorter where something strikes.
+#include <gtest/gtest.h>
+
+#include "fracture/simulation.h"
+#include "tests/support/obstacles.h"
+#include "tests/support/tilted_square.h"
+
+namespace sherd {
+namespace {
+
+/// A square that falls onto a floor, at an angle, and bounces; it lasts 0.02 s.
+struct Fall {
+    explicit Fall(double strength = 0) {
+        sheet = test::tilted_square(0.5, {-0.5, -0.5, 0.006}, 0.2);
+        sheet.material = {1000, 0.01, 1e9, 0.2};
+        sheet.velocity = {0, 0, -2};
+        if (strength > 0) sheet.strength = uniform_strength(strength);
+        options.stepper.step = 2e-4;
+        options.explicit_step = 2e-5;
+        options.stepper.contact.obstacles = {test::floor(1e8)};
+    }
+    /// Calls look(report) after each step.
+    template <class Look>
+    void run(const Look& look) const {
+        Simulation simulation({sheet}, options);
+        while (simulation.time() < 0.02 - 1e-9) look(simulation.step());
+    }
+
+    SheetInput sheet;
+    SimulationOptions options;
+};
+
+struct Course {
+    double explicit_time = 0, largest = 0, unexplained = 0, rises = 0, shortest = 1;
+    int changes = 0, steps = 0, failures = 0;
+};
+
+Course course(const Fall& fall) {
+    Course all;
+    bool was_explicit = false;
+    fall.run([&](const StepReport& report) {
+        all.explicit_time += report.is_explicit ? report.step_size : 0;
+        all.changes += report.is_explicit != was_explicit;
+        was_explicit = report.is_explicit;
+        all.largest =
+            std::max(all.largest, report.kinetic + report.bending + report.membrane + report.contact);
+        all.unexplained = std::max(all.unexplained, std::abs(report.unexplained));
+        all.rises = std::max(all.rises, report.linear_momentum.z());
+        all.shortest = std::min(all.shortest, report.step_size);
+        all.failures += static_cast<int>(report.stages);
+        ++all.steps;
+    });
+    return all;
+}
+
+// Implicit steps take the bounce; explicit ones must be there when it happens, and only then.
+TEST(AlternatingSteps, AreExplicitWhileSomethingStrikes) {
+    Fall fall;
+    const Course implicit = course(fall);
+    fall.options.alternates = true;
+    const Course both = course(fall);
+    EXPECT_EQ(implicit.explicit_time, 0);
+    EXPECT_GT(both.explicit_time, 5e-4);
+    EXPECT_LT(both.explicit_time, 0.015);
+    EXPECT_GE(both.changes, 2) << "they end again";
+    EXPECT_GT(both.rises, 1.1 * implicit.rises) << "the bounce is kept";
+    EXPECT_LT(both.unexplained, 1e-6 * both.largest);
+    EXPECT_LE(both.shortest, 2e-5);
+}
+
+TEST(AlternatingSteps, CrackExplicitly) {
+    Fall fall(0.05);
+    fall.options.alternates = true;
+    int failures = 0;
+    fall.run([&](const StepReport& report) {
+        failures += static_cast<int>(report.stages);
+        EXPECT_TRUE(report.stages == 0 || report.is_explicit);
+        EXPECT_LT(std::abs(report.unexplained), 1e-6 * 20);
+    });
+    EXPECT_GT(failures, 0);
+}
+
+// Times of whole steps are exact, so that frames are where the scene has them.
+TEST(AlternatingSteps, ComeBackToWholeSteps) {
+    Fall fall;
+    fall.options.alternates = true;
+    double time = 0;
+    fall.run([&](const StepReport& report) {
+        time = report.time;
+        if (!report.is_explicit) {
+            EXPECT_NEAR(std::remainder(time, 2e-4), 0, 1e-12);
+        }
+    });
+    EXPECT_EQ(time, 100 * 2e-4);
+}
+
+TEST(AdaptiveSteps, AreShorterWhereSomethingStrikes) {
+    Fall fall;
+    const Course fixed = course(fall);
+    fall.options.adaptive = true;
+    const Course adaptive = course(fall);
+    EXPECT_EQ(fixed.shortest, 2e-4);
+    EXPECT_LT(adaptive.shortest, 1e-4);
+    EXPECT_GT(adaptive.rises, 1.05 * fixed.rises) << "the bounce is kept better";
+    EXPECT_LT(adaptive.unexplained, 1e-6 * adaptive.largest);
+    EXPECT_LT(adaptive.steps, 20 * fixed.steps);
+}
+
+}  // namespace
+}  // namespace sherd

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When explicit steps begin and end: if they began too late a blow would be damped away, and if they never
+// ended a run of seconds would take days.
+#include "fracture/step_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace sherd {
+namespace {
+
+constexpr StepActivity calm{0.1, false, 0, 0.1, 10}, strike{0.1, false, 0.2, 0.1, 10},
+    ringing{0.6, false, 0, 1, 10}, stressed{0.8, false, 0, 0, 10}, cracking{1.1, true, 0, 0, 10};
+
+TEST(StepPace, ExplicitStepsBeginWithAStrikeStressOrACrack) {
+    const StepPace pace;
+    EXPECT_EQ(pace.judge(calm), Urgency::none);
+    EXPECT_EQ(pace.judge(ringing), Urgency::none) << "what rings in flight touches nothing";
+    EXPECT_EQ(pace.judge(strike), Urgency::strike);
+    EXPECT_EQ(pace.judge(stressed), Urgency::stress);
+    EXPECT_EQ(pace.judge(cracking), Urgency::crack);
+}
+
+// A small piece that lands takes little of the run's energy, even if little is left.
+TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
+    StepPace pace;
+    StepActivity large = calm;
+    large.energy = 1000;
+    pace.implicit_finished(large);
+    EXPECT_EQ(pace.judge(strike), Urgency::none);
+}
+
+/// Explicit steps, four to a whole one, until they end; at most 1000 whole ones.
+int whole_steps_until_quiet(StepPace& pace, const StepActivity& step) {
+    for (int whole = 1; whole <= 1000; ++whole)
+        for (int i = 0; i < 4; ++i)
+            if (pace.explicit_finished(step, i == 3)) return whole;
+    return 0;
+}
+
+TEST(StepPace, ExplicitStepsEndWhenNothingHasHappenedForSomeWholeSteps) {
+    StepPace pace;
+    pace.goes_explicit();
+    for (int i = 0; i < 10; ++i) EXPECT_FALSE(pace.explicit_finished(cracking, true));
+    EXPECT_FALSE(pace.explicit_finished(strike, false));
+    EXPECT_FALSE(pace.explicit_finished(ringing, true)) << "it has struck since the last whole step";
+    EXPECT_EQ(whole_steps_until_quiet(pace, ringing), 4);
+}
+
+// What still rings is damped by the first implicit steps; that they take it is no strike.
+TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
+    StepPace pace;
+    pace.goes_explicit();
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(pace.judge(strike), Urgency::none);
+        EXPECT_EQ(pace.judge(cracking), Urgency::crack) << "but for what fails";
+        pace.implicit_finished(strike);
+    }
+    EXPECT_EQ(pace.judge(strike), Urgency::strike);
+}
+
+// Where implicit steps fail at once, again and again, each trial is the more wasted.
+TEST(StepPace, TrialsInVainAreMadeLessOften) {
+    StepPace pace;
+    pace.goes_explicit();
+    for (const int quiet : {4, 8, 16, 32, 64, 64}) {
+        EXPECT_EQ(whole_steps_until_quiet(pace, calm), quiet);
+        pace.implicit_finished(calm);
+        pace.goes_explicit();
+    }
+    whole_steps_until_quiet(pace, calm);
+    for (int i = 0; i < 10; ++i) pace.implicit_finished(calm);
+    pace.goes_explicit();
+    EXPECT_EQ(whole_steps_until_quiet(pace, calm), 4) << "the last trial was not in vain";
+}
+
+TEST(StepPace, AStepIsTooLongWhereItStrikesOrGoesFarBeyondStrength) {
+    const StepPace pace;
+    EXPECT_FALSE(pace.is_too_long(calm));
+    EXPECT_FALSE(pace.is_too_long(cracking)) << "it breaks, and hardly late";
+    EXPECT_TRUE(pace.is_too_long({1.3, true, 0, 0, 10}));
+    EXPECT_TRUE(pace.is_too_long(strike));
+}
+
+}  // namespace
+}  // namespace sherd
