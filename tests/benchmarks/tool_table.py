@@ -3,11 +3,12 @@
 """Drives blunt tools through a film and prints how long its crack's waves are, how far it swings, and how far it
 runs at once, over the tool's width; and the energy that was taken over G_c times the area of the crack.
 
-    tests/benchmarks/tool_table.py build/release/app/sherd [SEEDS]
+    tests/benchmarks/tool_table.py build/release/app/sherd [SEEDS [EDGE...]] [--tool WIDTH]...
 
-Takes minutes a run. Needs h5py and numpy.
+EDGE: edge lengths of the meshes, WIDTH: of the tool, m. Takes minutes a run. Needs h5py and numpy.
 """
-import sys
+import argparse
+import itertools
 import tomllib
 
 import h5py
@@ -16,7 +17,7 @@ import numpy
 from recorded_run import SCENES, recorded_run
 
 SCENE = "experiments/blunt_tool.toml"
-RADII = (0.006, 0.008, 0.0095)  # m, of tools that fit into the notch
+WIDTHS = (0.012, 0.016, 0.019)  # m, of tools that fit into the notch
 
 
 def path(recording, start):
@@ -61,10 +62,9 @@ def energy_taken(recording, places, film):
     return taken / (film["fracture"]["toughness"] ** 2 / material["young"] * area)
 
 
-def row(recording, film, width):
+def row(recording, film, width, edge):
     """The row of a run in the table."""
     places, when = path(recording, film["fracture"]["crack"]["line"][1][:2])
-    edge = film["mesh"]["edge_length"]
     found = turns(places, 2 * edge)  # less is a wriggle of the mesh
     swings = numpy.abs(numpy.diff(found, axis=0)) / width
     length, side = (2 * swings[:, 1].mean(), swings[:, 0].mean()) if len(swings) else (numpy.nan, 0)
@@ -73,15 +73,20 @@ def row(recording, film, width):
 
 
 def main():
-    program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("seeds", type=int, nargs="?", default=1)
+    parser.add_argument("edges", type=float, nargs="*")
+    parser.add_argument("--tool", type=float, action="append")
+    options = parser.parse_args()
     film = tomllib.loads((SCENES / SCENE).read_text())["sheet"]["film"]
-    print("| tool (mm) | seed | turns | wavelength | from side to side | longest burst | energy |\n"
-          "| --- | --- | --- | --- | --- | --- | --- |")
-    for radius in RADII:
-        for seed in range(1, seeds + 1):
-            settings = [f"seed={seed}", f"obstacle.tool.cylinder.radius={radius}"]
-            with recorded_run(program, SCENE, settings) as recording:
-                print(f"| {2000 * radius:.0f} | {seed} | {row(recording, film, 2 * radius)}", flush=True)
+    print("| tool (mm) | edges (mm) | seed | turns | wavelength | from side to side | longest burst | energy |")
+    print("| --- " * 8 + "|")
+    for width, edge, seed in itertools.product(options.tool or WIDTHS, options.edges or [film["mesh"]["edge_length"]],
+                                               range(1, options.seeds + 1)):
+        settings = [f"seed={seed}", f"obstacle.tool.cylinder.radius={width / 2}", f"sheet.film.mesh.edge_length={edge}"]
+        with recorded_run(options.program, SCENE, settings) as recording:
+            print(f"| {1000 * width:g} | {1000 * edge:g} | {seed} | {row(recording, film, width, edge)}", flush=True)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Throws the ball of window_ball at several speeds on several meshes and prints how the pane breaks.
 
-    tests/benchmarks/window_table.py build/release/app/sherd [SEEDS]
+    tests/benchmarks/window_table.py build/release/app/sherd [SEEDS [SPEED...]]
 
 Arms are counted where cracks cross circles around the blow, and where they meet the frame; radial is the share of the
 length of cracks of the first millisecond within 20 degrees of the direction away from the blow; dust is the share of the
@@ -57,15 +57,16 @@ def measures(program, speed, edge, seed):
 
 def main():
     program, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 5
+    speeds = [float(speed) for speed in sys.argv[3:]] or SPEEDS
     print(f"| speed (m/s) | edges (mm) | arms at {' / '.join(f'{100 * r:g}' for r in RADII)} cm, a mesh each | at the "
           "frame | radial | dust | pieces | energy of cracks (J) |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
-        for speed, edge in itertools.product(SPEEDS, EDGES):
+        for speed, edge in itertools.product(speeds, EDGES):
             rows = pool.starmap(measures, [(program, speed, edge, seed) for seed in range(1, seeds + 1)], chunksize=1)
             columns = [", ".join(f"{value:{form}}" for value in column)
                        for column, form in zip(zip(*rows), ("s", "d", ".0%", ".2%", "d", ".2f"))]
-            print(f"| {speed} | {1000 * edge:g} | {' | '.join(columns)} |", flush=True)
+            print(f"| {speed:g} | {1000 * edge:g} | {' | '.join(columns)} |", flush=True)
 
 
 if __name__ == "__main__":
