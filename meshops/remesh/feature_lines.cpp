@@ -9,6 +9,7 @@
 #include "meshops/disjoint_sets.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/property_border.h"
+#include "meshops/remesh/shared_edges.h"
 
 namespace sherd {
 namespace {
@@ -56,8 +57,9 @@ void drop_short(const Mesh& mesh, const EdgeMarks& sharp, EdgeMarks& marks, doub
         if (marks[edge] && length[joined.find(mesh.vertex(edge, 0))] < shortest) marks[edge] = 0;
 }
 
-EdgeMarks marked_edges(const Mesh& mesh, double degrees, double shortest, const std::vector<char>& kept) {
-    EdgeMarks marks(mesh.number_of_edges(), 0), sharp = marks;
+EdgeMarks marked_edges(const Mesh& mesh, double degrees, double shortest, const std::vector<char>& kept,
+                       const EdgeMarks& shared) {
+    EdgeMarks marks = shared, sharp(mesh.number_of_edges(), 0);
     for (const Face face : mesh.faces())
         if (kept[face])
             for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face))) marks[mesh.edge(h)] = 1;
@@ -74,25 +76,31 @@ EdgeMarks marked_edges(const Mesh& mesh, double degrees, double shortest, const 
 class LineTracing {
   public:
     LineTracing(const Mesh& mesh, const EdgeMarks& marks, double degrees, double reach,
-                const std::vector<char>& kept)
-        : mesh(mesh), marks(marks) {
+                const std::vector<char>& kept, const SharedEdges& shared)
+        : mesh(mesh), marks(marks), shared(shared.is_shared) {
         found.of_edge.resize(mesh.number_of_edges());
+        found.together = shared.together;
         for (const Vertex v : mesh.vertices()) found.is_corner.push_back(is_corner(v, degrees, reach));
         for (const Face face : mesh.faces())
             if (kept[face])
                 for (const Vertex v : face_corners(mesh, face)) found.is_corner[v] = 1;
+        for (const std::vector<Vertex>& some : found.together)
+            if (std::ranges::any_of(some, [&](Vertex v) { return found.is_corner[v] != 0; }))
+                for (const Vertex v : some) found.is_corner[v] = 1;
     }
 
     FeatureLines trace() {
         for (const Vertex v : mesh.vertices())
             if (found.is_corner[v])
                 for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-                    if (is_new(h)) follow(mesh.opposite(h));
+                    if (is_new(h)) add_line(chain(mesh.opposite(h)));
         // What is left has no corner: closed lines, which begin and end at any of their vertices.
         for (const Edge edge : mesh.edges()) {
-            if (!is_new(mesh.halfedge(edge))) continue;
-            found.is_corner[mesh.source(mesh.halfedge(edge))] = 1;
-            follow(mesh.halfedge(edge));
+            const Halfedge h = mesh.halfedge(edge);
+            if (!is_new(h)) continue;
+            const Halfedge begin = shared[edge] ? first_of(chain(h)) : h;
+            found.is_corner[mesh.source(begin)] = 1;
+            add_line(chain(begin));
         }
         return std::move(found);
     }
@@ -126,6 +134,7 @@ class LineTracing {
     bool is_corner(Vertex v, double degrees, double reach) const {
         const std::vector<Halfedge> leaving = marked_from(v);
         if (leaving.size() != 2) return !leaving.empty();
+        if (shared[mesh.edge(leaving[0])] != shared[mesh.edge(leaving[1])]) return true;
         const double straight = std::cos(degrees * std::numbers::pi / 180);
         const auto turns = [&](Vertex a, Vertex b) {
             const Vector3d here = position(mesh, v);
@@ -136,26 +145,55 @@ class LineTracing {
                turns(ahead(leaving[0], reach), ahead(leaving[1], reach));
     }
 
-    /// Makes a line that begins with a halfedge.
-    void follow(Halfedge h) {
+    /// The halfedges of a line that begins with h, up to a corner, or back to where it began.
+    std::vector<Halfedge> chain(Halfedge h) const {
+        std::vector<Halfedge> all{h};
+        while (!found.is_corner[mesh.target(h)] && mesh.target(h) != mesh.source(all.front())) {
+            const std::vector<Halfedge> next = marked_from(mesh.target(h));
+            h = next[0] == mesh.opposite(h) ? next[1] : next[0];
+            all.push_back(h);
+        }
+        return all;
+    }
+
+    /// Of a closed line the halfedge that leaves the first of its points in the order of coordinates.
+    Halfedge first_of(const std::vector<Halfedge>& closed) const {
+        return *std::ranges::min_element(closed, {}, [&](Halfedge h) { return mesh.point(mesh.source(h)); });
+    }
+
+    std::vector<Vertex> vertices_of(const std::vector<Halfedge>& halfedges) const {
+        std::vector<Vertex> vertices{mesh.source(halfedges.front())};
+        for (const Halfedge h : halfedges) vertices.push_back(mesh.target(h));
+        return vertices;
+    }
+
+    /// Shared lines begin at the end whose points come first, so that they are the same line on all sheets.
+    void orient(std::vector<Halfedge>& halfedges) const {
+        const std::vector<Vertex> there = vertices_of(halfedges), back(there.rbegin(), there.rend());
+        const auto before = [&](Vertex a, Vertex b) { return mesh.point(a) < mesh.point(b); };
+        if (!std::ranges::lexicographical_compare(back, there, before)) return;
+        std::ranges::reverse(halfedges);
+        for (Halfedge& h : halfedges) h = mesh.opposite(h);
+    }
+
+    void add_line(std::vector<Halfedge> halfedges) {
         const auto number = static_cast<std::int32_t>(found.lines.size());
-        FeatureLine line{{position(mesh, mesh.source(h))}, {0}};
-        while (true) {
+        FeatureLine line;
+        line.is_shared = shared[mesh.edge(halfedges.front())] != 0;
+        if (line.is_shared) orient(halfedges);
+        line.vertices = vertices_of(halfedges);
+        for (const Vertex v : line.vertices) line.points.push_back(position(mesh, v));
+        line.along.push_back(0);
+        for (const Halfedge h : halfedges) {
             const double before = line.length();
             line.along.push_back(before + length_of(mesh, mesh.edge(h)));
-            line.points.push_back(position(mesh, mesh.target(h)));
             found.of_edge[mesh.edge(h)] = {number, mesh.source(h), mesh.target(h), before, line.length()};
-            if (found.is_corner[mesh.target(h)]) break;
-            Halfedge next = Mesh::null_halfedge();
-            for (const Halfedge g : mesh.halfedges_around_target(h))
-                if (is_new(g)) next = mesh.opposite(g);
-            h = next;
         }
         found.lines.push_back(std::move(line));
     }
 
     const Mesh& mesh;
-    const EdgeMarks& marks;
+    const EdgeMarks &marks, &shared;
     FeatureLines found;
 };
 
@@ -181,8 +219,9 @@ Vector3d FeatureLine::at(double way) const {
 
 FeatureLines feature_lines(const Mesh& mesh, double degrees, double edge_length,
                            const std::vector<char>& kept) {
-    const EdgeMarks marks = marked_edges(mesh, degrees, edge_length, kept);
-    return LineTracing(mesh, marks, degrees, edge_length / 3, kept).trace();
+    const SharedEdges shared = shared_edges(mesh);
+    const EdgeMarks marks = marked_edges(mesh, degrees, edge_length, kept, shared.is_shared);
+    return LineTracing(mesh, marks, degrees, edge_length / 3, kept, shared).trace();
 }
 
 }  // namespace sherd

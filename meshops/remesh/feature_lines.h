@@ -13,6 +13,8 @@ namespace sherd {
 struct FeatureLine {
     std::vector<Eigen::Vector3d> points;
     std::vector<double> along;             ///< m from its begin, of each point, rising
+    std::vector<Vertex> vertices;          ///< at these points
+    bool is_shared = false;                ///< whether lines of other sheets have the same points
     Eigen::Vector3d at(double way) const;  ///< the point that is so far along, m
     double length() const { return along.back(); }
 };
@@ -25,12 +27,13 @@ struct LineStretch {
     double at_begin = 0, at_end = 0;  ///< m along the line
 };
 
-/// The lines of a mesh: borders, edges where groups or texture coordinates change, sharp ones, and those of
-/// faces whose shape is kept.
+/// The lines of a mesh: borders, edges where groups or texture coordinates change, sharp ones, those along
+/// which it lies on itself without being joined, and those of faces whose shape is kept.
 struct FeatureLines {
     std::vector<FeatureLine> lines;
-    std::vector<LineStretch> of_edge;  ///< [E]
-    std::vector<char> is_corner;       ///< [V] where lines end, branch or turn
+    std::vector<LineStretch> of_edge;           ///< [E]
+    std::vector<char> is_corner;                ///< [V] where lines end, branch or turn
+    std::vector<std::vector<Vertex>> together;  ///< vertices of shared lines that are at one place
 };
 
 /// The faces that are connected to some by faces whose middles are less than `reach` (m) from a place, with

@@ -34,6 +34,26 @@ Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes)
         if (is_line(edge))
             for (const int end : {0, 1}) site[work.vertex(edge, end)].is_on_line = true;
     update_sizes();
+    fix_shared_lines();
+}
+
+/// Chooses the vertices of shared lines that stay: on all sheets the same, as far from each other as edges
+/// are long. Those between are collapsed, and longer edges halved.
+void Remeshing::fix_shared_lines() {
+    constexpr double shortest = 0.75, shortest_last = 0.5;  // of the wanted length
+    for (const FeatureLine& line : surface.lines.lines) {
+        if (!line.is_shared) continue;
+        double last = 0;
+        for (std::size_t i = 1; i + 1 < line.vertices.size(); ++i) {
+            const Vertex v = line.vertices[i];
+            const double size = site[v].size;
+            if (line.along[i] - last < shortest * size ||
+                line.length() - line.along[i] < shortest_last * size)
+                continue;
+            site[v].is_fixed = true;
+            last = line.along[i];
+        }
+    }
 }
 
 void Remeshing::update_sizes() {
@@ -89,14 +109,16 @@ void Remeshing::split(Edge edge) {
     if (was.line != LineStretch::none) {
         const double way = (was.at_begin + was.at_end) / 2;
         near = surface.lines.lines[was.line].at(way);
-        const double at_a = was.begin == a ? was.at_begin : was.at_end;
-        set_line(work.edge(half), v, {a, was.line, way, at_a});
-        set_line(edge, v, {b, was.line, way, was.at_begin + was.at_end - at_a});
+        site[v].is_fixed = surface.lines.lines[was.line].is_shared;
+        const bool begins = was.begin == a;
+        set_line(work.edge(half), v, {a, was.line, way, begins ? was.at_begin : was.at_end});
+        set_line(edge, v, {b, was.line, way, begins ? was.at_end : was.at_begin});
     }
     const InputSurface::Site found = below_edge(a, b, near);
     settle(v, found);
     const Vector3d place = was.line == LineStretch::none ? found.place : near;
-    work.point(v) = point_at(fits(v, place, 0) ? place : middle);
+    const bool is_given = site[v].is_fixed;  // by a shared line
+    work.point(v) = point_at(is_given || fits(v, place, 0) ? place : middle);
 }
 
 /// The point of the surface below a point of an edge. Where an end is on a line, its face may be on the other

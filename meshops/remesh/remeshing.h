@@ -40,7 +40,7 @@ class Remeshing {
     struct Site {
         Face face;
         double size = 0;        ///< m, wanted length of edges
-        bool is_fixed = false;  ///< a corner of lines
+        bool is_fixed = false;  ///< a corner of lines, or of a shared line
         bool is_on_line = false;
     };
     /// An edge of a line from a vertex, and how far along the line both ends are.
@@ -50,6 +50,7 @@ class Remeshing {
         double at_vertex, at_other;
     };
 
+    void fix_shared_lines();
     void split_long();
     void split(Edge edge);
     InputSurface::Site below_edge(Vertex a, Vertex b, const Eigen::Vector3d& near) const;

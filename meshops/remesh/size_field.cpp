@@ -55,8 +55,12 @@ void add_line_curvature(const InputSurface& surface, double reach, std::vector<d
     }
 }
 
-/// Makes lengths smaller where they rise faster over the edges of a mesh than triangles can follow.
-void grade(const Mesh& mesh, std::vector<double>& sizes) {
+/// Makes lengths smaller where they rise faster over the edges of a mesh than triangles can follow, and the
+/// same on shared lines.
+void grade(const Mesh& mesh, const std::vector<std::vector<Vertex>>& together, std::vector<double>& sizes) {
+    std::vector<const std::vector<Vertex>*> others(sizes.size(), nullptr);
+    for (const std::vector<Vertex>& some : together)
+        for (const Vertex v : some) others[v] = &some;
     using Reached = std::pair<double, Vertex>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> waiting;
     for (const Vertex v : mesh.vertices()) waiting.push({sizes[v], v});
@@ -64,12 +68,14 @@ void grade(const Mesh& mesh, std::vector<double>& sizes) {
         const auto [size, v] = waiting.top();
         waiting.pop();
         if (size > sizes[v]) continue;
-        for (const Vertex next : mesh.vertices_around_target(mesh.halfedge(v))) {
+        const auto reach = [&, size = size, v = v](Vertex next) {
             const double most = size + slope * (position(mesh, next) - position(mesh, v)).norm();
-            if (sizes[next] <= most) continue;
+            if (sizes[next] <= most) return;
             sizes[next] = most;
             waiting.push({most, next});
-        }
+        };
+        for (const Vertex next : mesh.vertices_around_target(mesh.halfedge(v))) reach(next);
+        if (others[v] != nullptr) std::ranges::for_each(*others[v], reach);
     }
 }
 
@@ -83,7 +89,7 @@ std::vector<double> sizes_by_curvature(const InputSurface& surface, double edge_
         const double chord = size > 0 ? std::sqrt(8 * rise * edge_length / size) : edge_length;
         size = std::clamp(chord, smallest * edge_length, edge_length);
     }
-    grade(surface.mesh, sizes);
+    grade(surface.mesh, surface.lines.together, sizes);
     return sizes;
 }
 

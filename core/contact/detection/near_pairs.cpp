@@ -12,9 +12,9 @@ namespace {
 /// Margins by which vertices may depart from the motion before candidates are searched again, and for pairs
 /// that are near, in half thicknesses of the thinnest sheet; and how far ahead to search.
 constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
-/// Where edges are much longer than the thickness, more costs little: the share of the motion that is margin,
-/// and of an edge that this margin, and the way ahead, may be.
-constexpr double margin_of_motion = 0.5, margin_of_edge = 0.1, ahead_of_edge = 0.5;
+/// Where triangles are much wider than the thickness, more costs little: the share of the motion that is
+/// margin, and of a width that this margin, and the way ahead, may be.
+constexpr double margin_of_motion = 0.5, margin_of_width = 0.12, ahead_of_width = 0.6;
 constexpr double most_steps = 10;
 
 /// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
@@ -24,10 +24,15 @@ double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
 }
 
-double mean_edge(const ContactSurface& surface, const Positions& x) {
+/// How far elements are from each other, on the mean: edges where triangles are even, the width of needles.
+double mean_width(const ContactSurface& surface, const Positions& x) {
     double sum = 0;
-    for (const auto& [a, b] : surface.edges()) sum += (x.col(a) - x.col(b)).norm();
-    return sum / static_cast<double>(std::max<std::size_t>(surface.edges().size(), 1));
+    for (const auto& [a, b, c] : surface.triangles()) {
+        const Vector3d ab = x.col(b) - x.col(a), ac = x.col(c) - x.col(a), bc = x.col(c) - x.col(b);
+        const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()});
+        if (longest > 0) sum += ab.cross(ac).norm() / std::sqrt(longest);
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(surface.triangles().size(), 1));
 }
 
 double thinnest_half(const ContactSurface& surface) {
@@ -46,12 +51,12 @@ void NearPairs::surface_changed(const ShellChange& change, ContactSurface surfac
 }
 
 void NearPairs::find(const Positions& x, const Positions& motion) const {
-    const double unit = thinnest_half(of), edge = mean_edge(of, x);
+    const double unit = thinnest_half(of), width = mean_width(of, x);
     const Positions way = Neighbourhood(x, motion, 0, of.collider_vertices()).motion;
     const double length = way.colwise().norm().maxCoeff();
     const double margin =
-        std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_edge * edge));
-    const double steps = std::clamp(std::max(ahead * unit, ahead_of_edge * edge) / length, 1.0, most_steps);
+        std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_width * width));
+    const double steps = std::clamp(std::max(ahead * unit, ahead_of_width * width) / length, 1.0, most_steps);
     found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders);
 }
 
