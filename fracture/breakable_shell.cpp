@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 #include <tuple>
 
@@ -98,14 +97,21 @@ void BreakableShell::add_vertices(const SheetInput& input, Index sheet, Index fi
 }
 
 void BreakableShell::add_coincident_vertices() {
-    using Place = std::tuple<Index, double, double, double>;
-    std::map<Place, std::vector<Vertex>> at_place;
-    for (const Vertex vertex : mesh().vertices()) {
+    const auto place = [this](Vertex vertex) {
         const Vector3d at = shell.rest.col(number(vertex));
-        std::vector<Vertex>& others = at_place[{shell.vertex_sheet[number(vertex)], at.x(), at.y(), at.z()}];
-        for (const Vertex other : others) lips.lie_together(other, vertex);
-        others.push_back(vertex);
+        return std::tuple(shell.vertex_sheet[number(vertex)], at.x(), at.y(), at.z());
+    };
+    std::vector<Vertex> by_place(mesh().vertices().begin(), mesh().vertices().end());
+    std::ranges::stable_sort(by_place, {}, place);
+    std::vector<std::array<Vertex, 2>> pairs;  // the later vertex first
+    for (auto first = by_place.begin(); first != by_place.end();) {
+        auto last = first + 1;
+        for (; last != by_place.end() && place(*last) == place(*first); ++last)
+            for (auto other = first; other != last; ++other) pairs.push_back({*last, *other});
+        first = last;
     }
+    std::ranges::sort(pairs);
+    for (const auto& [vertex, other] : pairs) lips.lie_together(other, vertex);
     write_pairs();
 }
 

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,95 +6,14 @@
 
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/moving_delaunay.h"
 #include "meshops/surface.h"
 
 namespace sherd {
 namespace {
 
 using Eigen::Vector3d;
-using Corners = std::array<std::size_t, 3>;
-using Point2 = Kernel::Point_2;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-/// Where a face is, as far as borders have been looked at.
-enum class Where : char { unknown, outside, inside };
-using CreasedFace =
-    CGAL::Triangulation_face_base_with_info_2<Where, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using CreasedDelaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-                                               CGAL::Triangulation_data_structure_2<VertexBase, CreasedFace>>;
-
-[[noreturn]] void fail() {
-    throw Error("the mesh cannot be generated: edge_length is too large for the shape");
-}
-
-/// Makes edges that stay of the pairs. Fails where two of them cross, or one passes through a vertex.
-void constrain(CreasedDelaunay& triangulation, const std::vector<CreasedDelaunay::Vertex_handle>& handle,
-               const std::vector<std::array<std::size_t, 2>>& pairs) {
-    try {
-        for (const auto& [a, b] : pairs) triangulation.insert_constraint(handle[a], handle[b]);
-    } catch (const CreasedDelaunay::Intersection_of_constraints_exception&) {
-        fail();
-    }
-    for (const auto& [a, b] : pairs)
-        if (!triangulation.is_edge(handle[a], handle[b])) fail();
-}
-
-/// Marks the faces outside and inside of the borders, from infinity on.
-void mark(CreasedDelaunay& triangulation, std::vector<std::array<std::size_t, 2>> borders) {
-    for (auto& [a, b] : borders)
-        if (a > b) std::swap(a, b);
-    std::ranges::sort(borders);
-    const auto is_border = [&](CreasedDelaunay::Face_handle face, int side) {
-        const auto [a, b] =
-            std::minmax(face->vertex((side + 1) % 3)->info(), face->vertex((side + 2) % 3)->info());
-        return std::ranges::binary_search(borders, std::array<std::size_t, 2>{a, b});
-    };
-    for (const auto face : triangulation.all_face_handles()) face->info() = Where::unknown;
-    std::vector<CreasedDelaunay::Face_handle> open{triangulation.infinite_face()};
-    open.back()->info() = Where::outside;
-    while (!open.empty()) {
-        const CreasedDelaunay::Face_handle face = open.back();
-        open.pop_back();
-        for (int side = 0; side < 3; ++side) {
-            const CreasedDelaunay::Face_handle next = face->neighbor(side);
-            if (next->info() != Where::unknown) continue;
-            const bool outside = (face->info() == Where::outside) != is_border(face, side);
-            next->info() = outside ? Where::outside : Where::inside;
-            open.push_back(next);
-        }
-    }
-}
-
-/// Delaunay triangles, the one with the lowest vertex first. The vertex at infinity has the number after the
-/// last vertex.
-std::vector<Corners> triangulate(const Surface& surface, const SurfacePoints& points) {
-    const std::size_t count = points.parameter.size();
-    std::vector<std::pair<Point2, std::size_t>> chart;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Eigen::Vector2d place = surface.chart(points.parameter[i]);
-        chart.emplace_back(Point2(place.x(), place.y()), i);
-    }
-    CreasedDelaunay triangulation;
-    triangulation.insert(chart.begin(), chart.end());
-    if (triangulation.number_of_vertices() != count || triangulation.dimension() != 2) fail();
-    std::vector<CreasedDelaunay::Vertex_handle> handle(count);
-    for (const auto v : triangulation.finite_vertex_handles()) handle[v->info()] = v;
-    for (const auto& pairs : {points.creases, points.borders}) constrain(triangulation, handle, pairs);
-    triangulation.infinite_vertex()->info() = count;
-    if (!points.borders.empty()) mark(triangulation, points.borders);
-    std::vector<Corners> result;
-    for (const auto face : triangulation.all_face_handles()) {
-        if (!points.is_closed && triangulation.is_infinite(face)) continue;
-        if (!points.borders.empty() && face->info() == Where::outside) continue;
-        Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
-        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-        if (std::ranges::max(corners) >= points.hole) result.push_back(corners);
-    }
-    std::ranges::sort(result);
-    return result;
-}
-
+using Corners = MovingDelaunay::Corners;
 std::vector<Vector3d> positions(const Surface& surface, const SurfacePoints& points) {
     std::vector<Vector3d> result;
     for (const auto& parameter : points.parameter) result.push_back(surface.position(parameter));
@@ -149,7 +64,7 @@ void move_to_centroids(const Surface& surface, const std::vector<Vector3d>& plac
         }
     }
     for (std::size_t i = points.fixed; i < points.parameter.size(); ++i) {
-        if (!(weight[i] > 0)) fail();  // it is in no triangle
+        if (!(weight[i] > 0)) fail_to_generate();  // it is in no triangle
         points.parameter[i] = surface.project(moment[i] / weight[i], points.parameter[i]);
     }
 }
@@ -161,7 +76,7 @@ Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& trian
         std::array<Vertex, 3> face;
         std::ranges::transform(corners, face.begin(),
                                [](std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); });
-        if (mesh.add_face(face) == Mesh::null_face()) fail();
+        if (mesh.add_face(face) == Mesh::null_face()) fail_to_generate();
     }
     return mesh;
 }
@@ -171,9 +86,11 @@ Mesh build(const std::vector<Vector3d>& place, const std::vector<Corners>& trian
 Mesh relax(const Surface& surface, SurfacePoints points, int iterations) {
     // Occasionally a thin triangle remains: then the iteration continues, at most for as long again.
     constexpr double good_angle = 25 * std::numbers::pi / 180;
+    MovingDelaunay delaunay(surface, points);
     for (int i = 0;; ++i) {
+        if (i > 0) delaunay.follow();
         const auto place = positions(surface, points);
-        const auto triangles = triangulate(surface, points);
+        const auto triangles = delaunay.triangles();
         const bool is_enough =
             i >= 2 * iterations || (i >= iterations && smallest_angle(place, triangles) >= good_angle);
         if (is_enough) return build(place, triangles);

@@ -7,9 +7,9 @@
 
 namespace sherd {
 
-/// FNV-1a, 64 bits: tells whether two texts are the same, unless somebody means to deceive.
-constexpr std::uint64_t checksum(std::string_view text) {
-    std::uint64_t sum = 14695981039346656037u;
+/// FNV-1a, 64 bits: tells whether two texts are the same, unless somebody means to deceive. sum: of what
+/// stands before the text.
+constexpr std::uint64_t checksum(std::string_view text, std::uint64_t sum = 14695981039346656037u) {
     for (const char byte : text) sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211u;
     return sum;
 }

@@ -35,11 +35,15 @@ PendingFile::~PendingFile() {
     std::filesystem::remove(temporary, ignored);
 }
 
-void PendingFile::write(const std::string& text) {
+void PendingFile::write(std::initializer_list<std::string_view> parts) {
     std::ofstream out(temporary, std::ios::binary);
-    out << text;
+    std::size_t size = 0;
+    for (const std::string_view part : parts) {
+        out << part;
+        size += part.size();
+    }
     out.close();
-    if (!out) refuse_room(target, text.size(), errno ? errno : ENOSPC);
+    if (!out) refuse_room(target, size, errno ? errno : ENOSPC);
 }
 
 void PendingFile::publish(bool replace) {

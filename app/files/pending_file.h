@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/files/output_lock.h"
 #include "meshops/error.h"
@@ -26,7 +28,8 @@ class PendingFile {
 
     const std::filesystem::path& path() const { return temporary; }
     /// Throws Error (run) when the disk is full.
-    void write(const std::string& text);
+    void write(std::initializer_list<std::string_view> parts);
+    void write(const std::string& text) { write({std::string_view(text)}); }
     /// Gives it its name. Throws Error (input) when that is taken and not `replace`.
     void publish(bool replace);
     /// Does so, replacing what has the name, when all of it is on the disk: a power cut leaves one or the

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view magic = "sherd checkpoint 1\n";
+constexpr std::string_view magic = "sherd checkpoint 2\n";
 
 /// What stands in front of the rest of a file.
 struct Seal {
@@ -32,6 +32,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
     Checkpoint checkpoint;
     StateReader reader(body);
     reader(checkpoint);
+    checkpoint.state = reader.left();
     return checkpoint;
 }
 
@@ -42,14 +43,12 @@ std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::pat
 }
 
 void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint) {
-    StateWriter body;
-    body(checkpoint);
-    const Seal seal{body.text.size(), checksum(body.text)};
-    std::string text(magic);
-    text.append(reinterpret_cast<const char*>(&seal), sizeof seal);
-    text += body.text;
+    StateWriter head;
+    head(checkpoint);
+    const Seal seal{head.text.size() + checkpoint.state.size(),
+                    checksum(checkpoint.state, checksum(head.text))};
     PendingFile file(checkpoint_files(recording.output())[checkpoint.number % 2], Fault::run, recording);
-    file.write(text);
+    file.write({magic, {reinterpret_cast<const char*>(&seal), sizeof seal}, head.text, checkpoint.state});
     file.publish_durably();
 }
 

@@ -20,9 +20,10 @@ struct Checkpoint {
     RunOrigin origin;
     std::string state;  ///< of all that takes part: StateWriter
 
+    /// The state itself, most of it, stands behind this as it is.
     void visit_state(StateVisitor& visit) {
         auto& [number, time, frame_interval, origin, state] = *this;
-        visit(number, time, frame_interval, origin, state);
+        visit(number, time, frame_interval, origin);
     }
 };
 

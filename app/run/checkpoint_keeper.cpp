@@ -27,7 +27,10 @@ void CheckpointKeeper::paused(bool at_end) {
 
 void CheckpointKeeper::write() {
     const Clock::time_point start = Clock::now();
+    StateSize size;
+    size(parts);
     StateWriter state;
+    state.text.reserve(size.count);
     state(parts);
     // What the state counts on is on the disk: each append to the recording has been committed.
     write_checkpoint(parts.recorder.lock(),

@@ -13,6 +13,10 @@ void StateWriter::enter(const char* type) {
     text.append(type, std::strlen(type) + 1);
 }
 
+void StateSize::enter(const char* type) {
+    count += std::strlen(type) + 1;
+}
+
 void StateReader::bytes(void* data, std::size_t size) {
     if (size > rest.size())
         throw Error(fmt::format("the state ends {} bytes too early", size - rest.size()), Fault::run);

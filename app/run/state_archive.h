@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/state_visitor.h"
 
@@ -18,6 +19,16 @@ class StateWriter : public StateVisitor {
     std::string text;
 };
 
+/// How long the text of a StateWriter will be, so that it need not grow.
+class StateSize : public StateVisitor {
+  public:
+    bool reads() const override { return false; }
+    void bytes(void* /*data*/, std::size_t size) override { count += size; }
+    void enter(const char* type) override;
+
+    std::size_t count = 0;
+};
+
 /// Puts state back that a StateWriter of the same program wrote. Throws Error (run) where it is of other
 /// classes, or too short.
 class StateReader : public StateVisitor {
@@ -27,6 +38,7 @@ class StateReader : public StateVisitor {
     bool reads() const override { return true; }
     void bytes(void* data, std::size_t size) override;
     void enter(const char* type) override;
+    std::string_view left() const { return {rest.data(), rest.size()}; }
     /// Throws Error (run) when there is more.
     void finish() const;
 

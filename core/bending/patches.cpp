@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/bending/share_bound.h"
+
 namespace sherd {
 namespace {
 
@@ -24,9 +26,9 @@ using AnglesOfFolds = Eigen::MatrixXd;  ///< [folds, 3]; JacobiSVD needs a dynam
 using Decomposition = Eigen::JacobiSVD<AnglesOfFolds>;
 
 /// The smallest change of `weights` after which their sum of the folds' angles is `target`, as far as the
-/// angles see it.
-VectorXd corrected(const VectorXd& weights, const AnglesOfFolds& angles, const Vector3d& target) {
-    const Decomposition svd(angles, Eigen::ComputeThinU | Eigen::ComputeThinV);
+/// angles see it. svd: of the angles.
+VectorXd corrected(const VectorXd& weights, const AnglesOfFolds& angles, const Decomposition& svd,
+                   const Vector3d& target) {
     VectorXd missing = svd.matrixV().transpose() * (target - angles.transpose() * weights);
     for (Eigen::Index i = 0; i < missing.size(); ++i) {
         const double size = svd.singularValues()[i];
@@ -36,11 +38,21 @@ VectorXd corrected(const VectorXd& weights, const AnglesOfFolds& angles, const V
 }
 
 /// How well the angles tell curvatures from each other: the smallest singular value.
-double sight(const AnglesOfFolds& angles) {
-    return angles.rows() < 3 ? 0 : Decomposition(angles).singularValues()[2];
+double sight(const Decomposition& svd) {
+    return svd.rows() < 3 ? 0 : svd.singularValues()[2];
+}
+
+Decomposition decomposed(const AnglesOfFolds& angles) {
+    return Decomposition(angles, Eigen::ComputeThinU | Eigen::ComputeThinV);
 }
 
 }  // namespace
+
+double most_side_curvature(double length, double angle) {
+    // A grown patch has six triangles, and 13 folds at most. The norm of their shares in a curvature along a
+    // side is at most that of the target, 1 / length, over the smallest singular value that counts.
+    return std::sqrt(13.0) * angle / (sees_hardly * length);
+}
 
 void Patches::build() {
     first_edge = folds.folds_of_edges();
@@ -201,12 +213,18 @@ std::vector<Patches::Share> Patches::shares(const TriangleEdge& side, const Vect
     if (fold_of_side[side.triangle][side.corner] >= first_edge)
         patch.push_back(across(patch.front(), side.corner));
     std::vector<FoldAngle> seen = folds_of(patch);
-    if (sight(angles_of(seen)) < sees_well) seen = folds_of(grown(patch));
+    AnglesOfFolds angles = angles_of(seen);
+    Decomposition svd = decomposed(angles);
+    if (sight(svd) < sees_well) {
+        seen = folds_of(grown(patch));
+        angles = angles_of(seen);
+        svd = decomposed(angles);
+    }
     if (seen.empty()) return {};
 
     VectorXd weights = VectorXd::Zero(static_cast<Eigen::Index>(seen.size()));
     if (start) weights[std::ranges::find(seen, start->fold, &FoldAngle::fold) - seen.begin()] = start->weight;
-    weights = corrected(weights, angles_of(seen), invariant(target) / length);
+    weights = corrected(weights, angles, svd, invariant(target) / length);
     std::vector<Share> all;
     for (std::size_t f = 0; f < seen.size(); ++f)
         all.push_back({seen[f].fold, weights[static_cast<Eigen::Index>(f)]});

@@ -15,9 +15,16 @@ SideCurvature::SideCurvature(const Shell& shell, const Folds& folds)
 
 void SideCurvature::update(Index face, int side) {
     const Index fold = patches.fold_at(face, side);
-    const TriangleEdge first = fold < folds.folds_of_edges()
-                                   ? TriangleEdge{face, side}
-                                   : patches.sides_of(fold - folds.folds_of_edges())->front();
+    TriangleEdge first{face, side};
+    if (fold >= folds.folds_of_edges()) {
+        const auto both = *patches.sides_of(fold - folds.folds_of_edges());
+        first = both[0];
+        const TriangleEdge& other = both[both[0].triangle == face ? 1 : 0];
+        if (other.triangle < face) {  // which has the same, and has been updated
+            sides[face][side] = sides[other.triangle][other.corner];
+            return;
+        }
+    }
     const double angle = direction_of_side(patches.triangle(first.triangle), first.corner);
     const double c = std::cos(angle), s = std::sin(angle);
     sides[face][side] = patches.shares(first, {c * c, s * s, c * s});

@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "core/bending/share_bound.h"
+#include "core/bending/share_bound.h"
 #include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/membrane/membrane_energy.h"
@@ -151,6 +153,22 @@ TEST(ArcMembrane, LockingIsToldFromRadiusAndEdges) {
     const double expected = longest * longest / (2 * test::patch_material.thickness);
     EXPECT_NEAR(locking(shell).maxCoeff(), expected, 0.1 * expected) << "as far as this coarse mesh knows";
     EXPECT_LT(locking(test::flat_patch()).maxCoeff(), 1e-12);
+}
+
+// Sheets that cannot lock by this bound are not looked at any closer.
+TEST(ArcMembrane, NoSideIsMoreCurvedThanFoldsAllow) {
+    const Shell shell = test::curved_patch();
+    const Folds folds(shell, {});
+    const VectorXd angles = folds.rest_angles();
+    const SideCurvature curvature(shell, folds);
+    for (std::size_t face = 0; face < shell.triangles.size(); ++face) {
+        const Vector3d lengths =
+            side_squares(columns(shell.rest, shell.triangles[face].vertices)).cwiseSqrt();
+        const Vector3d of_sides = curvature.of(face, angles);
+        for (int side = 0; side < 3; ++side)
+            EXPECT_LE(std::abs(of_sides[side]),
+                      most_side_curvature(lengths[side], angles.cwiseAbs().maxCoeff()));
+    }
 }
 
 // Fields, gauges and breaking would otherwise see other strains than the energy, and take bending for

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "tests/support/uneven_patch.h"
 
 namespace sherd {
@@ -32,6 +34,31 @@ TEST(Stability, HoldsForThinSheetsOnly) {
 // The nonlinear hinge has its least energy at rest, whatever the membrane does.
 TEST(Stability, OfTheNonlinearHingeHoldsAlways) {
     EXPECT_TRUE(stable_at_rest(fold(30), BendingModel::nonlinear));
+}
+
+/// The smallest eigenvalue of the stiffness at rest, N/m, with the inertia of a tenth of a second.
+double smallest_stiffness(const Shell& shell) {
+    Eigen::MatrixXd stiffness =
+        test::hessian_of(*bending_energy(shell, {BendingModel::cubic, BendingJacobian::cubic}), shell.rest,
+                         Curvature::exact) +
+        test::hessian_of(*membrane_energy(shell, MembraneModel::constant_strain), shell.rest,
+                         Curvature::exact);
+    for (Index i = 0; i < stiffness.rows(); ++i) stiffness(i, i) += 100 * shell.mass[i / 3];
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+// Most sheets are told stable hinge by hinge, without the matrix of the whole, and only those that are.
+TEST(Stability, OfCubicHingesIsThatOfTheWholeMatrix) {
+    int stable = 0, unstable = 0;
+    for (double factor = 1; factor < 1e8; factor *= 3) {
+        Shell shell = test::curved_patch();
+        for (HingeStencil& hinge : shell.hinges) hinge.stiffness *= factor;
+        const bool holds = smallest_stiffness(shell) > 0;
+        EXPECT_EQ(stable_at_rest(shell), holds) << factor;
+        ++(holds ? stable : unstable);
+    }
+    EXPECT_GT(stable, 2);
+    EXPECT_GT(unstable, 2);
 }
 
 // With arcs the rest shape is the same, and what a cubic hinge lacks the membrane has to outweigh as before.

@@ -20,5 +20,22 @@ TEST(SelfIntersections, FindsCrossingFacesAndNoNeighbours) {
     EXPECT_EQ(found[0][1], needle);
 }
 
+// Large meshes are looked at in strips, at whose borders nothing may be missed or found twice.
+TEST(SelfIntersections, FindsThoseOfALargeMesh) {
+    const int columns = 50, rows = 1000;
+    Mesh mesh = test::grid(columns, rows);
+    std::vector<std::array<Face, 2>> expected;
+    for (int row = 3; row < rows; row += 7) {
+        // Through the first triangle of a square, along the diagonal of which nothing lies.
+        const Point at(20.6, row + 0.3, 0);
+        const Vertex a = mesh.add_vertex(Point(at.x(), at.y(), -1)),
+                     b = mesh.add_vertex(Point(at.x() + 0.1, at.y(), -1)),
+                     c = mesh.add_vertex(Point(at.x(), at.y() + 0.1, 1));
+        const Face pierced(static_cast<Mesh::size_type>(2 * (columns * row + 20)));
+        expected.push_back({pierced, mesh.add_face(a, b, c)});
+    }
+    EXPECT_EQ(self_intersections(mesh), expected);
+}
+
 }  // namespace
 }  // namespace sherd

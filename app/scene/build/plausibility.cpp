@@ -10,6 +10,7 @@
 #include "app/scene/build/reach.h"
 #include "app/scene/build/round_step.h"
 #include "app/scene/build/thickness.h"
+#include "core/bending/share_bound.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -77,10 +78,29 @@ void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
                     sheet.where, sheet.name, mesh.smallest_edge, mesh.mean_edge));
 }
 
+/// Whether no face can lock, by its edges and the angles between faces alone.
+bool surely_free_of_locking(const SheetInput& input) {
+    const Mesh& mesh = input.mesh;
+    const auto normal = [&](Face face) {
+        const std::array<Index, 3> corners = face_vertices(mesh, face);
+        const Vector3d a = position(mesh, Vertex(corners[0]));
+        return (position(mesh, Vertex(corners[1])) - a).cross(position(mesh, Vertex(corners[2])) - a).eval();
+    };
+    double angle = 0;
+    for (const Edge edge : mesh.edges()) {
+        if (mesh.is_border(edge)) continue;
+        const Vector3d a = normal(mesh.face(mesh.halfedge(edge, 0))),
+                       b = normal(mesh.face(mesh.halfedge(edge, 1)));
+        angle = std::max(angle, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+    const double edge = measure(mesh).largest_edge;
+    return edge * edge * most_side_curvature(edge, angle) < locking_limit * input.thinnest();
+}
+
 void warn_of_locking(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
                      std::vector<std::string>& warnings) {
     const bool is_held = input.pinned.size() == input.mesh.number_of_vertices();
-    if (scene.solver.membrane == MembraneModel::arc || is_held) return;
+    if (scene.solver.membrane == MembraneModel::arc || is_held || surely_free_of_locking(input)) return;
     const BreakableShell alone({input});
     const VectorXd measures = locking(alone.mechanics());
     Eigen::Index worst = 0;

@@ -60,6 +60,10 @@ void NearPairs::find(const Positions& x, const Positions& motion) const {
     found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders);
 }
 
+Neighbourhood NearPairs::surroundings(const Positions& x, const Positions& motion) const {
+    return {x, motion, nearby * thinnest_half(of), of.collider_vertices()};
+}
+
 const ContactCandidates& NearPairs::candidates(const Positions& x, const Positions& motion) const {
     const Neighbourhood& known = found.neighbourhood();
     if (!known.contains(x) || !known.contains(x + motion)) find(x, motion);
@@ -99,8 +103,13 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
     return fraction;
 }
 
+std::vector<ContactPair> NearPairs::pairs_nearby_once(const Positions& x) const {
+    const Neighbourhood near = surroundings(x, Positions::Zero(3, x.cols()));
+    return ContactCandidates(of, near, colliders).pick(of, near);
+}
+
 std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
-    const Neighbourhood near(x, motion, nearby * thinnest_half(of), of.collider_vertices());
+    const Neighbourhood near = surroundings(x, motion);
     if (!found.neighbourhood().contains(near)) find(x, motion);
     return found.pick(of, near);
 }

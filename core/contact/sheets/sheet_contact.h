@@ -59,8 +59,7 @@ class SheetContact : public Energy {
     }
     /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const {
-        const Positions& all = at_end(x);
-        return near.pairs_nearby(all, Positions::Zero(3, all.cols()));
+        return near.pairs_nearby_once(at_end(x));
     }
     /// The same as active_pairs(), with the colliders where they are at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "meshops/surface.h"
+
+namespace sherd {
+
+/// The Delaunay triangulation of the chart of points that move from one time to the next. It is the same as
+/// one that is made anew, in a fraction of the time where most triangles stay as they are: points are moved,
+/// and edges flipped until it is Delaunay again (Lawson 1977).
+class MovingDelaunay {
+  public:
+    using Corners = std::array<std::size_t, 3>;
+
+    /// Surface and points must outlive this object. Throws Error if there are too few points for the shape.
+    MovingDelaunay(const Surface& surface, const SurfacePoints& points);
+    ~MovingDelaunay();
+
+    /// The points that are not fixed have moved. Throws Error as the constructor does.
+    void follow();
+    /// The triangles inside, ascending, each with its lowest vertex first. The vertex at infinity has the
+    /// number after the last vertex.
+    std::vector<Corners> triangles();
+
+  private:
+    struct Triangulation;
+
+    void make();
+    bool move();
+    bool hull_rests() const;
+    void require_edges() const;
+    void mark();
+
+    const Surface& surface;
+    const SurfacePoints& points;
+    std::unique_ptr<Triangulation> of;
+};
+
+/// Throws the Error of a shape that has too few points.
+[[noreturn]] void fail_to_generate();
+
+}  // namespace sherd
