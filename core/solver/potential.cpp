@@ -16,7 +16,7 @@ void Potential::each(const Action& action) const {
 }
 
 void Potential::begin(const StepContext& step) {
-    of_inertia = step.inertia / (step.lag * step.lag);
+    of_inertia = step.inertia / step.square();
     each([&](Energy& energy) { energy.begin(step); });
 }
 

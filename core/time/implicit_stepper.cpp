@@ -9,6 +9,7 @@
 #include "core/solver/quasi_newton.h"
 #include "core/time/bdf2.h"
 #include "core/time/implicit_euler.h"
+#include "core/time/midpoint.h"
 #include "core/time/statics.h"
 
 namespace sherd {
@@ -17,6 +18,7 @@ namespace {
 std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     if (scheme == Scheme::statics) return std::make_unique<Statics>();
     if (scheme == Scheme::bdf2) return std::make_unique<Bdf2>();
+    if (scheme == Scheme::midpoint) return std::make_unique<Midpoint>();
     return std::make_unique<ImplicitEuler>();
 }
 
@@ -39,6 +41,8 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       scheme(time_scheme(options.scheme)),
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
       loads(forces.loads()),
+      in_the_middle(shell, forces.elastic()),
+      elastic(options.scheme == Scheme::midpoint ? std::vector<Energy*>{&in_the_middle} : forces.elastic()),
       contact(shell, options.contact, options.gravity),
       potential(shell, all_energies(), spent),
       minimiser(minimiser_of(options)) {
@@ -58,7 +62,7 @@ void ImplicitStepper::visit_state(StateVisitor& visit) {
 std::vector<Energy*> ImplicitStepper::all_energies() {
     std::vector<Energy*> all{&inertia};
     for (const std::vector<Energy*>& some :
-         {forces.elastic(), contact.energies(), loads, contact.frictions(), {&opening}})
+         {elastic, contact.energies(), loads, contact.frictions(), {&opening}})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -155,7 +159,10 @@ double ImplicitStepper::taken_by_scheme() {
 
 void ImplicitStepper::finish() {
     contact.finish(position);
-    ledger.finish(work(), stored(), moving(step.velocity(position), position));
+    const StepWork of_step = work();
+    if (step.where < 1 && forces.mirrors_move())  // clamps are in the middle
+        for (Energy* energy : forces.elastic()) energy->begin(step);
+    ledger.finish(of_step, stored(), moving(step.end_velocity(position), position));
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     opening.finish();
@@ -173,7 +180,7 @@ std::vector<Reaction> ImplicitStepper::reactions() const {
             blocked += acceleration * shell.mass.asDiagonal();
         }
         add_reactions(shell, position, blocked, all);
-        forces.add_mirror_reactions(position, all);
+        forces.add_mirror_reactions(elastic_position(), all);
     }
     const Stopwatch watch(spent, Task::contact);
     const std::vector<Reaction> of_obstacles = contact.reactions(position);
@@ -186,7 +193,7 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
     const Positions force = step.acceleration(position) * shell.mass.asDiagonal();
     gradient += force - options.gravity * shell.mass.transpose();
     balance.lost_to_scheme = force.cwiseProduct(position - shell.position).sum() -
-                             kinetic_energy(shell.mass, step.velocity(position)) + kinetic_energy(shell);
+                             kinetic_energy(shell.mass, step.end_velocity(position)) + kinetic_energy(shell);
     if (const BodyContact* bodies = contact.of_bodies())
         balance.lost_to_scheme += bodies->work_of_all() - bodies->kinetic_change();
 }
@@ -194,7 +201,7 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
 StepWork ImplicitStepper::work() {
     const Positions moved = position - shell.position;
     Positions gradient = Positions::Zero(3, position.cols());
-    for (const std::vector<Energy*>& some : {forces.elastic(), contact.energies(), contact.frictions()})
+    for (const std::vector<Energy*>& some : {elastic, contact.energies(), contact.frictions()})
         for (const Energy* energy : some) energy->add_gradient(position, gradient);
     opening.add_gradient(position, gradient);
     StepWork all;
@@ -206,7 +213,7 @@ StepWork ImplicitStepper::work() {
     balance.lost_to_cracks = opening.taken();
     Positions free = gradient;
     constrain(shell, free);
-    const double of_mirrors = forces.mirror_work(step, position);
+    const double of_mirrors = forces.mirror_work(step, elastic_position());
     balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
     balance.work_of_obstacles = contact.obstacle_work(step, position);
     balance.lost_to_friction = contact.friction_loss(position);

@@ -6,6 +6,7 @@
 #include "core/state_visitor.h"
 #include "core/time/equilibrium_path.h"
 #include "core/time/inertia.h"
+#include "core/time/middle_energy.h"
 #include "core/time/released_edges.h"
 #include "core/time/stepper.h"
 #include "core/time/time_scheme.h"
@@ -46,6 +47,11 @@ class ImplicitStepper : public Stepper {
     /// have been born since the last time.
     Positions newly_unbalanced(std::span<const Heir> heirs);
     std::vector<Energy*> all_energies();
+    /// Where elastic forces act, m, [3, V].
+    Positions elastic_position() const {
+        return step.where == 1 ? position
+                               : Positions(shell.position + step.where * (position - shell.position));
+    }
     void require_apart();
     /// Moves `position` towards the prediction; returns false if scripted vertices or obstacles do not
     /// arrive.
@@ -62,7 +68,9 @@ class ImplicitStepper : public Stepper {
     StepContext step;  ///< the open step, or the last one
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;
-    std::vector<Energy*> loads;  ///< of `forces`
+    std::vector<Energy*> loads;    ///< of `forces`
+    MiddleEnergy in_the_middle;    ///< of what is elastic
+    std::vector<Energy*> elastic;  ///< the same, or what is elastic itself: what is in the potential
     Contact contact;
     ReleasedEdges opening;
     Potential potential;

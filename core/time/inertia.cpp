@@ -7,10 +7,10 @@ namespace sherd {
 
 void Inertia::begin(const StepContext& step) {
     Positions displacement = step.lag * step.velocity_origin;
-    displacement.colwise() += step.lag * step.lag * gravity;
+    displacement.colwise() += step.square() * gravity;
     displacement += step.origin - shell.position;
     constrain(shell, displacement);
-    elements.stiffness = step.inertia * shell.mass / (step.lag * step.lag);
+    elements.stiffness = step.inertia * shell.mass / step.square();
     elements.anchor = shell.position + displacement;
     place_scripted(shell, step.end(), elements.anchor);
 }

@@ -13,7 +13,7 @@
 
 namespace sherd {
 
-enum class Scheme { implicit_euler, bdf2, statics, explicit_differences };
+enum class Scheme { implicit_euler, bdf2, midpoint, statics, explicit_differences };
 /// How an implicit step finds its minimum.
 enum class Method {
     quasi_newton,

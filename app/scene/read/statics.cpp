@@ -27,9 +27,11 @@ void require_static_sheet(TomlTable& root, const SheetSpec& sheet) {
 }  // namespace
 
 void read_scheme(TomlTable& table, SolverSpec& solver) {
-    constexpr std::array<std::string_view, 5> names{"implicit-euler", "bdf2", "auto", "explicit", "static"};
-    constexpr std::array schemes{Scheme::implicit_euler, Scheme::bdf2, Scheme::implicit_euler,
-                                 Scheme::explicit_differences, Scheme::statics};
+    constexpr std::array<std::string_view, 6> names{"implicit-euler", "bdf2",     "midpoint",
+                                                    "auto",           "explicit", "static"};
+    constexpr std::array schemes{
+        Scheme::implicit_euler,       Scheme::bdf2,   Scheme::midpoint, Scheme::implicit_euler,
+        Scheme::explicit_differences, Scheme::statics};
     if (table.has("scheme")) {
         const std::string chosen = table.choice("scheme", names);
         solver.scheme = schemes[std::ranges::find(names, chosen) - names.begin()];
@@ -40,7 +42,7 @@ void read_scheme(TomlTable& table, SolverSpec& solver) {
     if (is_explicit) solver.step = explicit_step;
     solver.adaptive = table.flag("adaptive", solver.adaptive);
     if (solver.adaptive && (statics || is_explicit || solver.alternates))
-        table.report("adaptive", "is for scheme = \"implicit-euler\" or \"bdf2\"");
+        table.report("adaptive", "is for scheme = \"implicit-euler\", \"bdf2\" or \"midpoint\"");
     // A step of load changes the matrix more than one of time, and nothing of inertia is in it that stays.
     if (statics) solver.method = Method::newton;
     for (const char* key : {"method", "jacobian", "max_iterations", "tolerance", "max_stages"})

@@ -64,7 +64,8 @@ class BodyStep {
     const Shell& shell;
     const RigidBody& body;
     const NearPairs* near;
-    double lag;  ///< s
+    double lag;    ///< s
+    double where;  ///< see StepContext
     BodyOrigin origin;
     Matrix3d inertia;                        ///< kg m^2, in space
     Vector6d predicted;                      ///< q without contact: the inertial prediction
