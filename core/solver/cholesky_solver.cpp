@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <stdexcept>
+
 #include "core/solver/cholmod_session.h"
 #include "core/solver/factor_size.h"
 #include "core/solver/linear_solver.h"
@@ -10,91 +13,141 @@ namespace {
 /// Below this number of unknowns minimum degree orders as well as nested dissection, and faster.
 constexpr Index nested_dissection_from = 3000;
 
-/// A CHOLMOD matrix that refers to the arrays of `matrix` without a copy.
-cholmod_sparse view(const BlockMatrix& matrix) {
-    cholmod_sparse sparse{};
-    sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size());
-    sparse.nzmax = matrix.values().size();
-    sparse.p = const_cast<Index*>(matrix.columns().data());
-    sparse.i = const_cast<Index*>(matrix.rows().data());
-    sparse.x = const_cast<double*>(matrix.values().data());
-    sparse.stype = -1;
-    sparse.itype = CHOLMOD_INT;
-    sparse.xtype = CHOLMOD_REAL;
-    sparse.dtype = CHOLMOD_DOUBLE;
-    sparse.sorted = sparse.packed = 1;
-    return sparse;
-}
+/// CHOLMOD with indices of this type.
+template <class Integer>
+struct Cholmod;
+template <>
+struct Cholmod<int> {
+    static constexpr bool wide = false;
+    static constexpr auto analyze = cholmod_analyze;
+    static constexpr auto analyze_p = cholmod_analyze_p;
+    static constexpr auto factorize = cholmod_factorize;
+    static constexpr auto solve = cholmod_solve2;
+    static constexpr auto free_dense = cholmod_free_dense;
+    static constexpr auto free_factor = cholmod_free_factor;
+};
+template <>
+struct Cholmod<SuiteSparse_long> {
+    static constexpr bool wide = true;
+    static constexpr auto analyze = cholmod_l_analyze;
+    static constexpr auto analyze_p = cholmod_l_analyze_p;
+    static constexpr auto factorize = cholmod_l_factorize;
+    static constexpr auto solve = cholmod_l_solve2;
+    static constexpr auto free_dense = cholmod_l_free_dense;
+    static constexpr auto free_factor = cholmod_l_free_factor;
+};
+
+/// A BlockMatrix as CHOLMOD reads it, without a copy but for indices of another type.
+template <class Integer>
+class CholmodMatrix {
+  public:
+    void set_pattern(const BlockMatrix& matrix) {
+        if constexpr (Cholmod<Integer>::wide) {
+            columns.assign(matrix.columns().begin(), matrix.columns().end());
+            rows.assign(matrix.rows().begin(), matrix.rows().end());
+        }
+    }
+    /// matrix: of the pattern that was set.
+    cholmod_sparse view(const BlockMatrix& matrix) const {
+        cholmod_sparse sparse{};
+        sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.size());
+        sparse.nzmax = matrix.values().size();
+        if constexpr (Cholmod<Integer>::wide) {
+            sparse.p = const_cast<Integer*>(columns.data());
+            sparse.i = const_cast<Integer*>(rows.data());
+        } else {
+            sparse.p = const_cast<Index*>(matrix.columns().data());
+            sparse.i = const_cast<Index*>(matrix.rows().data());
+        }
+        sparse.x = const_cast<double*>(matrix.values().data());
+        sparse.stype = -1;
+        sparse.itype = Cholmod<Integer>::wide ? CHOLMOD_LONG : CHOLMOD_INT;
+        sparse.xtype = CHOLMOD_REAL;
+        sparse.dtype = CHOLMOD_DOUBLE;
+        sparse.sorted = sparse.packed = 1;
+        return sparse;
+    }
+
+  private:
+    std::vector<Integer> columns, rows;
+};
 
 /// Operations of a factorization that take as long as an entry in a solution.
 constexpr double operations_per_entry = 30;
 
 /// The order of the unknowns when vertices are eliminated in this order.
-std::vector<Index> of_unknowns(const std::vector<Index>& vertices) {
-    std::vector<Index> order;
+template <class Integer>
+std::vector<Integer> of_unknowns(const std::vector<Index>& vertices) {
+    std::vector<Integer> order;
     order.reserve(3 * vertices.size());
     for (const Index vertex : vertices)
-        for (Index c = 0; c < 3; ++c) order.push_back(3 * vertex + c);
+        for (Integer c = 0; c < 3; ++c) order.push_back(Integer{3} * vertex + c);
     return order;
 }
 
-class CholeskySolver : public LinearSolver {
+/// A factor by CHOLMOD.
+template <class Integer>
+class CholmodFactor {
   public:
+    using Calls = Cholmod<Integer>;
+
     /// supernodal: L L^T, of positive definite matrices; else L D L^T.
-    CholeskySolver(bool supernodal, Ordering ordering) : ordering(ordering) {
+    explicit CholmodFactor(bool supernodal) : session(Calls::wide) {
         session.common.supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     }
-    ~CholeskySolver() override {
-        cholmod_free_dense(&solution, common());
-        cholmod_free_dense(&work1, common());
-        cholmod_free_dense(&work2, common());
-        cholmod_free_factor(&factor, common());
+    ~CholmodFactor() {
+        Calls::free_dense(&solution, common());
+        Calls::free_dense(&work1, common());
+        Calls::free_dense(&work2, common());
+        Calls::free_factor(&factor, common());
     }
-    CholeskySolver(const CholeskySolver&) = delete;
-    using LinearSolver::analyze;
-    void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override;
-    std::vector<Index> order() const override { return of_vertices; }
-    bool factorize(const BlockMatrix& matrix) override;
-    VectorXd solve(const VectorXd& right_side) override;
-    FactorCost cost() const override {
-        return {session.common.fl / operations_per_entry, session.common.lnz};
-    }
-    double factor_entries() const { return session.common.lnz; }
+    CholmodFactor(const CholmodFactor&) = delete;
+
+    /// order: of vertices; none: unknowns are ordered. Returns false where the factor has more entries than
+    /// indices can count.
+    bool analyze(const BlockMatrix& matrix, const std::vector<Index>& order);
+    bool factorize(const BlockMatrix& matrix);
+    VectorXd solve(const VectorXd& right_side);
+    double operations() const { return session.common.fl; }
+    double entries() const { return session.common.lnz; }
 
   private:
     cholmod_common* common() { return &session.common; }
 
     CholmodSession session;
-    Ordering ordering;
-    std::vector<Index> of_vertices;  ///< their order, unless unknowns are ordered
+    CholmodMatrix<Integer> pattern;
     cholmod_factor* factor = nullptr;
     cholmod_dense *solution = nullptr, *work1 = nullptr, *work2 = nullptr;
 };
 
-void CholeskySolver::analyze(const BlockMatrix& matrix, const std::vector<Index>& order_of_vertices) {
-    cholmod_sparse sparse = view(matrix);
-    cholmod_free_factor(&factor, common());
-    if (ordering == Ordering::vertices) {
-        of_vertices = order_of_vertices.empty() ? elimination_order(matrix) : order_of_vertices;
-        std::vector<Index> order = of_unknowns(of_vertices);
+template <class Integer>
+bool CholmodFactor<Integer>::analyze(const BlockMatrix& matrix, const std::vector<Index>& of_vertices) {
+    pattern.set_pattern(matrix);
+    cholmod_sparse sparse = pattern.view(matrix);
+    if (!of_vertices.empty()) {
+        std::vector<Integer> order = of_unknowns<Integer>(of_vertices);
         common()->method[0].ordering = CHOLMOD_GIVEN;
-        factor = cholmod_analyze_p(&sparse, order.data(), nullptr, 0, common());
+        factor = Calls::analyze_p(&sparse, order.data(), nullptr, 0, common());
     } else {
         common()->method[0].ordering = matrix.size() < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
-        factor = cholmod_analyze(&sparse, common());
+        factor = Calls::analyze(&sparse, common());
     }
+    if (common()->status == CHOLMOD_TOO_LARGE) return false;
     session.require(factor != nullptr, "analyze the matrix");
+    return true;
 }
 
-bool CholeskySolver::factorize(const BlockMatrix& matrix) {
-    cholmod_sparse sparse = view(matrix);
-    const bool success = cholmod_factorize(&sparse, factor, common());
+template <class Integer>
+bool CholmodFactor<Integer>::factorize(const BlockMatrix& matrix) {
+    cholmod_sparse sparse = pattern.view(matrix);
+    const bool success = Calls::factorize(&sparse, factor, common());
     if (common()->status == CHOLMOD_NOT_POSDEF) return false;
     session.require(success, "factorize the matrix");
     return factor->minor == factor->n;
 }
 
-VectorXd CholeskySolver::solve(const VectorXd& right_side) {
+template <class Integer>
+VectorXd CholmodFactor<Integer>::solve(const VectorXd& right_side) {
     cholmod_dense dense{};
     dense.nrow = dense.nzmax = dense.d = static_cast<std::size_t>(right_side.size());
     dense.ncol = 1;
@@ -102,23 +155,59 @@ VectorXd CholeskySolver::solve(const VectorXd& right_side) {
     dense.xtype = CHOLMOD_REAL;
     dense.dtype = CHOLMOD_DOUBLE;
     const bool success =
-        cholmod_solve2(CHOLMOD_A, factor, &dense, nullptr, &solution, nullptr, &work1, &work2, common());
+        Calls::solve(CHOLMOD_A, factor, &dense, nullptr, &solution, nullptr, &work1, &work2, common());
     session.require(success, "solve");
     return Eigen::Map<const VectorXd>(static_cast<const double*>(solution->x), right_side.size());
 }
 
+class CholeskySolver : public LinearSolver {
+  public:
+    CholeskySolver(bool supernodal, Ordering ordering, Indices indices)
+        : supernodal(supernodal), ordering(ordering), indices(indices) {}
+    using LinearSolver::analyze;
+    void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override {
+        if (ordering == Ordering::vertices) of_vertices = order.empty() ? elimination_order(matrix) : order;
+        wide.reset();
+        if (indices == Indices::as_needed && narrow.emplace(supernodal).analyze(matrix, of_vertices)) return;
+        narrow.reset();
+        if (!wide.emplace(supernodal).analyze(matrix, of_vertices))
+            throw std::runtime_error("linear solver: the factor of the matrix is too large");
+    }
+    std::vector<Index> order() const override { return of_vertices; }
+    bool factorize(const BlockMatrix& matrix) override {
+        return narrow ? narrow->factorize(matrix) : wide->factorize(matrix);
+    }
+    VectorXd solve(const VectorXd& right_side) override {
+        return narrow ? narrow->solve(right_side) : wide->solve(right_side);
+    }
+    FactorCost cost() const override {
+        const double operations = narrow ? narrow->operations() : wide->operations();
+        return {operations / operations_per_entry, factor_entries()};
+    }
+    double factor_entries() const { return narrow ? narrow->entries() : wide->entries(); }
+
+  private:
+    bool supernodal;
+    Ordering ordering;
+    Indices indices;
+    std::vector<Index> of_vertices;  ///< their order, unless unknowns are ordered
+    // One of these:
+    std::optional<CholmodFactor<int>> narrow;
+    std::optional<CholmodFactor<SuiteSparse_long>> wide;
+};
+
 }  // namespace
 
-std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering) {
-    return std::make_unique<CholeskySolver>(true, ordering);
+std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering, Indices indices) {
+    return std::make_unique<CholeskySolver>(true, ordering, indices);
 }
 
 std::unique_ptr<LinearSolver> indefinite_solver() {
-    return std::make_unique<CholeskySolver>(false, Ordering::vertices);
+    return std::make_unique<CholeskySolver>(false, Ordering::vertices, Indices::as_needed);
 }
 
 double factor_size(const BlockMatrix& matrix) {
-    CholeskySolver solver(true, Ordering::vertices);
+    CholeskySolver solver(true, Ordering::vertices, Indices::as_needed);
     solver.analyze(matrix);
     return solver.factor_entries();
 }

@@ -12,19 +12,19 @@ extern "C" void omp_set_max_active_levels(int levels);
 
 namespace sherd {
 
-CholmodSession::CholmodSession() {
+CholmodSession::CholmodSession(bool wide) : wide(wide) {
     // CHOLMOD asks for OpenMP teams by number, which slows its supernodal code two to three times on small
     // machines; allowing no active parallel region is the one setting it cannot override.
     omp_set_max_active_levels(0);
     openblas_set_num_threads(1);
-    cholmod_start(&common);
+    (wide ? cholmod_l_start : cholmod_start)(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
     common.nmethods = 1;
 }
 
 CholmodSession::~CholmodSession() {
-    cholmod_finish(&common);
+    (wide ? cholmod_l_finish : cholmod_finish)(&common);
 }
 
 void CholmodSession::require(bool success, const char* action) const {

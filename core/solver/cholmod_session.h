@@ -8,13 +8,17 @@ namespace sherd {
 /// CHOLMOD's workspace and parameters, in one thread.
 class CholmodSession {
   public:
-    CholmodSession();
+    /// wide: its indices have 64 bits, and all calls with it are those that begin with cholmod_l_.
+    explicit CholmodSession(bool wide = false);
     ~CholmodSession();
     CholmodSession(const CholmodSession&) = delete;
     /// Throws std::runtime_error: "linear solver: cannot <action>".
     void require(bool success, const char* action) const;
 
     cholmod_common common;
+
+  private:
+    bool wide;
 };
 
 }  // namespace sherd

@@ -55,6 +55,24 @@ TEST(LinearSolver, SolvesLikeADenseSolver) {
               1e-12 * right.norm());
 }
 
+// Factors with more entries than 32 bits count are too large for a test; their indices are not.
+TEST(LinearSolver, SolvesTheSameWithWideIndices) {
+    Random random(3);
+    const System system = random_system(random, std::vector<char>(vertices, 0), 60);
+    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertices, 1>>(1);
+    for (const Ordering ordering : {Ordering::vertices, Ordering::unknowns}) {
+        const std::unique_ptr<LinearSolver> narrow = cholesky_solver(ordering),
+                                            wide = cholesky_solver(ordering, Indices::wide);
+        for (LinearSolver* solver : {narrow.get(), wide.get()}) {
+            solver->analyze(system.sparse);
+            ASSERT_TRUE(solver->factorize(system.sparse));
+        }
+        EXPECT_EQ(wide->solve(right), narrow->solve(right));
+        EXPECT_EQ(wide->order(), narrow->order());
+        EXPECT_EQ(wide->cost().solution, narrow->cost().solution);
+    }
+}
+
 TEST(LinearSolver, TellsAnIndefiniteMatrixAndGoesOn) {
     Random random(2);
     System definite = random_system(random, std::vector<char>(vertices, 0), 60);
