@@ -38,11 +38,12 @@ VectorXd corrected(const VectorXd& weights, const AnglesOfFolds& angles, const D
 }
 
 /// How well the angles tell curvatures from each other: the smallest singular value.
-double sight(const Decomposition& svd) {
-    return svd.rows() < 3 ? 0 : svd.singularValues()[2];
+double sight(const AnglesOfFolds& angles, const Decomposition& svd) {
+    return angles.rows() < 3 ? 0 : svd.singularValues()[2];
 }
 
 Decomposition decomposed(const AnglesOfFolds& angles) {
+    if (angles.rows() == 0) return {};  // a lone triangle has no folds
     return Decomposition(angles, Eigen::ComputeThinU | Eigen::ComputeThinV);
 }
 
@@ -215,7 +216,7 @@ std::vector<Patches::Share> Patches::shares(const TriangleEdge& side, const Vect
     std::vector<FoldAngle> seen = folds_of(patch);
     AnglesOfFolds angles = angles_of(seen);
     Decomposition svd = decomposed(angles);
-    if (sight(svd) < sees_well) {
+    if (sight(angles, svd) < sees_well) {
         seen = folds_of(grown(patch));
         angles = angles_of(seen);
         svd = decomposed(angles);

@@ -52,8 +52,9 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
-                           decltype(loads), decltype(contact), decltype(opening), decltype(potential),
-                           decltype(minimiser), decltype(path), decltype(unbalanced)>());
+                           decltype(loads), decltype(in_the_middle), decltype(elastic), decltype(contact),
+                           decltype(opening), decltype(potential), decltype(minimiser), decltype(path),
+                           decltype(unbalanced)>());
     Stepper::visit_state(visit);
     visit(step, *scheme, inertia, contact, opening, *minimiser, unbalanced);
     if (path) visit(*path);
@@ -73,9 +74,9 @@ bool ImplicitStepper::begin(double length) {
     const double shorter = step.inertia > 0 ? std::min(1.0, length / options.step) : 1;
     minimiser->set_tolerance(options.tolerance * shorter);
     if (path) path->begin(length, step);
-    const double elastic = elastic_at_start(step);
+    const double in_shell = elastic_at_start(step);
     potential.begin(step);
-    ledger.begin(elastic + contact.stored_at_start(), moving(shell.velocity, shell.position));
+    ledger.begin(in_shell + contact.stored_at_start(), moving(shell.velocity, shell.position));
     opening.begin_step(step, shell.position);
     unbalanced.resize(3, 0);
     require_apart();

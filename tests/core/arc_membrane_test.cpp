@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/bending/share_bound.h"
-#include "core/bending/share_bound.h"
 #include "core/forces/shell_energies.h"
 #include "core/membrane/membrane.h"
 #include "core/membrane/membrane_energy.h"

@@ -279,6 +279,7 @@ TEST(SceneFracture, ExplicitStepsHaveTheirOwnStepAndNoIterations) {
 }
 
 TEST(SceneFracture, SchemesAreReadAndAdaptiveIsForThoseThatAreSolved) {
+    EXPECT_EQ(breaking_plate("strain = 1", "scheme = \"midpoint\"").solver.scheme, Scheme::midpoint);
     EXPECT_EQ(breaking_plate("strain = 1", "scheme = \"bdf2\"\nadaptive = true").solver.scheme, Scheme::bdf2);
     const Scene by_turns = breaking_plate("strain = 1", "scheme = \"auto\"");
     EXPECT_TRUE(by_turns.solver.alternates);
