@@ -30,11 +30,11 @@ Extent extent_of(const Mesh& mesh, Face face) {
 /// The faces of a mesh in strips along y, each in all that it reaches into. In a mesh that is flat in z CGAL
 /// looks at all faces along a line at once, which takes time with the power 1.5 of their number.
 std::vector<std::vector<Face>> strips(const Mesh& mesh) {
-    std::vector<Extent> extents;
+    std::vector<Extent> extents(mesh.num_faces());  // those that are removed, too
     Extent all;
     double lengths = 0;
     for (const Face face : mesh.faces()) {
-        const Extent& one = extents.emplace_back(extent_of(mesh, face));
+        const Extent& one = extents[face] = extent_of(mesh, face);
         all = {std::min(all.lower, one.lower), std::max(all.upper, one.upper)};
         lengths += one.length();
     }
