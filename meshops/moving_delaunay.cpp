@@ -59,20 +59,16 @@ void MovingDelaunay::Triangulation::flip_edges() {
         all.flip(face, side);
         open.insert(open.end(), {face, other});
     };
-    const auto look = [&](FaceHandle face, bool at_all) {
-        for (int side = 0; side < 3; ++side) {
-            if (!at_all && &*face->neighbor(side) < &*face) continue;  // which looks at their edge
-            if (!all.is_flipable(face, side)) continue;
-            flip(face, side);
-            return;
-        }
-    };
-    for (const FaceHandle face : all.finite_face_handles()) {
-        look(face, false);
+    for (const FaceHandle first : all.finite_face_handles()) {
+        open.push_back(first);
         while (!open.empty()) {
-            const FaceHandle next = open.back();
+            const FaceHandle face = open.back();
             open.pop_back();
-            look(next, true);
+            for (int side = 0; side < 3; ++side)
+                if (all.is_flipable(face, side)) {
+                    flip(face, side);
+                    break;
+                }
         }
     }
 }

@@ -13,20 +13,24 @@ StepContext first_half(StepContext step) {
 }  // namespace
 
 void MiddleEnergy::begin(const StepContext& step) {
-    for (Energy* part : parts) part->begin(first_half(step));
+    const StepContext half = first_half(step);
+    for (Energy* part : parts) part->begin(half);
 }
 
 void MiddleEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
-    for (Energy* part : parts) part->topology_changed(change, first_half(step));
+    const StepContext half = first_half(step);
+    for (Energy* part : parts) part->topology_changed(change, half);
 }
 
 void MiddleEnergy::moved_to(const Positions& x) {
-    for (Energy* part : parts) part->moved_to(middle(x));
+    const Positions at = middle(x);
+    for (Energy* part : parts) part->moved_to(at);
 }
 
 double MiddleEnergy::value(const Positions& x) const {
+    const Positions at = middle(x);
     double sum = 0;
-    for (const Energy* part : parts) sum += 2 * part->value(middle(x));
+    for (const Energy* part : parts) sum += 2 * part->value(at);
     return sum;
 }
 
@@ -37,12 +41,14 @@ double MiddleEnergy::round_off() const {
 }
 
 void MiddleEnergy::add_gradient(const Positions& x, Positions& gradient) const {
-    for (const Energy* part : parts) part->add_gradient(middle(x), gradient);
+    const Positions at = middle(x);
+    for (const Energy* part : parts) part->add_gradient(at, gradient);
 }
 
 void MiddleEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    const Positions at = middle(x);
     const std::vector<double> before(hessian.values().begin(), hessian.values().end());
-    for (const Energy* part : parts) part->add_hessian(middle(x), curvature, hessian);
+    for (const Energy* part : parts) part->add_hessian(at, curvature, hessian);
     const std::vector<double> after(hessian.values().begin(), hessian.values().end());
     hessian.blend(before, after, 0.5);
 }

@@ -19,6 +19,33 @@ import time
 import h5py
 import numpy
 
+
+def falling_plate(duration, every, solver):
+    """A plate that falls onto the floor, with a ball behind it, in steps of this kind."""
+    return f"""
+duration = {duration}
+seed = 6
+[sheet.plate]
+mesh = {{ generate = "plate", radius = 0.11, edge_length = 0.013 }}
+place = {{ translate = [0, 0, 0.042], rotate = {{ axis = [1, 0, 0], degrees = 20 }} }}
+velocity = [0, 0, -4]
+material = {{ preset = "stoneware" }}
+fracture = {{ strain = 0.2 }}
+[obstacle.floor]
+plane = {{}}
+friction = 0.3
+[obstacle.ball]
+sphere = {{ radius = 0.015, centre = [0.03, 0.02, 0.07] }}
+density = 7850
+velocity = [0, 0, -6]
+[solver]
+{solver}
+[output]
+every = {every}
+checkpoint = 0.1
+"""
+
+
 SCENES = {
     # Implicit steps, strength: bodies, wind with gusts, an obstacle with a surface, one that moves, a moving pin.
     "implicit": """
@@ -62,53 +89,9 @@ every = 1e-3
 checkpoint = 0.1
 """,
     # Implicit and explicit steps by turns, with what has to come along.
-    "auto": """
-duration = 0.003
-seed = 6
-[sheet.plate]
-mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
-place = { translate = [0, 0, 0.042], rotate = { axis = [1, 0, 0], degrees = 20 } }
-velocity = [0, 0, -4]
-material = { preset = "stoneware" }
-fracture = { strain = 0.2 }
-[obstacle.floor]
-plane = {}
-friction = 0.3
-[obstacle.ball]
-sphere = { radius = 0.015, centre = [0.03, 0.02, 0.07] }
-density = 7850
-velocity = [0, 0, -6]
-[solver]
-scheme = "auto"
-damping = { stiffness = 2e-8, mass = 1 }
-[output]
-every = 2e-4
-checkpoint = 0.1
-""",
+    "auto": falling_plate(0.003, 2e-4, 'scheme = "auto"\ndamping = { stiffness = 2e-8, mass = 1 }'),
     # BDF2 with steps that choose their length: what it remembers of the last step.
-    "bdf2": """
-duration = 0.004
-seed = 7
-[sheet.plate]
-mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
-place = { translate = [0, 0, 0.042], rotate = { axis = [1, 0, 0], degrees = 20 } }
-velocity = [0, 0, -4]
-material = { preset = "stoneware" }
-fracture = { strain = 0.2 }
-[obstacle.floor]
-plane = {}
-friction = 0.3
-[obstacle.ball]
-sphere = { radius = 0.015, centre = [0.03, 0.02, 0.07] }
-density = 7850
-velocity = [0, 0, -6]
-[solver]
-scheme = "bdf2"
-adaptive = true
-[output]
-every = 5e-4
-checkpoint = 0.1
-""",
+    "bdf2": falling_plate(0.004, 5e-4, 'scheme = "bdf2"\nadaptive = true'),
     # Explicit steps, toughness: cracks that cut faces and branch, edges that fade, a clamp, a body.
     "explicit": """
 duration = 2.5e-4

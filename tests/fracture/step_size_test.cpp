@@ -81,5 +81,17 @@ RC_GTEST_PROP(StepSize, NeverReachesOverAWholeStep, (bool steady)) {
     }
 }
 
+// BDF2 loses its stability where a step is 2.41 times as long as the last one.
+RC_GTEST_PROP(StepSize, GrowsByAFactorOf2Point3AtMost, (bool steady)) {
+    StepSize step(1024, steady ? StepSize::Growth::steady : StepSize::Growth::doubling);
+    double last = step.size();
+    for (int i = 0; i < 300; ++i) {
+        if (*rc::gen::inRange(0, 8) == 0) step.halve();
+        RC_ASSERT(step.size() <= 2.3 * last);
+        last = step.size();
+        step.advance();
+    }
+}
+
 }  // namespace
 }  // namespace sherd

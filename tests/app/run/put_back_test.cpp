@@ -13,6 +13,26 @@
 namespace sherd::test {
 namespace {
 
+/// A disc that falls onto the floor, with a ball behind it, in steps of this kind.
+std::string falling_disc(const std::string& duration, const std::string& solver) {
+    return "duration = " + duration + R"(
+[sheet.plate]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
+place = { translate = [0, 0, 0.0175], rotate = { axis = [0, 1, 0], degrees = 9 } }
+velocity = [0, 0, -5]
+material = { preset = "stoneware" }
+fracture = { strain = 0.3 }
+[obstacle.floor]
+plane = {}
+friction = 0.3
+[obstacle.ball]
+sphere = { radius = 0.01, centre = [0, 0, 0.06] }
+density = 7850
+velocity = [0, 0, -5]
+[solver]
+)" + solver;
+}
+
 const std::map<std::string, std::string> scenes{
     {"strength", R"(duration = 0.004
 [sheet.plate]
@@ -86,42 +106,8 @@ scheme = "explicit"
 step = 2e-6
 damping.stiffness = 2e-8
 )"},
-    {"schemes by turns", R"(duration = 0.002
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
-place = { translate = [0, 0, 0.0175], rotate = { axis = [0, 1, 0], degrees = 9 } }
-velocity = [0, 0, -5]
-material = { preset = "stoneware" }
-fracture = { strain = 0.3 }
-[obstacle.floor]
-plane = {}
-friction = 0.3
-[obstacle.ball]
-sphere = { radius = 0.01, centre = [0, 0, 0.06] }
-density = 7850
-velocity = [0, 0, -5]
-[solver]
-scheme = "auto"
-damping.stiffness = 1e-7
-)"},
-    {"bdf two", R"(duration = 0.006
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
-place = { translate = [0, 0, 0.0175], rotate = { axis = [0, 1, 0], degrees = 9 } }
-velocity = [0, 0, -5]
-material = { preset = "stoneware" }
-fracture = { strain = 0.3 }
-[obstacle.floor]
-plane = {}
-friction = 0.3
-[obstacle.ball]
-sphere = { radius = 0.01, centre = [0, 0, 0.06] }
-density = 7850
-velocity = [0, 0, -5]
-[solver]
-scheme = "bdf2"
-adaptive = true
-)"},
+    {"schemes by turns", falling_disc("0.002", "scheme = \"auto\"\ndamping.stiffness = 1e-7\n")},
+    {"bdf two", falling_disc("0.006", "scheme = \"bdf2\"\nadaptive = true\n")},
     {"arcs, damping and moving clamps", R"(duration = 0.02
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.3, height = 0.1, edge_length = 0.03 }
