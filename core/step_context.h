@@ -55,12 +55,6 @@ struct StepContext {
         if (where == 1) return velocity(x);
         return velocity_origin + (velocity(x) - velocity_origin) / where;
     }
-    /// The position, m, at the end of the step of a vertex that sticks to something in scripted motion: the
-    /// vertex is at `from` at the beginning of the step, and the motion takes this point to `to`. For
-    /// implicit Euler the position is `to`.
-    Vector3d at_rest_on(Index vertex, const Vector3d& from, const Vector3d& to) const {
-        return to + (origin.col(vertex) - from) + (lag / length - 1) * (to - from);
-    }
 };
 
 }  // namespace sherd

@@ -56,6 +56,8 @@ void Contact::end_at(const Positions& x) {
 
 void Contact::finish(const Positions& x) {
     if (body_contact) body_contact->finish(x);
+    for (const auto& contact : obstacle_contact) contact->finish(x);
+    if (sheet_friction) sheet_friction->finish(x);
 }
 
 const std::vector<RigidBody>& Contact::bodies() const {

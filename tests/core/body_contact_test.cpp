@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <optional>
 
 #include "core/time/implicit_stepper.h"
@@ -296,6 +297,26 @@ TEST(BodyContact, FrictionStopsABox) {
     EXPECT_NEAR(moved.centre.x(), 1 / (2 * 0.4 * 9.81), 0.03 / (2 * 0.4 * 9.81))
         << "the mean of 0.8 and 0.2 is 0.4";
     EXPECT_LT(moved.velocity.norm(), 2e-3);
+}
+
+// A box on a slope that friction can hold does not creep.
+TEST(BodyContact, FrictionHoldsABoxOnASlope) {
+    const Eigen::AngleAxisd tilt(10 * std::numbers::pi / 180, Vector3d::UnitY());
+    Shell shell = lone_vertex(Vector3d(5, 5, 5));
+    StepperOptions options;
+    options.step = 2e-3;
+    options.tolerance = 1e-13;
+    options.contact.obstacles = {obstacle(PlaneShape(Vector3d::Zero(), tilt * Vector3d::UnitZ()), 3e10, 0.5)};
+    RigidBody box = rigid_box(Vector3d(0.1, 0.1, 0.02), 1000);
+    box.friction = 0.5;
+    box.rotation = tilt.toRotationMatrix();
+    box.centre = tilt * Vector3d(0, 0, 0.01);
+    options.contact.bodies = {box};
+    ImplicitStepper time_step(shell, options);
+    step(time_step, 250);
+    const Vector3d before = time_step.bodies()[0].centre;
+    step(time_step, 500);
+    EXPECT_LT((time_step.bodies()[0].centre - before).norm(), 1e-6 * 0.1);
 }
 
 }  // namespace

@@ -16,15 +16,19 @@
 namespace sherd::test {
 namespace {
 
+void advance(ImplicitStepper& time_step, double step, double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / step)); ++i) {
+        time_step.begin(step);
+        time_step.solve(20);
+        time_step.finish();
+    }
+}
+
 /// Advances `seconds` in steps of `step`.
 void simulate(Shell& shell, StepperOptions options, double step, double seconds) {
     options.step = step;
     ImplicitStepper time_step(shell, options);
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / step)); ++i) {
-        time_step.begin();
-        time_step.solve(20);
-        time_step.finish();
-    }
+    advance(time_step, step, seconds);
 }
 
 /// A plane whose distances grow too slowly, as interpolated ones do at the edges of what was sampled.
@@ -175,13 +179,14 @@ TEST(ObstacleContact, APlateRestsOnTheTopOfASphere) {
     StepperOptions options;
     options.contact.obstacles = {obstacle(SphereShape(Vector3d(0, 0, -0.101), 0.1), 1e9, 0.5)};
     options.shell.damping.mass = 20;
-    simulate(shell, options, 2e-3, 1);
+    options.step = 2e-3;
+    ImplicitStepper time_step(shell, options);
+    advance(time_step, options.step, 1);
     const Positions before = shell.position;
     const double height = (before * shell.mass).z() / shell.mass.sum();
     EXPECT_LT(height, -0.002) << "its corners hang";
-    options.shell.damping.mass = 0;
-    simulate(shell, options, 2e-3, 1);
-    EXPECT_LT((shell.position - before).colwise().norm().maxCoeff(), 1e-3 * 0.1);
+    advance(time_step, options.step, 1);
+    EXPECT_LT((shell.position - before).colwise().norm().maxCoeff(), 1e-4 * 0.1);
 }
 
 }  // namespace

@@ -84,13 +84,36 @@ TEST(SheetFriction, SlidingCountsInFull) {
 TEST(SheetFriction, ForceAndStiffnessAreDerivativesOfTheValue) {
     const Shell shell = test::stacked_plates(2, 4, 1.9e-3, board);
     const SheetContact contact(shell);
-    const SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
-    for (const double way : {0.2, 5.0}) {  // sticking, sliding
+    SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
+    test::Random random(5);
+    for (const double way : {0.2, 0.2, 5.0}) {  // sticking, with what is held of it, sliding
         Positions x = shell.position;
-        test::Random random(5);
         for (double& entry : x.reshaped()) entry += random.uniform(-0.3, 0.3) * smoothing_speed * step;
         x.rightCols(x.cols() / 2).row(0).array() += way * smoothing_speed * step;
         test::expect_derivatives(friction, x, 1e-9, 1e-4);
+        friction.finish(x);
+        friction.begin(test::step_of(shell, 0, step));
+    }
+}
+
+// What sticks is held by the same force in the next step, however long that is; else it would creep or jump.
+TEST(SheetFriction, HoldsFromStepToStep) {
+    const Shell shell = test::stacked_plates(2, 4, 1.9e-3, board);
+    const SheetContact contact(shell);
+    SheetFriction friction = test::begun(SheetFriction(shell, contact, 0.5), shell, 0, step);
+    Positions x = shell.position;
+    x.rightCols(x.cols() / 2).row(0).array() += 0.3 * smoothing_speed * step;
+    const auto force = [&](const Positions& at) {
+        Positions gradient = Positions::Zero(3, at.cols());
+        friction.add_gradient(at, gradient);
+        return gradient;
+    };
+    const Positions before = force(x);
+    ASSERT_GT(before.norm(), 0);
+    friction.finish(x);
+    for (const double length : {step, 0.1 * step}) {
+        friction.begin(test::step_of(shell, 0, length));
+        EXPECT_LT((force(shell.position) - before).norm(), 1e-9 * before.norm()) << length;
     }
 }
 

@@ -24,7 +24,8 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       gravity(gravity),
       started(std::move(bodies)),
       finished(started),
-      ended(started) {
+      ended(started),
+      held_by_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -49,8 +50,7 @@ void BodyContact::make_steps(const StepContext& step) {
     steps.clear();
     for (std::size_t b = 0; b < started.size(); ++b)
         steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(),
-                           obstacles.size() + b);
-    lag = step.lag;
+                           obstacles.size() + b, held_by_shell[b]);
     last.resize(3, 0);
     points = point_contacts(started, obstacles.size());
     sliding.clear();
@@ -69,7 +69,8 @@ void BodyContact::place_obstacles(double time) {
 void BodyContact::find_sliding(const StepContext& step) {
     sliding.clear();
     const std::vector<BodyPose> start = poses(VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size())));
-    for (const auto& [one, other, point] : points) {
+    for (std::size_t number = 0; number < points.size(); ++number) {
+        const auto& [one, other, point] = points[number];
         const RigidBody& body = started[one];
         const double coefficient = friction_between(body, collider(other));
         if (coefficient == 0) continue;
@@ -82,9 +83,10 @@ void BodyContact::find_sliding(const StepContext& step) {
         const Matrix3d turn =
             given ? Matrix3d(start[other].place.linear() * there.linear().transpose()) : Matrix3d::Identity();
         const Vector3d contact_point = here * point - body.contact_radius * at.normal;
-        sliding.push_back({one, other, here.inverse() * contact_point,
-                           sliding_point(there.inverse() * contact_point, at, turn, coefficient,
-                                         body.point_stiffness(collider(other)), step.lag)});
+        sliding.push_back(
+            {number, one, other, here.inverse() * contact_point,
+             sliding_point(there.inverse() * contact_point, at, turn, coefficient,
+                           body.point_stiffness(collider(other)), step.length, held_by_points.of(number))});
     }
 }
 
@@ -134,7 +136,7 @@ void BodyContact::each_point_force(const VectorXd& q, Add add) const {
         const double stiffness = started[contact.body].point_stiffness(collider(contact.other));
         add(at_q, contact.body, contact.other, spring(at, stiffness, Curvature::convex), x, x, true);
     }
-    for (const auto& [body, other, point, friction] : sliding) {
+    for (const auto& [number, body, other, point, friction] : sliding) {
         const Vector3d x = at_q[body].place * point, anchor = at_q[other].place * friction.anchor;
         add(at_q, body, other, friction.force(x, anchor), x, anchor, false);
     }
@@ -300,6 +302,17 @@ void BodyContact::add_contacts(const Positions& x, bool ahead,
 void BodyContact::end_at(const Positions& x) {
     solve(x);
     for (std::size_t b = 0; b < steps.size(); ++b) ended[b] = steps[b].moved(part(best, b));
+}
+
+void BodyContact::finish(const Positions& x) {
+    end_at(x);
+    finished = ended;
+    const std::vector<BodyPose> at_end = poses(best);
+    for (std::size_t b = 0; b < steps.size(); ++b) held_by_shell[b] = steps[b].held_after(x, part(best, b));
+    held_by_points.clear();
+    for (const auto& [number, body, other, point, friction] : sliding)
+        held_by_points.keep(
+            number, friction.held_after(at_end[body].place * point, at_end[other].place * friction.anchor));
 }
 
 double BodyContact::stored_energy(const Positions& x) const {

@@ -33,10 +33,7 @@ class BodyContact : public Energy {
     /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
     void end_at(const Positions& x);
     /// Ends the step with the shell at x.
-    void finish(const Positions& x) {
-        end_at(x);
-        finished = ended;
-    }
+    void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const { return finished; }
 
@@ -63,8 +60,8 @@ class BodyContact : public Energy {
     /// The rest is made by begin() and topology_changed().
     void visit_state(StateVisitor& visit) override {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, steps, obstacle_places, points,
-               sliding, start_stored, lag, base, last, best, at_best] = *this;
-        visit(started, finished, pairs, base);
+               sliding, held_by_shell, held_by_points, start_stored, base, last, best, at_best] = *this;
+        visit(started, finished, pairs, held_by_shell, held_by_points, base);
     }
 
   private:
@@ -77,6 +74,7 @@ class BodyContact : public Energy {
     };
     /// A contact point that touched another collider at the beginning of the step.
     struct SlidingContact {
+        std::size_t number;  ///< in `points`
         std::size_t body, other;
         Vector3d point;        ///< m, where it touched, in the body's frame
         SlidingPoint sliding;  ///< its anchor is in the frame of the other collider
@@ -125,8 +123,11 @@ class BodyContact : public Energy {
     std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
     std::vector<PointContact> points;
     std::vector<SlidingContact> sliding;
+    /// What contacts hold since the last step that was finished: of each body with the shell, and by number
+    /// of a contact point.
+    std::vector<BodySticks> held_by_shell;
+    StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
-    double lag = 0;           ///< s, of the step
     VectorXd base;            ///< [6 B] poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;

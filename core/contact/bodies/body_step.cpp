@@ -27,7 +27,7 @@ ContactSurface surface_with(const Shell& shell, const RigidBody& body, std::size
 
 BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity,
                    const StepContext& step, const BodyOrigin& origin, const NearPairs* near,
-                   std::size_t number)
+                   std::size_t number, const BodySticks& held)
     : shell(shell),
       body(body),
       near(near),
@@ -38,17 +38,18 @@ BodyStep::BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gr
       vertices(shell, body, number) {
     predicted = origin.pose + lag * origin.velocity;
     predicted.head<3>() += step.square() * gravity;
-    find_sliding();
+    find_sliding(step.length, held);
 }
 
-void BodyStep::find_sliding() {
+void BodyStep::find_sliding(double length, const BodySticks& held) {
     const BodyPose start = pose(Vector6d::Zero());
-    vertices.begin(start.place, Matrix3d::Identity(), lag,
-                   [&](Index, const Vector3d& x) { return Vector3d(start.place.inverse() * x); });
+    vertices.begin(start.place, Matrix3d::Identity(), length, held.vertices,
+                   [&](const Vector3d& x) { return Vector3d(start.place.inverse() * x); });
     if (!near || body.friction == 0) return;
     const Positions local = seen_from(start, shell.position), space = start.place * local;
     for (const ContactPair& pair : near->active_pairs(local))
-        sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, lag));
+        sliding_pairs.push_back(sliding_pair(pair, columns(space, pair.vertices), body.friction, length,
+                                             held.pairs.of({pair.kind, pair.vertices})));
 }
 
 BodyPose BodyStep::pose(const Vector6d& q) const {
@@ -123,6 +124,16 @@ PairPositions BodyStep::moved(const SlidingPair& pair, const Positions& x, const
                 x.col(vertex - body.surface->size()) - shell.position.col(vertex - body.surface->size());
     }
     return way;
+}
+
+BodySticks BodyStep::held_after(const Positions& x, const Vector6d& q) const {
+    const BodyPose here = pose(q);
+    BodySticks held;
+    vertices.hold(x, here.place, held.vertices);
+    for (const SlidingPair& pair : sliding_pairs)
+        held.pairs.keep(pair.key(), pair.held_after(moved(pair, x, here)));
+    held.pairs.sort();
+    return held;
 }
 
 double BodyStep::friction_loss(const Positions& x, const Vector6d& q) const {

@@ -10,6 +10,14 @@
 
 namespace sherd {
 
+/// What contacts of a body with the shell hold since the last step that was finished.
+struct BodySticks {
+    StickMemory<Index> vertices;
+    StickMemory<PairKey> pairs;
+
+    void visit_state(StateVisitor& visit) { visit(vertices, pairs); }
+};
+
 /// Contact is expected soon within this share of a body's size.
 constexpr double ahead_of_contact = 0.1;
 
@@ -30,7 +38,8 @@ class BodyStep {
     /// if it has none. Shell, body and near must outlive this object. number: of the body in
     /// Shell::start_depths.
     BodyStep(const Shell& shell, const RigidBody& body, const Vector3d& gravity, const StepContext& step,
-             const BodyOrigin& origin, const NearPairs* near = nullptr, std::size_t number = 0);
+             const BodyOrigin& origin, const NearPairs* near = nullptr, std::size_t number = 0,
+             const BodySticks& held = {});
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
     BodyPose pose(const Vector6d& q) const;
@@ -38,6 +47,8 @@ class BodyStep {
     RigidBody moved(const Vector6d& q) const;
     /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
     Vector6d momentum_rate(const RigidBody& end) const;
+    /// What its contacts with the shell hold after the step.
+    BodySticks held_after(const Positions& x, const Vector6d& q) const;
     /// What friction with the shell takes in the step, J.
     double friction_loss(const Positions& x, const Vector6d& q) const;
 
@@ -51,7 +62,7 @@ class BodyStep {
     Touch touch(const Positions& x, const Vector6d& q) const;
 
   private:
-    void find_sliding();
+    void find_sliding(double length, const BodySticks& held);
     /// Positions of the body's points and the shell's vertices, m, in the body's frame, as `near` takes them.
     Positions seen_from(const BodyPose& pose, const Positions& x) const;
     void add_inertia(const Vector6d& q, BodyPotential& sum) const;

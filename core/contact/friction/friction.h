@@ -7,25 +7,34 @@
 
 namespace sherd {
 
-/// Sliding speed below which friction is smoothed, m/s.
+/// The smoothing of friction is what slides with this speed in a step, m/s.
 constexpr double smoothing_speed = 0.01;
 
 /// Coulomb friction in one step, with the limit force lagged to its beginning: a potential of the slip
-/// (sliding displacement) in the step, whose slope rises smoothly from zero to the limit.
+/// (sliding displacement) in the step and what is held of the slip before it, whose slope rises smoothly from
+/// zero to the limit. What is held makes it stick: below the limit the contact is an elastic bristle (Cundall
+/// and Strack 1979), whose force does not need a speed.
 struct Friction {
-    double limit;      ///< N, coefficient times normal force
-    double smoothing;  ///< m, slip from which on the force is the limit: smoothing_speed times the step
+    double limit;                      ///< N, coefficient times normal force
+    double smoothing;                  ///< m, from which on the force is the limit
+    Vector3d held = Vector3d::Zero();  ///< m, in the plane of sliding
 
     double value(const Vector3d& slip) const {  ///< J
-        const double way = slip.norm(), ratio = way / smoothing;
+        const double way = (held + slip).norm(), ratio = way / smoothing;
         return limit * (ratio < 1 ? smoothing * (ratio * ratio - ratio * ratio * ratio / 3 + 1.0 / 3) : way);
     }
     Vector3d gradient(const Vector3d& slip) const {  ///< N
-        const double way = slip.norm(), ratio = way / smoothing;
-        return limit * slip * (ratio < 1 ? (2 - ratio) / smoothing : 1 / way);
+        const double way = (held + slip).norm(), ratio = way / smoothing;
+        return limit * (held + slip) * (ratio < 1 ? (2 - ratio) / smoothing : 1 / way);
+    }
+    /// What the next step holds, in multiples of `smoothing`: of length 1 at most, which what slides has.
+    Vector3d held_after(const Vector3d& slip) const {
+        const Vector3d whole = (held + slip) / smoothing;
+        return whole / std::max(1.0, whole.norm());
     }
     /// N/m, positive semidefinite; `tangent` projects to the plane of sliding.
-    Matrix3d hessian(const Vector3d& slip, const Matrix3d& tangent) const {
+    Matrix3d hessian(const Vector3d& slip_in_step, const Matrix3d& tangent) const {
+        const Vector3d slip = held + slip_in_step;
         const double way = slip.norm(), ratio = way / smoothing;
         // d(f(w) u/w)/du = f/w (I - uu/w2) + f' uu/w2, both parts positive.
         const double across = ratio < 1 ? (2 - ratio) / smoothing : 1 / way;

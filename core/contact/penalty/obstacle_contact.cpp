@@ -10,8 +10,8 @@ void ObstacleContact::begin(const StepContext& step) {
     // round-off.
     const Eigen::Isometry3d moved =
         obstacle.moves() ? pose * before.inverse() : Eigen::Isometry3d::Identity();
-    contact.begin(before, moved.linear(), step.lag,
-                  [&](Index vertex, const Vector3d& x) { return step.at_rest_on(vertex, x, moved * x); });
+    contact.begin(before, moved.linear(), step.length, held,
+                  [&](const Vector3d& x) { return Vector3d(moved * x); });
 }
 
 double ObstacleContact::stored_energy(const Positions& x, const Eigen::Isometry3d& there) const {

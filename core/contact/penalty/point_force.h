@@ -31,20 +31,31 @@ struct SlidingPoint {
 
     /// The friction force on the point at x (m); anchor: in space.
     PointForce force(const Vector3d& x, const Vector3d& anchor) const {
-        const Vector3d way = x - anchor, slip = way - normal * normal.dot(way);
+        const Vector3d slip = along(x - anchor);
         const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();
         return {friction.value(slip), friction.gradient(slip), friction.hessian(slip, tangent)};
     }
+    /// What the next step holds of the slip when the point is at x (m); anchor: in space.
+    Vector3d held_after(const Vector3d& x, const Vector3d& anchor) const {
+        return friction.held_after(along(x - anchor));
+    }
+
+  private:
+    Vector3d along(const Vector3d& way) const { return way - normal * normal.dot(way); }
 };
 
 /// A point that overlaps a collider, with Coulomb's friction for the force of the spring there. turn: applied
-/// to the normal, which sampled shapes give with a length near one only; lag: s.
+/// to the normal, which sampled shapes give with a length near one only, and to what is held (StickMemory);
+/// length: s, of the step.
 inline SlidingPoint sliding_point(const Vector3d& anchor, const Overlap& at, const Matrix3d& turn,
-                                  double coefficient, double stiffness, double lag) {
-    const double length = at.normal.norm();
+                                  double coefficient, double stiffness, double length, const Vector3d& held) {
+    const double norm = at.normal.norm(), smoothing = smoothing_speed * length;
+    const Vector3d normal = norm > 0 ? Vector3d(turn * at.normal / norm) : at.normal;
+    const Vector3d turned = turn * held;
     return {anchor,
-            length > 0 ? Vector3d(turn * at.normal / length) : at.normal,
-            {coefficient * stiffness * at.depth * length, smoothing_speed * lag}};
+            normal,
+            {coefficient * stiffness * at.depth * norm, smoothing,
+             smoothing * (turned - normal * normal.dot(turned))}};
 }
 
 }  // namespace sherd

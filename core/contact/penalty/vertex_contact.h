@@ -7,6 +7,7 @@
 #include "core/contact/colliders/placed_box.h"
 #include "core/contact/colliders/start_depth.h"
 #include "core/contact/colliders/touch.h"
+#include "core/contact/friction/stick_memory.h"
 #include "core/contact/penalty/point_force.h"
 #include "core/shell/shell.h"
 #include "core/state_visitor.h"
@@ -21,8 +22,8 @@ namespace sherd {
 /// footprint is the vertex's share of the sheet's area plus, on the rim, the thickness times its share of the
 /// rim: on any mesh a sheet that lands flat feels a pressure of Y d / t, one that lands on its edge a line
 /// force of Y d. Friction is Coulomb's with the normal forces of the beginning of the step, on the slip along
-/// the collider, smoothed below a sliding speed of 1 cm/s (a potential in the displacement of the step, so
-/// that Newton's method sees one function).
+/// the collider, with what a vertex that sticks holds of it from step to step (a potential in the
+/// displacement of the step, so that Newton's method sees one function).
 class VertexContact {
   public:
     /// Shell and collider must outlive this object. number: of the collider in shell.start_depths.
@@ -30,17 +31,18 @@ class VertexContact {
         : shell(shell), collider(collider), number(number) {}
 
     /// Records which vertices touch the collider, whose pose is `pose`, at the beginning of the step.
-    /// anchor(vertex, x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in
-    /// the step, applied to normals. lag: s.
+    /// anchor(x): the anchor (see SlidingPoint) of a vertex at x. turn: the collider's rotation in the step,
+    /// applied to normals. length: s. held: by vertices, in space.
     template <class Anchor>
-    void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double lag, Anchor anchor) {
+    void begin(const Eigen::Isometry3d& pose, const Matrix3d& turn, double length,
+               const StickMemory<Index>& held, Anchor anchor) {
         sliding.clear();
         if (collider.friction == 0) return;
         for (Index v = 0; v < static_cast<Index>(shell.position.cols()); ++v) {
             const Overlap at = overlap(shell.position, v, pose);
             if (at.depth <= 0) continue;
-            sliding.push_back({v, sliding_point(anchor(v, Vector3d(shell.position.col(v))), at, turn,
-                                                collider.friction, stiffness(v), lag)});
+            sliding.push_back({v, sliding_point(anchor(Vector3d(shell.position.col(v))), at, turn,
+                                                collider.friction, stiffness(v), length, held.of(v))});
         }
     }
     /// Calls add(vertex, force) for each vertex of x [3, V] that overlaps the collider.
@@ -60,6 +62,12 @@ class VertexContact {
             const Vector3d anchor = frame * point.anchor;
             add(vertex, point.force(x.col(vertex), anchor), anchor);
         }
+    }
+    /// What vertices hold after the step that ends at x; frame: see add_friction().
+    void hold(const Positions& x, const Eigen::Isometry3d& frame, StickMemory<Index>& held) const {
+        held.clear();
+        for (const auto& [vertex, point] : sliding)
+            held.keep(vertex, point.held_after(x.col(vertex), frame * point.anchor));
     }
     void add_touch(const Positions& x, const Eigen::Isometry3d& pose, Touch& touch) const {
         for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) touch.include(v, overlap(x, v, pose).depth);

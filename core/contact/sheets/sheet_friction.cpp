@@ -36,18 +36,22 @@ SlipMatrix rotation(PairKind kind, const PairPositions& x) {
 
 }  // namespace
 
-SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double lag) {
+SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double length,
+                         const Vector3d& held) {
     const Closest closest = closest_points(pair.kind, x);
     const double apart = std::sqrt(squared_distance(closest, x));
     const Vector3d normal =
         squared_distance_gradient(closest, x) * closest.weights / (2 * apart * closest.weights.squaredNorm());
     const double force =
         -pair.stiffness * pair.mollifier.value(x) * pair.barrier().slope(apart - pair.minimum());
-    SlidingPair sliding{pair.vertices,
+    const Matrix3d tangent = Matrix3d::Identity() - normal * normal.transpose();
+    const double smoothing = smoothing_speed * length;
+    SlidingPair sliding{pair.kind,
+                        pair.vertices,
                         apart * cross_matrix(normal) * rotation(pair.kind, x),
-                        Matrix3d::Identity() - normal * normal.transpose(),
-                        {coefficient * force, smoothing_speed * lag}};
-    for (int i = 0; i < 4; ++i) sliding.slip.middleCols<3>(3 * i) += closest.weights[i] * sliding.tangent;
+                        tangent,
+                        {coefficient * force, smoothing, smoothing * (tangent * held)}};
+    for (int i = 0; i < 4; ++i) sliding.slip.middleCols<3>(3 * i) += closest.weights[i] * tangent;
     return sliding;
 }
 
@@ -67,24 +71,31 @@ PairPositions SlidingPairs::gather(std::size_t i, const Positions& x) const {
         if (vertex < first)
             moved.col(v) = colliders.col(vertex);
         else
-            moved.col(v) = x.col(vertex - first) - origin.col(vertex);
+            moved.col(v) = x.col(vertex - first) - start.col(vertex);
     }
     return moved;
 }
 
 void SheetFriction::begin(const StepContext& step) {
-    const Positions start = contact.at_start(shell.position);
     elements.pairs.clear();
     elements.first = contact.surface().collider_vertices();
-    elements.origin = contact.at_start(step.origin);
-    elements.colliders = (step.lag / step.length) * (contact.at_end(shell.position).leftCols(elements.first) -
-                                                     start.leftCols(elements.first));
+    elements.start = contact.at_start(shell.position);
+    elements.colliders =
+        contact.at_end(shell.position).leftCols(elements.first) - elements.start.leftCols(elements.first);
     for (const ContactPair& pair : contact.active_pairs_at_start(shell.position)) {
         const ContactCollider* collider = contact.surface().collider_of(pair.kind, pair.vertices);
         const double own = collider ? collider->friction : coefficient;
         if (own > 0)
-            elements.pairs.push_back(sliding_pair(pair, columns(start, pair.vertices), own, step.lag));
+            elements.pairs.push_back(sliding_pair(pair, columns(elements.start, pair.vertices), own,
+                                                  step.length, held.of({pair.kind, pair.vertices})));
     }
+}
+
+void SheetFriction::finish(const Positions& x) {
+    held.clear();
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        held.keep(elements.pairs[i].key(), elements.pairs[i].held_after(elements.gather(i, x)));
+    held.sort();
 }
 
 double SheetFriction::friction_loss(const Positions& x) const {

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/contact/friction/friction.h"
+#include "core/contact/friction/stick_memory.h"
 #include "core/contact/sheets/sheet_contact.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
 
+/// Which elements are in contact.
+struct PairKey {
+    PairKind kind = PairKind::vertex_triangle;
+    std::array<Index, 4> vertices{};
+
+    auto operator<=>(const PairKey&) const = default;
+};
+
 /// The friction of two elements in contact.
 struct SlidingPair {
+    PairKind kind;
     std::array<Index, 4> vertices;
     Eigen::Matrix<double, 3, 12> slip;  ///< from the vertices' displacements in the step to their slip
     Matrix3d tangent;                   ///< projection to the plane of sliding
@@ -18,19 +27,25 @@ struct SlidingPair {
     double value(const PairPositions& moved) const { return friction.value(slip * moved.reshaped()); }
     PairPositions gradient(const PairPositions& moved) const;
     PairHessian hessian(const PairPositions& moved) const;
+    PairKey key() const { return {kind, vertices}; }
+    /// See Friction.
+    Vector3d held_after(const PairPositions& moved) const {
+        return friction.held_after(slip * moved.reshaped());
+    }
 };
 
 /// The friction of a pair at x, with its normal force and its closest points there. The two points are a
 /// thickness apart. Their relative motion counts as slip only after the pair's rotation, estimated from the
 /// edges of its elements, is subtracted: a pair that rotates as a whole does not slide, and friction exerts
-/// no net torque. lag: s, of the step (StepContext).
-SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double lag);
+/// no net torque. length: s, of the step; held: see StickMemory.
+SlidingPair sliding_pair(const ContactPair& pair, const PairPositions& x, double coefficient, double length,
+                         const Vector3d& held = Vector3d::Zero());
 
-/// Sliding pairs, as elements on the displacements of their vertices since the step's origin.
+/// Sliding pairs, as elements on the displacements of their vertices in the step.
 struct SlidingPairs {
     std::vector<SlidingPair> pairs;  ///< numbered as in SheetContact::surface()
     Index first = 0;                 ///< number of the first vertex of sheets
-    Positions origin;                ///< [3, S + V] m
+    Positions start;                 ///< m, [3, S + V], of the vertices of colliders and sheets
     Positions colliders;             ///< m, [3, S], displacements of the colliders' vertices
 
     std::size_t size() const { return pairs.size(); }
@@ -55,6 +70,7 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     SheetFriction(const Shell& shell, const SheetContact& contact, double coefficient)
         : ElementEnergy({}), shell(shell), contact(contact), coefficient(coefficient) {}
     void begin(const StepContext& step) override;
+    void finish(const Positions& x);
     Task task() const override { return Task::contact; }
     // Its pairs may change with every step, so none is part of the fixed pattern.
     void add_pattern(std::vector<std::pair<Index, Index>>&) const override {}
@@ -67,14 +83,16 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     }
     void visit_state(StateVisitor& visit) override {
         static_assert(has_only<SheetFriction, ElementEnergy<SlidingPairs>, decltype(shell), decltype(contact),
-                               decltype(coefficient)>());
+                               decltype(coefficient), decltype(held)>());
         ElementEnergy::visit_state(visit);
+        visit(held);
     }
 
   private:
     const Shell& shell;
     const SheetContact& contact;
     double coefficient;
+    StickMemory<PairKey> held;  ///< since the last step that was finished
 };
 
 }  // namespace sherd
