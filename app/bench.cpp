@@ -159,7 +159,9 @@ int bench_speed(const BenchOptions& options, const std::function<Experiment()>& 
 }
 
 int bench_paper(const BenchOptions& options) {
-    return bench_speed(options, [&] { return paper_figure(options.only, options.quick, !options.json); });
+    return bench_speed(options, [&] {
+        return paper_figure(options.only, options.quick, options.most_vertices, !options.json);
+    });
 }
 
 int bench_scaling(const BenchOptions& options) {
@@ -233,7 +235,8 @@ void add_bench(CLI::App& program, Command& chosen) {
         ->option_text("MODEL ...");
     command
         ->add_option("--vertices", options->most_vertices,
-                     "Of scaling: the largest mesh (default 102400), four times as many each")
+                     "Of scaling: the largest mesh (default 102400), four times as many each; of paper: the "
+                     "largest that is taken")
         ->check(CLI::Range(1600.0, 1e8))
         ->option_text("NUMBER");
     command->add_option("-o,--output", options->figure, "Of paper, scaling and cracking: draw a figure, too")

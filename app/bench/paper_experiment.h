@@ -33,8 +33,8 @@ struct PaperCase {
 };
 
 /// Those of the paper's figure: five steps on one mesh, and five meshes with the middle step, of each scene.
-/// quick: fewer and smaller ones.
-std::vector<PaperCase> paper_cases(bool quick);
+/// quick: fewer and smaller ones; most_vertices: of the largest mesh.
+std::vector<PaperCase> paper_cases(bool quick, double most_vertices);
 
 /// How one choice did in one case.
 struct PaperResult {
@@ -45,7 +45,8 @@ struct PaperResult {
     double difference = 0;
 };
 
-/// Races the choices, from a state that the first one gets to with the largest step.
+/// Races the choices, from a state that the default solver gets to with the first one's energies and the
+/// largest step.
 std::vector<PaperResult> run_paper_case(const PaperCase& one, const std::vector<SolverChoice>& choices);
 
 }  // namespace sherd

@@ -25,8 +25,8 @@ struct Done {
     std::size_t vertices() const { return results.front().race.vertices; }
 };
 
-std::vector<PaperCase> chosen_paper_cases(const std::string& only, bool quick) {
-    std::vector<PaperCase> cases = paper_cases(quick);
+std::vector<PaperCase> chosen_paper_cases(const std::string& only, bool quick, double most_vertices) {
+    std::vector<PaperCase> cases = paper_cases(quick, most_vertices);
     std::erase_if(cases,
                   [&](const PaperCase& one) { return one.scene.name.find(only) == std::string::npos; });
     if (!cases.empty()) return cases;
@@ -175,11 +175,12 @@ std::string figure_svg(const std::vector<Done>& all, const std::vector<SolverCho
 
 }  // namespace
 
-std::pair<Json, std::string> paper_figure(const std::string& only, bool quick, bool print) {
+std::pair<Json, std::string> paper_figure(const std::string& only, bool quick, double most_vertices,
+                                          bool print) {
     const std::vector<SolverChoice> choices = solver_choices();
     std::vector<Done> all;
     Json json = Json::array();
-    for (const PaperCase& one : chosen_paper_cases(only, quick)) {
+    for (const PaperCase& one : chosen_paper_cases(only, quick, most_vertices)) {
         if (print && (all.empty() || all.back().of.scene.name != one.scene.name))
             print_head(one.scene, choices);
         all.push_back({one, run_paper_case(one, choices)});
