@@ -17,6 +17,7 @@
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
+#include "app/scene/build/yield_words.h"
 #include "app/scene/read/variant_remarks.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -108,6 +109,11 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
         add(cost, tried);
         if (!tried.failure.empty())
             warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
+        if (tried.yield > 1)
+            warnings.push_back(fmt::format(
+                "{}: stress reaches {} within {} steps; real metal would keep a dent, "
+                "here it springs back",
+                scene.file.string(), yield_words(tried.yield, tried.yielding, scene), tried.count));
     }
     fmt::print("{}", cost_lines(cost));
     warn_of_cost(scene, cost, warnings);

@@ -186,6 +186,8 @@ void add_last_step(std::string& text, const RunInfo& info) {
                    info.peaks.peak_strain, info.peaks.peak_bending_strain, info.peaks.peak_stress);
     if (info.peaks.peak_overload > 0)
         fmt::format_to(out, ", {:.4g} times the strength", info.peaks.peak_overload);
+    if (info.peaks.peak_yield > 0)
+        fmt::format_to(out, ", {:.4g} times the yield stress", info.peaks.peak_yield);
     text += "\n";
 }
 

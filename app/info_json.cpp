@@ -80,6 +80,7 @@ std::string run_info_json(const RunInfo& info) {
     json["peak_bending_strain"] = info.peaks.peak_bending_strain;
     json["peak_stress"] = info.peaks.peak_stress;
     json["peak_overload"] = info.peaks.peak_overload;
+    json["peak_yield"] = info.peaks.peak_yield;
     json["capped_steps"] = info.capped_steps;
     json["limit_load"] = info.load.limit ? Json(*info.load.limit) : Json();
     json["membrane_strain"] = nullptr;

@@ -7,6 +7,7 @@
 
 #include "app/scene/build/built_scene.h"
 #include "app/scene/scene.h"
+#include "fracture/yielding.h"
 
 namespace sherd {
 
@@ -15,6 +16,8 @@ struct TriedSteps {
     int count = 0;
     double first = 0, later = 0;  ///< s of wall time, of the first step and of one of those that follow
     std::string failure;          ///< why a step could not be done; empty: all could
+    double yield = 0;             ///< see StepReport::peak_yield
+    YieldPlace yielding;
 };
 
 /// What a run will take.

@@ -5,9 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/peak_table.h"
 #include "app/scene/build/crack_step_words.h"
+#include "app/scene/build/yield_words.h"
+#include "app/words/moment_words.h"
 
 namespace sherd {
 namespace {
@@ -23,6 +26,16 @@ void add_peaks(std::string& text, const RunTotals& totals) {
     add_row(text, "peak stress", fmt::format("{:.4g} Pa", totals.peaks.peak_stress));
     if (totals.peaks.peak_overload > 0)
         add_row(text, "peak overload", fmt::format("{:.4g} times the strength", totals.peaks.peak_overload));
+}
+
+void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
+    const StepReport& peaks = totals.peaks;
+    if (!(peaks.peak_yield > 0)) return;
+    add_row(text, "peak yield", yield_words(peaks.peak_yield, peaks.yielding, scene));
+    if (std::isfinite(totals.yielded_at))
+        add_row(text, "would keep a dent",
+                fmt::format("from {} on; here it springs back",
+                            moment_words(fmt::format("{:.4g}", totals.yielded_at), scene.time_unit())));
 }
 
 std::string load_words(const LoadHistory& load) {
@@ -76,6 +89,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
         add_row(text, "cracks run", words);
     add_row(text, "fragments", fmt::format("{}", totals.last.fragments));
     add_peaks(text, totals);
+    add_yield(text, totals, scene);
     if (totals.halvings > 0)
         add_row(text, "steps halved",
                 fmt::format("{} times, down to {:g}{}", totals.halvings, totals.smallest_step, unit));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -42,6 +43,10 @@ class BreakableShell {
     /// The measure that the hinge of `edge` is compared by with its strength.
     Measure measure(Edge edge) const { return strengths[sheet_of(edge)].measure; }
     Index sheet_of(Edge edge) const;  ///< number of the input
+    bool yields() const {             ///< whether any sheet has a yield stress
+        return std::ranges::any_of(materials, [](const Material& one) { return one.yield > 0; });
+    }
+    double yield_of_sheet(Index sheet) const { return materials[sheet].yield; }  ///< see Material::yield
     const Toughness& toughness_of_sheet(Index sheet) const { return toughnesses[sheet]; }
     /// The toughness of the sheet of a vertex.
     const Toughness& toughness_at(Index vertex) const { return toughnesses[shell.vertex_sheet[vertex]]; }

@@ -147,7 +147,7 @@ bool Simulation::attempt(StepReport& report) {
     const HingeMeasures& measures = now.hinges;
     ends_at_crack = options.until_crack && fails(now);
     if (ends_at_crack && step_size.can_halve()) return ends_at_crack = false;
-    report_peaks(report, measures);
+    report_peaks(report, now);
     urgency = judged(report, now);
     if (urgency != Urgency::none) return false;
     hinge_peaks.judge(breakable, measures);
@@ -213,7 +213,8 @@ Simulation::Measured Simulation::measured() const {
     Measured now;
     now.strains.membrane = stepper->face_strains();
     const std::optional<Eigen::Matrix3Xd> coupled = stepper->coupled_curvatures();
-    if (growth.needed()) now.strains.curvature = coupled ? *coupled : stepper->face_curvatures();
+    if (growth.needed() || breakable.yields())
+        now.strains.curvature = coupled ? *coupled : stepper->face_curvatures();
     now.hinges = hinge_measures(breakable, stepper->position, coupled, now.strains.membrane);
     return now;
 }
@@ -240,11 +241,15 @@ void Simulation::release_apart() {
     if (of_sheets || of_colliders) stepper->topology_changed({});
 }
 
-void Simulation::report_peaks(StepReport& report, const HingeMeasures& measures) const {
+void Simulation::report_peaks(StepReport& report, const Measured& measured) const {
+    const HingeMeasures& measures = measured.hinges;
     report.peak_strain = largest(measures.strain);
     report.peak_stress = largest(measures.stress);
     report.peak_bending_strain = largest(measures.bending);
     report.peak_overload = largest_overload(breakable, measures, options.rule == BreakingRule::staged);
+    const YieldPeak yielding = yield_peak(breakable, measured.strains);
+    report.peak_yield = yielding.ratio;
+    report.yielding = yielding.place;
 }
 
 void Simulation::finish(StepReport& report) {

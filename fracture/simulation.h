@@ -133,7 +133,7 @@ class Simulation {
     void update_fragments();
     /// Leaves the lips of cracks that have parted since, and what overlapped at the start, to contact.
     void release_apart();
-    void report_peaks(StepReport& report, const HingeMeasures& measures) const;
+    void report_peaks(StepReport& report, const Measured& measured) const;
     void finish(StepReport& report);
     void pace_on(const StepReport& report);
     void add_touch(StepReport& report);

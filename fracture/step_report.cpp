@@ -12,11 +12,13 @@ void StepReport::visit_state(StateVisitor& visit) {
                  decltype(stage_cap_reached), decltype(is_explicit), decltype(urgency), decltype(contacts),
                  decltype(obstacle_overlap), decltype(lip_overlap), decltype(exempt_pairs),
                  decltype(fragments), decltype(reactions), decltype(gauges), decltype(peak_strain),
-                 decltype(peak_stress), decltype(peak_bending_strain), decltype(peak_overload)>());
+                 decltype(peak_stress), decltype(peak_bending_strain), decltype(peak_overload),
+                 decltype(peak_yield), decltype(yielding)>());
     visit(static_cast<EnergyBalance&>(*this), step, time, step_size, load, kinetic, bending, membrane,
           gravity, contact, residual, linear_momentum, angular_momentum, newton_iterations, halvings, stages,
           stage_cap_reached, is_explicit, urgency, contacts, obstacle_overlap, lip_overlap, exempt_pairs,
-          fragments, reactions, gauges, peak_strain, peak_stress, peak_bending_strain, peak_overload);
+          fragments, reactions, gauges, peak_strain, peak_stress, peak_bending_strain, peak_overload,
+          peak_yield, yielding);
 }
 
 }  // namespace sherd

@@ -7,6 +7,7 @@
 #include "core/state_visitor.h"
 #include "fracture/gauge.h"
 #include "fracture/step_pace.h"
+#include "fracture/yielding.h"
 
 namespace sherd {
 
@@ -48,15 +49,19 @@ struct StepReport : EnergyBalance {
     double peak_stress = 0;          ///< Pa, surface stress
     double peak_bending_strain = 0;  ///< 1/m, the paper's measure
     double peak_overload = 0;        ///< measure over strength; 0 where nothing can break
+    double peak_yield = 0;  ///< of all faces, von Mises stress over yield stress; 0 where nothing yields
+    YieldPlace yielding;    ///< where that is
 
     void visit_state(StateVisitor& visit);
 };
 
-/// Raises the peaks of `peaks` to those of `step`.
+/// Raises the peaks of `peaks` to those of `step`, if they are larger there.
 inline void raise_peaks(StepReport& peaks, const StepReport& step) {
     for (double StepReport::*peak : {&StepReport::peak_strain, &StepReport::peak_stress,
                                      &StepReport::peak_bending_strain, &StepReport::peak_overload})
         peaks.*peak = std::max(peaks.*peak, step.*peak);
+    if (step.peak_yield > peaks.peak_yield)
+        peaks.peak_yield = step.peak_yield, peaks.yielding = step.yielding;
 }
 
 }  // namespace sherd

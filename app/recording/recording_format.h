@@ -95,9 +95,11 @@ template <>
 struct Table<StepReport> {
     static constexpr const char* group = "steps";
     static constexpr std::int64_t since = 2;
-    /// Recordings of before there were statics, or a balance of energy, lack it.
+    /// Recordings of before there were statics, a balance of energy, what overlaps at the start, two schemes
+    /// in one run, or yield stresses lack it.
     static constexpr bool may_lack(std::string_view name) {
-        return name == "load" || name == "residual" || name == "unexplained" ||
+        return name == "load" || name == "residual" || name == "unexplained" || name == "exempt_pairs" ||
+               name == "is_explicit" || name == "urgency" || name == "peak_yield" ||
                name.starts_with("work_of_") || name.starts_with("lost_to_");
     }
     template <class Visit>
@@ -163,6 +165,9 @@ struct Table<StepReport> {
         visit("peak_stress", {"Pa", "surface stress"}, &R::peak_stress);
         visit("peak_bending_strain", {"1/m", "the paper's measure"}, &R::peak_bending_strain);
         visit("peak_overload", {"1", "measure over strength; 0 where nothing can break"}, &R::peak_overload);
+        visit("peak_yield",
+              {"1", "von Mises stress over yield stress, largest of a face; 0 where nothing yields"},
+              &R::peak_yield);
     }
 };
 

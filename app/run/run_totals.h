@@ -16,9 +16,9 @@ class RunTotals : public RunObserver {
 
     void visit_state(StateVisitor& visit) {
         auto& [cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
-               peaks, last] = *this;
+               peaks, yielded_at, last] = *this;
         visit(cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
-              peaks, last);
+              peaks, yielded_at, last);
     }
 
     std::size_t cracks = 0, capped = 0;
@@ -28,6 +28,8 @@ class RunTotals : public RunObserver {
     std::array<std::int64_t, urgency_count> urgencies{};             ///< how often each was met by them
     LoadHistory load;
     StepReport peaks;
+    double yielded_at =
+        std::numeric_limits<double>::infinity();  ///< s, when a material was first beyond its yield stress
     StepReport last;
 };
 

@@ -137,7 +137,8 @@ void make_version_2(const fs::path& file) {
     for (std::size_t k = 0; k < hdf5::member_count(opened, "frames"); ++k)
         hdf5::remove(opened, recording_format::frame_group(k) + "/rest");
     for (const char* name : {"rest/vertex_parents", "rest/vertex_weights", "rest/face_parent",
-                             "events/vertex_birth", "events/face_birth"})
+                             "events/vertex_birth", "events/face_birth", "steps/exempt_pairs",
+                             "steps/is_explicit", "steps/urgency", "steps/peak_yield"})
         hdf5::remove(opened, name);
     hdf5::write_attribute(opened, "format_version", std::int64_t{2});
 }

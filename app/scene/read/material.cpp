@@ -138,6 +138,10 @@ Material read_material(TomlTable& table, const MaterialPreset* chosen, bool has_
     material.tempered = table.number("tempered", "Pa", not_negative, 0.0);
     if (material.tempered > 0 && !is_isotropic(material))
         table.report("tempered", "needs a material that is alike in all directions");
+    if (table.has("yield"))
+        material.yield = table.number("yield", "Pa", positive);
+    else if (preset)
+        material.yield = preset->yield;
     check_constants(table, material);
     table.finish();
     return material;

@@ -12,6 +12,10 @@ constexpr FracturePreset brittle(double strength, double weibull_modulus, double
     return {strength, strength, weibull_modulus, weibull_area, toughness, toughness, speed_limit};
 }
 
+constexpr Material metal(double density, double young, double yield) {
+    return {.density = density, .thickness = 0.001, .young = young, .poisson = 0.3, .yield = yield};
+}
+
 // Birch, five plies, the outer ones along the axis.
 constexpr Material plywood{680, 0.0065, 1.27e10, 0.1, 4.8e9, 6.2e8};
 constexpr FracturePreset broken_plywood{6.2e7, 3.6e7, 12, 0.09, 3.9e6, 2.8e6};
@@ -28,8 +32,8 @@ std::span<const MaterialPreset> material_presets() {
         {"eggshell", {2300, 0.00035, 3e10, 0.3}, brittle(2e7, 8, 5e-3, 3e5)},
         {"plaster", {1100, 0.01, 4.5e9, 0.2}, brittle(4e6, 10, 1e-3, 1.4e5)},
         {"plywood", plywood, broken_plywood},
-        {"steel", {7850, 0.001, 2.1e11, 0.3}},
-        {"aluminium", {2700, 0.001, 7e10, 0.3}},
+        {"steel", metal(7850, 2.1e11, 2.35e8)},
+        {"aluminium", metal(2700, 7e10, 2.6e8)},
         {"paper", {780, 0.0001, 3e9, 0.2}},
         {"cotton", {500, 0.0003, 2e6, 0.2}},
     }};

@@ -16,6 +16,10 @@ constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
 /// margin, and of a width that this margin, and the way ahead, may be.
 constexpr double margin_of_motion = 0.5, margin_of_width = 0.12, ahead_of_width = 0.6;
 constexpr double most_steps = 10;
+/// A motion is looked at in parts of so many widths, since the pairs within reach of one are as many as the
+/// square of its length: a direction of a minimiser that is lost would take all memory. And no farther than
+/// this many.
+constexpr double widths_of_part = 2, most_parts = 64;
 
 /// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
 constexpr double clearance_of_springs = 1e-3;
@@ -84,6 +88,19 @@ const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) cons
 }
 
 double NearPairs::safe_fraction(const Positions& x, const Positions& motion) const {
+    const Positions way = Neighbourhood(x, motion, 0, of.collider_vertices()).motion;
+    const double length = way.cols() > 0 ? way.colwise().norm().maxCoeff() : 0;
+    const double longest = widths_of_part * mean_width(of, x);
+    if (!(longest > 0 && length > longest)) return safe_fraction_of_part(x, motion);
+    const double parts = std::ceil(length / longest);
+    const Positions part = motion / parts;
+    for (double before = 0; before < std::min(parts, most_parts); ++before)
+        if (const double fraction = safe_fraction_of_part(x + before * part, part); fraction < 1)
+            return (before + fraction) / parts;
+    return std::min(1.0, most_parts / parts);
+}
+
+double NearPairs::safe_fraction_of_part(const Positions& x, const Positions& motion) const {
     std::vector<ContactPair> close;
     const ContactCandidates& all = candidates(x, motion);
     const double round_off = 4 * all.neighbourhood().round_off;

@@ -20,7 +20,8 @@ class NearPairs {
 
     /// The active pairs at x, ascending, vertex-triangle pairs first. They are valid until the next call.
     const std::vector<ContactPair>& active_pairs(const Positions& x) const;
-    /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance.
+    /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance;
+    /// less where a vertex moves by more than 128 widths of triangles beside the others.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
     /// nearer there than a tenth of the thinnest sheet's thickness.
@@ -46,6 +47,7 @@ class NearPairs {
 
   private:
     void find(const Positions& x, const Positions& motion) const;
+    double safe_fraction_of_part(const Positions& x, const Positions& motion) const;
     Neighbourhood surroundings(const Positions& x, const Positions& motion) const;  ///< of pairs_nearby()
     // The candidates of a neighbourhood with x, and with the motion from it:
     const ContactCandidates& candidates(const Positions& x) const;
