@@ -2,6 +2,7 @@
 #include "fracture/breaking.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sherd {
 namespace {
@@ -43,7 +44,8 @@ double overload(const BreakableShell& shell, const HingeMeasures& measures, Edge
     const double measure = measures.of(shell.measure(edge), hinge);
     if (measure <= 0) return 0;
     const double factor = crack_tips && continues_a_crack(shell, edge) ? shell.crack_tip_factor(edge) : 1;
-    return measure / (shell.strength(edge) * factor);
+    // Nothing is overloaded infinitely, not even what has no strength: recordings hold numbers.
+    return std::min(measure / (shell.strength(edge) * factor), std::numeric_limits<double>::max());
 }
 
 std::vector<Edge> most_overloaded_edges(const BreakableShell& shell, const HingeMeasures& measures) {

@@ -123,7 +123,8 @@ void Simulation::give_up(const StepReport& report) const {
     text << "step " << report.step << ", at " << (statics ? "load " : "") << time() << unit
          << ": even a step of " << step_size.size() << unit << " cannot be solved within "
          << options.max_iterations
-         << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help";
+         << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help, and "
+            "sherd check warns of numbers that are hardly meant";
     if (statics)
         text
             << "; or there is no equilibrium near: the shell snaps through (solver.arc_length = true follows "

@@ -28,6 +28,7 @@ void grow(const Shell& shell, std::vector<char>& flags) {
 void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
     if (outdated) system.topology_changed({}, potential, x);
     outdated = false;
+    sources.clear();  // if the next line throws, there is no factor
     system.factorize(potential, x);
     sources.resize(x.cols());
     std::iota(sources.begin(), sources.end(), 0);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "core/solver/supernodes.h"
@@ -103,9 +102,7 @@ void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
         return;
     }
     share = 0;
-    throw std::runtime_error(
-        "Newton's method: the convex Hessian is not positive definite (NaN in the positions, or in statics a "
-        "part that nothing holds?)");
+    throw IndefiniteMatrix("Newton's method: the convex Hessian is not positive definite");
 }
 
 Positions NewtonSystem::solve(const Potential& potential, const Positions& right_side) {

@@ -3,12 +3,18 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "core/solver/linear_solver.h"
 #include "core/solver/potential.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
+
+/// No matrix of Newton's method, not even a convex one, is positive definite in its numbers.
+struct IndefiniteMatrix : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// How a Hessian that is not positive definite, and a pattern that contacts have left, are treated.
 enum class Thrift {
@@ -30,7 +36,7 @@ class NewtonSystem {
     /// Makes the pattern anew, for Hessians near x, after vertices were split or hinges removed.
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x);
     /// Factors the Hessian at x. If it is not positive definite, it is blended with its convex approximation,
-    /// which at last replaces it. Missing blocks of contacts make the pattern anew. Throws std::runtime_error
+    /// which at last replaces it. Missing blocks of contacts make the pattern anew. Throws IndefiniteMatrix
     /// when no matrix is positive definite.
     void factorize(const Potential& potential, const Positions& x);
     /// Solves with the last factor. right_side: [3, V].

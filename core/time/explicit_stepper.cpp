@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/shell/patch_momentum.h"
 #include "core/shell/supports.h"
 #include "core/time/highest_frequency.h"
+#include "core/time/stable_substep.h"
 
 namespace sherd {
 namespace {
 
-/// Share of the stable substep that is taken: the estimate comes from below, and contact and large motions
-/// stiffen.
-constexpr double safety = 0.8;
 /// Contact begins and ends within a substep, which errs in energy by the square of substep times frequency:
 /// it therefore has a third of the longest one.
 constexpr double resolution_of_contact = 3;
@@ -22,13 +19,6 @@ constexpr double resolution_of_contact = 3;
 /// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
 constexpr Index vertices_at_once = 512;
-constexpr double most_substeps = 1e6;  // in a step; more say that positions have run away
-
-void require_stable(bool is_stable) {
-    if (!is_stable)
-        throw std::runtime_error(
-            "explicit steps have become unstable: a shorter solver.step, or softer contact, may help");
-}
 
 std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -118,9 +108,7 @@ void ExplicitStepper::choose_substep() {
     motion.colwise() += step.length * step.length * options.gravity;
     const double of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, motion));
     const double highest = std::hypot(of_shell, of_contact);
-    const double damped = 0.5 * options.shell.damping.stiffness * highest;
-    const double stable = safety * 2 / highest * (std::sqrt(1 + damped * damped) - damped);
-    require_stable(step.length < most_substeps * stable);
+    const double stable = stable_substep(highest, options.shell.damping, step.length);
     substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
     length = step.length / substeps;
 }

@@ -6,6 +6,7 @@
 #include "core/shell/inheritance.h"
 #include "core/shell/supports.h"
 #include "core/solver/newton.h"
+#include "core/solver/newton_system.h"
 #include "core/solver/quasi_newton.h"
 #include "core/time/bdf2.h"
 #include "core/time/implicit_euler.h"
@@ -122,8 +123,13 @@ Positions ImplicitStepper::pushed_along() const {
 
 MinimiserResult ImplicitStepper::solve(int max_iterations) {
     const Stopwatch watch(spent, Task::other);  // except what the energies and the solver book themselves
-    const MinimiserResult result = path ? path->solve(potential, loads, step, max_iterations, position)
-                                        : minimiser->minimise(potential, max_iterations, position);
+    MinimiserResult result;
+    try {
+        result = path ? path->solve(potential, loads, step, max_iterations, position)
+                      : minimiser->minimise(potential, max_iterations, position);
+    } catch (const IndefiniteMatrix&) {
+        // Inertia of a shorter step may be what the matrix lacks.
+    }
     ledger.solved(stored());
     opening.solved(position);
     unbalanced.resize(3, 0);

@@ -51,6 +51,12 @@ TEST(Plausibility, SaysNothingOfWhatIsMeant) {
     EXPECT_EQ(with({"sheet.disc.fracture.strength=2e7", "sheet.disc.material.young=2e6"}), "") << "rubber";
 }
 
+// Another unit makes another material, a thousand times too stiff or too heavy.
+TEST(Plausibility, AMaterialInOtherUnitsIsTold) {
+    EXPECT_NE(with({"sheet.disc.material.young=70"}).find("so slow; young is in Pa"), std::string::npos);
+    EXPECT_NE(with({"sheet.disc.material.density=2.4"}).find("so fast; young is in Pa"), std::string::npos);
+}
+
 // A peak that is lost to the step is taken for a sheet that does not break.
 TEST(Plausibility, AStepThatIsLongForTheSlowestVibrationIsTold) {
     EXPECT_EQ(with({"sheet.disc.fracture.strain=0.4", "solver.step=1.7e-4"}), "");

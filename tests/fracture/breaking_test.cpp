@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "meshops/error.h"
 #include "tests/support/mesh_shapes.h"
@@ -69,6 +70,15 @@ TEST_F(Breaking, ContinuesACrackBelowTheStrength) {
     EXPECT_DOUBLE_EQ(overload(*sheet, measures, edge_at(16, 29), true), 0.8 / 0.7);
     EXPECT_DOUBLE_EQ(overload(*sheet, measures, edge_at(22, 35), true), 0.8);
     EXPECT_TRUE(overloaded_edges(*sheet, measures).empty());
+}
+
+// Recordings and JSON have no infinity: what has no strength is overloaded by a number.
+TEST_F(Breaking, WhatHasNoStrengthIsNotOverloadedInfinitely) {
+    set(uniform_strength(0, Measure::strain));
+    strain_at(16, 29) = 0.2;
+    const double of_it = overload(*sheet, measures, edge_at(16, 29), true);
+    EXPECT_TRUE(std::isfinite(of_it) && of_it > 1) << of_it;
+    EXPECT_EQ(most_overloaded_edges(*sheet, measures), std::vector{edge_at(16, 29)});
 }
 
 // A sheet judged by stress must not break for its strain, nor the other way round.

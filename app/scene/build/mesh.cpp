@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "meshops/error.h"
 #include "meshops/generate.h"
 #include "meshops/line_cut.h"
@@ -101,6 +104,31 @@ void warn_of_size(const Mesh& mesh, std::vector<std::string>& warnings) {
         size));
 }
 
+/// What a double still tells apart, and no shell is beyond.
+void require_size(const Mesh& mesh) {
+    constexpr double smallest = 1e-9, largest = 1e9;  // m
+    const MeshMeasures measures = measure(mesh);
+    const double size = (measures.upper - measures.lower).maxCoeff();
+    if (size >= smallest && size <= largest) return;
+    throw Error(
+        fmt::format("the mesh is {:.4g} m large, and can be from {:g} to {:g} m: lengths are in m; the "
+                    "mesh of a file has a size, or a scale (m per unit of the file)",
+                    size, smallest, largest));
+}
+
+/// Far from the origin the digits of a double do not tell vertices apart.
+void require_near(const Mesh& mesh, const SheetSpec& sheet) {
+    constexpr double most_round_off = 1e-4;  // of an edge
+    const MeshMeasures measures = measure(mesh);
+    const double farthest =
+        std::max(measures.upper.cwiseAbs().maxCoeff(), measures.lower.cwiseAbs().maxCoeff());
+    if (farthest * std::numeric_limits<double>::epsilon() <= most_round_off * measures.mean_edge) return;
+    throw Error(
+        fmt::format("{}: place: the sheet is {:.3g} m from the origin, where the digits of numbers do "
+                    "not tell its edges of {:.3g} m; place it nearer",
+                    sheet.where, farthest, measures.mean_edge));
+}
+
 }  // namespace
 
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
@@ -116,7 +144,10 @@ Mesh make_unplaced_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<
                         std::string* remeshed) {
     std::vector<std::string> found;
     Mesh mesh = with_context(sheet.where, [&] {
-        return std::visit([&](const auto& spec) { return make(spec, scene, found, remeshed); }, sheet.mesh);
+        Mesh made =
+            std::visit([&](const auto& spec) { return make(spec, scene, found, remeshed); }, sheet.mesh);
+        require_size(made);
+        return made;
     });
     for (const std::string& warning : found) warnings.push_back(fmt::format("{}: {}", sheet.where, warning));
     cut_cracks(mesh, sheet);
@@ -127,6 +158,7 @@ Mesh make_mesh(const SheetSpec& sheet, const Scene& scene, std::vector<std::stri
                std::string* remeshed) {
     Mesh mesh = make_unplaced_mesh(sheet, scene, warnings, remeshed);
     transform(mesh, Eigen::Affine3d(sheet.place));
+    require_near(mesh, sheet);
     return mesh;
 }
 

@@ -51,6 +51,17 @@ void warn_of_size(const SheetInput& input, const SheetSpec& sheet, std::vector<s
                                    advice));
 }
 
+/// Speeds of sound, m/s, of the softest gels and beyond diamond.
+void warn_of_material(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    constexpr double slowest = 1, fastest = 25000;
+    const double speed = std::sqrt(mean_young(input.material) / input.material.density);
+    if (speed >= slowest && speed <= fastest) return;
+    warnings.push_back(fmt::format(
+        "{}: sound runs through sheet.{} at {:.2g} m/s, the root of young over density: no solid is "
+        "so {}; young is in Pa (70 GPa are 70e9), density in kg/m^3 (2.4 g/cm^3 are 2400)",
+        sheet.where, sheet.name, speed, speed < slowest ? "slow" : "fast"));
+}
+
 void warn_of_short_edges(const SheetInput& input, const SheetSpec& sheet,
                          std::vector<std::string>& warnings) {
     std::size_t count = 0;
@@ -221,6 +232,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
                          const SimulationOptions& options, std::vector<std::string>& warnings) {
     for (std::size_t s = 0; s < inputs.size(); ++s) {
         warn_of_size(inputs[s], scene.sheets[s], warnings);
+        if (!scene.is_static()) warn_of_material(inputs[s], scene.sheets[s], warnings);
         warn_of_short_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_tiny_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_locking(inputs[s], scene.sheets[s], scene, warnings);

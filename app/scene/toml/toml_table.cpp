@@ -13,6 +13,8 @@ namespace sherd {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+/// Of numbers; products of a few of what is beyond have no place in a double.
+constexpr double largest = 1e30, smallest = 1e-30;
 
 std::string_view type_name(const toml::node& node) {
     switch (node.type()) {
@@ -42,9 +44,23 @@ std::string told(const toml::node& node) {
     return std::string(type_name(node));
 }
 
+bool is_in_bounds(double value) {
+    const double size = std::abs(value);
+    return size == 0 || (size >= smallest && size <= largest);
+}
+
 std::optional<double> finite_number(const toml::node& node) {
     const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    return value && std::isfinite(*value) && is_in_bounds(*value) ? value : std::nullopt;
+}
+
+/// Whether a number, or one in an array, is finite and yet none to compute with.
+bool is_out_of_bounds(const toml::node& node) {
+    if (const toml::array* array = node.as_array())
+        return std::any_of(array->begin(), array->end(),
+                           [](const toml::node& item) { return is_out_of_bounds(item); });
+    const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+    return value && std::isfinite(*value) && !is_in_bounds(*value);
 }
 
 std::string with_unit(std::string_view words, std::string_view unit) {
@@ -265,7 +281,11 @@ std::string TomlTable::dotted(std::string_view key) const {
 
 void TomlTable::reject(std::string_view key, std::string_view wanted, std::string_view hint) {
     const toml::node* node = content->get(key);
-    report(key, node ? fmt::format("must be {}, not {}{}", wanted, told(*node), hint)
+    const std::string bounds =
+        node && is_out_of_bounds(*node)
+            ? fmt::format("; numbers other than 0 are from {} to {}", smallest, largest)
+            : "";
+    report(key, node ? fmt::format("must be {}, not {}{}{}", wanted, told(*node), bounds, hint)
                      : fmt::format("is missing: give {}", wanted));
 }
 

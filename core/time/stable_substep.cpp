@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/time/stable_substep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace sherd {
+namespace {
+
+/// Share of the stable substep that is taken: the estimate of the frequency comes from below, and contact and
+/// large motions stiffen.
+constexpr double safety = 0.8;
+constexpr double most_substeps = 1e6;  // in a step
+
+}  // namespace
+
+void require_stable(bool is_stable) {
+    if (!is_stable)
+        throw std::runtime_error(
+            "explicit steps have become unstable: a shorter solver.step, softer contact or less load may "
+            "help");
+}
+
+double stable_substep(double highest, const Damping& damping, double step) {
+    const double damped = 0.5 * damping.stiffness * highest;
+    // This is sqrt(1 + d^2) - d, without its cancellation.
+    const double of_forces = 2 / highest / (std::sqrt(1 + damped * damped) + damped);
+    // Damping by the medium takes the velocity of before: what it takes must not be more than there is.
+    const double stable = safety * std::min(of_forces, 2 / damping.mass);
+    require_stable(!std::isnan(stable));
+    if (step < most_substeps * stable) return stable;
+    std::ostringstream text;
+    text << "explicit steps would need substeps of " << stable
+         << " s, more than a million a step: the sheet is too stiff, too light or too damped, or a triangle "
+            "is a needle (sherd check warns of what is hardly meant); mend that, or take implicit steps";
+    throw std::runtime_error(text.str());
+}
+
+}  // namespace sherd

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hostile_scenes [--short | --long] [--table] SHERD [NAME]...: scenes that a hurried or a malicious user might write
+(hostile_scenes_list.py), each run by the real program, as they are and with the other schemes that they name. What runs
+must end with finite numbers, a balance of energy and vertices in sight; what is refused must say what is wrong, and
+`sherd check` must refuse it, too. --short takes the first scheme of each, --long the long
+ones as well; --table prints what became of each. Exit code 1:
+one of them did something else."""
+import argparse
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import hostile_scenes_list  # noqa: E402
+
+PATIENCE = 120  # s of processor time, after which a run hangs
+MEMORY = 4 << 30  # bytes that a run may ask for
+UNEXPLAINED = 1e-6  # of the largest energy
+# Of the largest energy, what a scheme may give. Springs of explicit contact begin and end within a substep, of 0.53 over
+# their frequency at most, and err by up to a quarter of its square.
+GAINED = {"implicit": 1e-6, "explicit": 0.07, "auto": 0.07}
+LOSSES = ["lost_to_friction", "lost_to_damping", "lost_to_cracks", "lost_to_remeshing", "lost_to_scheme"]
+CREEP = 1e-3  # m/s
+WORK = ["work_of_loads", "work_of_wind", "work_of_supports", "work_of_obstacles"]
+STORED = ["kinetic", "bending", "membrane", "contact"]
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def call(sherd, *words):
+    done = subprocess.run([sherd, *map(str, words)], capture_output=True, text=True, check=False, preexec_fn=limit)
+    return done.returncode, done.stdout, done.stderr
+
+
+def not_finite(file):
+    """Names of the datasets that hold a NaN or an infinity."""
+    bad = []
+
+    def look(name, item):
+        if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and not numpy.isfinite(item[()]).all():
+            bad.append(name)
+    file.visititems(look)
+    return bad
+
+
+def largest_energy(steps, start):
+    """The largest energy in play (J): stored, moving, or exchanged; at least that of a creep."""
+    mass, speed = start["vertex/mass"][:], start["vertex/speed"][:]
+    energy = [0.5 * (mass * speed ** 2).sum(), mass.sum() * CREEP ** 2, numpy.ptp(steps["gravity"][:])]
+    energy += [numpy.abs(steps[name][:]).max() for name in STORED + WORK]
+    return max(energy)
+
+
+def faults(file, scene, scheme, code):
+    """What is wrong with a recording, in words. code: of the run."""
+    found = [f"{name} is not finite" for name in not_finite(file)]
+    frames = [file["frames"][name] for name in sorted(file["frames"])]
+    farthest = max(numpy.abs(frame["vertex/position"][:]).max() for frame in frames)
+    if not farthest <= scene.within:
+        found.append(f"a vertex got {farthest:.3g} m away, more than {scene.within:g}")
+    steps = file["steps"]
+    if len(steps["time"]) == 0:
+        return found + (["not a step was made"] if code == 0 else [])
+    largest = largest_energy(steps, frames[0])
+    unexplained = numpy.abs(steps["unexplained"][:]).max() / largest
+    if not unexplained <= scene.unexplained:
+        found.append(f"{unexplained:.2g} of the largest energy is unexplained")
+    gained = -sum(steps[name][:] for name in LOSSES).min() / largest
+    if not gained <= max(scene.gained, GAINED[scheme]):
+        found.append(f"{gained:.2g} of the largest energy came from nowhere")
+    fragments = int(steps["fragments"][-1])
+    if code == 0 and scene.fragments and not scene.fragments[0] <= fragments <= scene.fragments[1]:
+        found.append(f"{fragments} fragments instead of {scene.fragments}")
+    if code == 0 and scene.holds:
+        found += [words for words in [scene.holds(file, frames)] if words]
+    return found
+
+
+def outcome(file):
+    frames, steps = file["frames"], file["steps"]
+    last = frames[sorted(frames)[-1]]
+    fastest = numpy.linalg.norm(last["vertex/velocity"][:], axis=1).max()
+    count = int(steps["fragments"][-1]) if len(steps["fragments"]) else 0
+    return f"{count} {'piece' if count == 1 else 'pieces'}, {fastest:.2g} m/s at the end"
+
+
+def words_of(errors):
+    errors = re.sub(r"/\S*/(?=mesh\.)", "", errors)
+    lines = [line.removeprefix("sherd: error: ") for line in errors.splitlines() if line.startswith("sherd: error: ")]
+    return lines[0].split("scene.toml")[-1].lstrip(":0123456789 ") if lines else errors.strip()[-200:]
+
+
+def run(sherd, folder, scene, scheme):
+    """What is wrong, what happened in words, and the exit code."""
+    text = folder / "scene.toml"
+    text.write_text(scene.text)
+    for name, content in scene.files.items():
+        (folder / name).write_text(content)
+    chosen = [] if scheme == "implicit" else ["--set", f"solver.scheme={scheme}"]
+    recording = folder / "run.h5"
+    recording.unlink(missing_ok=True)
+    code, _, errors = call(sherd, "run", text, "-o", recording, "--force", *chosen)
+    wanted = scene.error(scheme)
+    found = []
+    if code < 0:
+        return [f"ended by signal {-code}: {errors[-300:]}"], "", code
+    allowed = ({0, 1} if wanted.code == 1 else {wanted.code}) if wanted else {0}
+    if code not in allowed:
+        found.append(f"exit code {code}, none of {allowed}: {errors[-1500:]}")
+    if wanted and code != 0:
+        found += [f"the message lacks '{words}': {errors[-1500:]}" for words in wanted.words if words not in errors]
+    if code == 2:
+        checked, _, said = call(sherd, "check", text, *chosen)
+        if checked != 2 or words_of(said) != words_of(errors):
+            found.append(f"check ends with {checked}: {said[-500:]}")
+        if recording.exists():
+            found.append("it left a recording")
+    if code in (0, 1) and recording.exists():
+        with h5py.File(recording) as file:
+            wrong = faults(file, scene, scheme, code)
+            return found + wrong, outcome(file) if code == 0 else words_of(errors), code
+    return found, words_of(errors), code
+
+
+def told(sherd, scene, schemes):
+    """Runs a scene with these schemes and prints a line of each. Returns [(scheme, faults, words, exit code)]."""
+    results = []
+    for scheme in schemes:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        with tempfile.TemporaryDirectory() as folder:
+            found, words, code = run(sherd, pathlib.Path(folder), scene, scheme)
+        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        print(f"{scene.name}, {scheme}: {code}, {seconds:.1f} s, {words}", file=sys.stderr, flush=True)
+        for fault in found:
+            print(f"    {scene.name}, {scheme}: {fault}", file=sys.stderr, flush=True)
+        results.append((scheme, found, words, code))
+    return results
+
+
+def row(scene, results):
+    exits = " ".join(f"{code}" for _, _, _, code in results)
+    words = results[0][2].replace("|", "/")
+    return f"| `{scene.name}` | {scene.what} | {', '.join(scheme for scheme, *_ in results)} | {exits} | {words} |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for option in ("--short", "--long", "--table"):
+        parser.add_argument(option, action="store_true")
+    parser.add_argument("sherd")
+    parser.add_argument("names", nargs="*")
+    arguments = parser.parse_intermixed_args()
+    sherd = str(pathlib.Path(arguments.sherd).resolve())
+    with_long = arguments.long and not os.environ.get("SHERD_SHORT")
+    scenes = [scene for scene in hostile_scenes_list.SCENES
+              if (scene.name in arguments.names if arguments.names else with_long or not scene.long)]
+    if arguments.table:
+        print("| scene | what it is | steps | exit | what happens with the first of them |\n" + "| --- " * 5 + "|")
+    failures = 0
+    for scene in scenes:
+        results = told(sherd, scene, scene.schemes[:1] if arguments.short else scene.schemes)
+        failures += sum(bool(found) for _, found, _, _ in results)
+        if arguments.table:
+            print(row(scene, results), flush=True)
+    print(f"{len(scenes)} scenes, {failures} runs with faults", file=sys.stderr)
+    sys.exit(1 if failures or not scenes else 0)
+
+
+if __name__ == "__main__":
+    main()
