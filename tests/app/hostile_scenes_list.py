@@ -241,7 +241,7 @@ add("pressure_1e15", "a pressure of 1e15 Pa on the floor",
     scene(sheet(), FLOOR, "[[force.load]]\npressure = -1e15\n"), schemes=ALL, within=1e12, fails=UNSOLVED, explicit=UNSTABLE)
 add("point_1e12", "1e12 N on the middle of a pinned plate",
     scene(sheet(more="pin = { boundary = true }"), "[[force.load]]\npoint = [0, 0, -1e12]\n"
-          "box = [[-0.02, -0.02, -1], [0.02, 0.02, 1]]\n"), schemes=ALL, within=1e12, fails=UNSOLVED, explicit=UNSTABLE, long=True)
+          "box = [[-0.02, -0.02, -1], [0.02, 0.02, 1]]\n"), schemes=("explicit",), within=1e12, explicit=UNSTABLE)
 add("moment_1e9", "a moment of 1e9 N on the rim", scene(sheet(velocity=(0, 0, 0)), "[[force.load]]\nmoment = 1e9\nboundary = true\n"),
     schemes=ALL, within=1e9, fails=UNSOLVED, explicit=UNSTABLE)
 add("mass_damping_1e9", "a mass damping of 1e9 1/s", scene(sheet(), FLOOR, solver="damping.mass = 1e9"), schemes=ALL, explicit=UNSTABLE)
@@ -290,7 +290,7 @@ add("ball_through_a_plate", "a ball that moves through a loose plate", scene(she
 add("ball_through_a_clamped_plate", "a ball that moves through a clamped plate",
     scene(sheet(velocity=(0, 0, 0), more="clamp = { boundary = true }"), BALL.format(0.05), THROUGH), schemes=ALL, explicit=OVERWHELMED, gained=0.02)
 add("ball_through_glue", "the same, of what never breaks",
-    scene(sheet(velocity=(0, 0, 0), fracture="", more="clamp = { boundary = true }"), BALL.format(0.05), THROUGH), schemes=ALL, explicit=OVERWHELMED, fails=UNSOLVED, long=True)
+    scene(sheet(velocity=(0, 0, 0), fracture="", more="clamp = { boundary = true }"), BALL.format(0.05), THROUGH), schemes=EXPLICIT, explicit=OVERWHELMED)
 add("ball_through_pins", "a ball that moves through a plate that is pinned everywhere",
     scene(sheet(velocity=(0, 0, 0), more="pin = { box = [[-1, -1, -1], [1, 1, 1]] }"), BALL.format(0.05), THROUGH), schemes=ALL, explicit=OVERWHELMED, fails=UNSOLVED)
 add("ball_in_a_plate", "a ball that starts in the middle of a plate", scene(sheet(), BALL.format(0.004)), schemes=ALL)
@@ -341,10 +341,6 @@ add("too_far_away", "a plate a million million kilometres from the origin", scen
     refused=["place", "m from the origin"])
 add("thickness_1e-200", "a thickness of 1e-200 m", scene(sheet(material=steel(thickness=1e-200)), FLOOR),
     refused=["thickness", "1e-30"])
-add("10000_pieces", "10,082 single triangles that come to rest on a floor",
-    scene(sheet('"mesh.ply"', steel(thickness=1e-3), fracture='strength = 1e7, map = { property = "strength" }',
-                at=(0, 0, 0.0006), velocity=(0, 0, 0)), FLOOR, "friction = 0.3\n", duration=0.05, solver="step = 1e-3"),
-    files={"mesh.ply": ply(*grid(71, 71, 0.71, 0.71), 0)}, fragments=(10082, 10082), holds=still(1e-2), long=True)
 STATIC = 'scheme = "static"'
 add("statics_loose", "statics of a plate that nothing holds", scene(sheet(velocity=(0, 0, 0))).replace("duration = 0.002", "")
     + "[solver]\n" + STATIC + "\n", refused=["nothing holds it"])
