@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string_view>
 
 #include "app/commands.h"
@@ -32,6 +33,8 @@ int run(const sherd::Command& command) {
         return exit_code;
     } catch (const sherd::Error& error) {
         return report(error.what(), error.fault == sherd::Fault::input ? bad_input : failed);
+    } catch (const std::bad_alloc&) {
+        return report("there is not enough memory for this", failed);
     } catch (const std::exception& error) {
         return report(error.what(), failed);
     }

@@ -3,9 +3,20 @@
 
 #include <openvdb/tools/Interpolation.h>
 
+#include <cmath>
+
 #include "meshops/vdb_file.h"
 
 namespace sherd {
+namespace {
+
+/// Whether voxels there have numbers; a damaged file may place them anywhere.
+bool has_voxels_around(const openvdb::Vec3d& place) {
+    constexpr double most = 1 << 30;
+    return std::abs(place.x()) < most && std::abs(place.y()) < most && std::abs(place.z()) < most;
+}
+
+}  // namespace
 
 GridSamples sample_float_grid(const std::filesystem::path& file, const std::string& name,
                               std::span<const Eigen::Vector3d> points) {
@@ -16,7 +27,8 @@ GridSamples sample_float_grid(const std::filesystem::path& file, const std::stri
     for (const Eigen::Vector3d& point : points) {
         const auto place = grid->transform().worldToIndex({point.x(), point.y(), point.z()});
         float value = 0;
-        const bool active = openvdb::tools::BoxSampler::sample(voxels, place, value);
+        const bool active =
+            has_voxels_around(place) && openvdb::tools::BoxSampler::sample(voxels, place, value);
         samples.outside += !active;
         samples.values.push_back(active ? static_cast<double>(value) : samples.background);
     }

@@ -59,7 +59,7 @@ void require_few_voxels(const Polygons& polygons, double voxel) {
     Eigen::AlignedBox3d box;
     for (const openvdb::Vec3s& p : polygons.points) box.extend(eigen(p));
     const double voxels = (box.diagonal().array() / voxel + 2 * layer_beyond).prod();
-    if (voxels > most_voxels)
+    if (!(voxels <= most_voxels))  // NaN, too, as damaged files have it
         throw Error(text("would take ", voxels, " voxels of ", voxel, " m, more than ", most_voxels,
                          ": make them larger"));
 }
@@ -175,7 +175,32 @@ struct SignedDistanceGrid::State {
         const Vector3d margin = Vector3d::Constant(voxel);
         for (const Vector3d& p : surface.points) box.extend(p - margin).extend(p + margin);
     }
+
+    /// Of a file's grid; throws Error, or what OpenVDB throws.
+    static std::shared_ptr<const State> of(const openvdb::FloatGrid& level_set, double scale, double reach);
 };
+
+std::shared_ptr<const SignedDistanceGrid::State> SignedDistanceGrid::State::of(
+    const openvdb::FloatGrid& level_set, double scale, double reach) {
+    if (level_set.getGridClass() != openvdb::GRID_LEVEL_SET)
+        throw Error(text("its grid '", level_set.getName(), "' is of class '",
+                         openvdb::GridBase::gridClassToString(level_set.getGridClass()), "', background ",
+                         level_set.background(),
+                         "; an obstacle needs a level set (signed distances near the surface), such as a "
+                         "distance VDB of Houdini's VDB from Polygons"));
+    const Polygons polygons = polygons_of(level_set, scale);
+    if (polygons.points.empty()) throw Error("its level set is empty");
+    TransformPointer transform = level_set.transform().copy();
+    transform->postScale(scale);
+    const openvdb::Vec3d size = transform->voxelSize();
+    const double smallest = std::min({size.x(), size.y(), size.z()});
+    require_few_voxels(polygons, smallest);
+    const bool cubic = transform->isLinear() && transform->hasUniformScale();
+    if (!cubic) transform = openvdb::math::Transform::createLinearTransform(smallest);
+    auto state = std::make_shared<State>(polygons, transform, reach);
+    if (cubic) take_values(level_set, scale, *state->grid);
+    return state;
+}
 
 SignedDistanceGrid::SignedDistanceGrid(std::shared_ptr<const State> state) : state(std::move(state)) {}
 
@@ -199,25 +224,11 @@ SignedDistanceGrid SignedDistanceGrid::of_level_set(const std::filesystem::path&
                                                     const std::string& name, double scale, double reach) {
     const openvdb::FloatGrid::Ptr level_set = read_float_grid(file, name);
     return with_context(file.string(), [&] {
-        if (level_set->getGridClass() != openvdb::GRID_LEVEL_SET)
-            throw Error(text("its grid '", level_set->getName(), "' is of class '",
-                             openvdb::GridBase::gridClassToString(level_set->getGridClass()),
-                             "', background ", level_set->background(),
-                             "; an obstacle needs a level set (signed distances near the surface), such as a "
-                             "distance VDB of Houdini's VDB from Polygons"));
-        const Polygons polygons = polygons_of(*level_set, scale);
-        if (polygons.points.empty()) throw Error("its level set is empty");
-        TransformPointer transform = level_set->transform().copy();
-        transform->postScale(scale);
-        const openvdb::Vec3d size = transform->voxelSize();
-        require_few_voxels(polygons, std::min({size.x(), size.y(), size.z()}));
-        const bool cubic = transform->isLinear() && transform->hasUniformScale();
-        if (!cubic)
-            transform =
-                openvdb::math::Transform::createLinearTransform(std::min({size.x(), size.y(), size.z()}));
-        const auto state = std::make_shared<State>(polygons, transform, reach);
-        if (cubic) take_values(*level_set, scale, *state->grid);
-        return SignedDistanceGrid(state);
+        try {
+            return SignedDistanceGrid(State::of(*level_set, scale, reach));
+        } catch (const openvdb::Exception& error) {
+            throw Error(std::string("damaged OpenVDB file: ") + error.what());
+        }
     });
 }
 

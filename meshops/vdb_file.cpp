@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <fstream>
 #include <map>
+#include <new>
 #include <system_error>
 
 #include "meshops/error.h"
@@ -26,6 +27,8 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& file) {
         return *openvdb::io::Stream(stream, delay_loading).getGrids();
     } catch (const std::ios::failure&) {
         throw Error("damaged OpenVDB file, or none: it ends early");
+    } catch (const std::bad_alloc&) {
+        throw Error("damaged OpenVDB file, or none: a length in it needs more memory than there is");
     } catch (const std::exception& error) {
         throw Error(std::string("damaged OpenVDB file, or none: ") + error.what());
     }

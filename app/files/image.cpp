@@ -46,6 +46,8 @@ class PngReader {
         if (setjmp(png_jmpbuf(png))) return false;
         png_init_io(png, file);
         png_set_user_limits(png, largest_image, largest_image);
+        // What is no pixel is skipped: libpng would believe each length that a damaged file has for it.
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_read_png(png, info,
                      PNG_TRANSFORM_EXPAND_16 | PNG_TRANSFORM_GRAY_TO_RGB | PNG_TRANSFORM_STRIP_ALPHA,
                      nullptr);
@@ -109,11 +111,26 @@ Image image_of(PngReader& reader) {
     return image;
 }
 
-bool is_png(std::FILE* file) {
-    std::array<png_byte, 8> signature{};
-    const std::size_t count = std::fread(signature.data(), 1, signature.size(), file);
+/// The first bytes of a PNG file: its signature, then length and name of the first block, width and height.
+using PngHead = std::array<png_byte, 24>;
+
+PngHead head_of(std::FILE* file) {
+    PngHead head{};
+    if (std::fread(head.data(), 1, head.size(), file) < 8) head.fill(0);
     std::rewind(file);
-    return count == signature.size() && png_sig_cmp(signature.data(), 0, signature.size()) == 0;
+    return head;
+}
+
+bool is_png(const PngHead& head) {
+    return png_sig_cmp(head.data(), 0, 8) == 0;
+}
+
+/// Whether so few bytes can be an image of this size: libpng makes room for all rows before it reads one.
+bool is_cut_off(const PngHead& head, std::uintmax_t bytes) {
+    constexpr std::uintmax_t most_of_a_byte = 1032;  // how far deflate compresses zeros
+    const std::uintmax_t width = png_get_uint_32(head.data() + 16),
+                         height = png_get_uint_32(head.data() + 20);
+    return height * (1 + width / 8) / most_of_a_byte > bytes;
 }
 
 }  // namespace
@@ -126,7 +143,10 @@ Image read_png(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file, ignored)) throw fail("is a folder, a PNG file is needed");
     const FilePointer stream(std::fopen(file.c_str(), "rb"), std::fclose);
     if (!stream) throw fail("cannot read the image: " + std::generic_category().message(errno));
-    if (!is_png(stream.get())) throw fail("is not a PNG file");
+    const PngHead head = head_of(stream.get());
+    if (!is_png(head)) throw fail("is not a PNG file");
+    if (is_cut_off(head, std::filesystem::file_size(file, ignored)))
+        throw fail("damaged PNG file: it ends before all its pixels");
     PngReader reader;
     if (!reader.read(stream.get())) throw fail("damaged PNG file: " + reader.message);
     return image_of(reader);

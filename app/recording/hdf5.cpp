@@ -95,6 +95,18 @@ void describe(hid_t dataset, const Meaning& meaning) {
     if (*meaning.description) write_attribute(dataset, "description", std::string(meaning.description));
 }
 
+/// That the values which a damaged file promises are not more than its bytes can be: who reads makes room for
+/// all of them.
+void require_stored(hid_t dataset, const std::string& name, const std::vector<hsize_t>& shape) {
+    constexpr double few = 1 << 17, most_of_a_byte = 1032;  // values; how far deflate compresses zeros
+    double values = 1;
+    for (const hsize_t length : shape) values *= static_cast<double>(length);
+    if (values < few) return;
+    const auto stored = static_cast<double>(H5Dget_storage_size(dataset));
+    if (values > most_of_a_byte * stored)
+        throw Error("dataset '" + name + "' promises more values than the file holds", Fault::run);
+}
+
 int rank_of(hsize_t width) {
     return width == 1 ? 1 : 2;
 }
@@ -272,6 +284,7 @@ std::vector<hsize_t> shape_of(hid_t where, const std::string& name) {
     const Handle space(checked(H5Dget_space(dataset), "cannot read dataset '" + name + "'"));
     std::vector<hsize_t> shape(std::max(0, H5Sget_simple_extent_ndims(space)));
     H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    require_stored(dataset, name, shape);
     return shape;
 }
 

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <new>
 #include <sstream>
+#include <stdexcept>
 
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording.h"
@@ -132,10 +134,17 @@ auto Recording::read_with(Read read) const {
         throw Error(
             fmt::format("the recording '{}' has been replaced by another run while it was read; start again",
                         file.string()));
+    const auto damaged = [&](const char* how) {
+        return Error(fmt::format("the recording '{}' is damaged: {}", file.string(), how));
+    };
     try {
         return read(static_cast<hid_t>(opened));
     } catch (const Error& error) {
-        throw Error(fmt::format("the recording '{}' is damaged: {}", file.string(), error.what()));
+        throw damaged(error.what());
+    } catch (const std::bad_alloc&) {
+        throw damaged("a length in it needs more memory than there is");
+    } catch (const std::length_error&) {
+        throw damaged("a length in it is beyond all memory");
     }
 }
 

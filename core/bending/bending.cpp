@@ -52,11 +52,6 @@ std::unique_ptr<Energy> nonlinear_energy(const Shell& shell) {
 
 }  // namespace
 
-BendingJacobian exact_jacobian(BendingModel model) {
-    const bool cubic = model == BendingModel::cubic || model == BendingModel::cubic_2007;
-    return cubic ? BendingJacobian::cubic : BendingJacobian::nonlinear;
-}
-
 std::unique_ptr<Energy> bending_energy(const Shell& shell, const BendingOptions& options,
                                        const std::vector<MirrorHinge>& mirrors) {
     const auto& [model, jacobian] = options;

@@ -125,6 +125,25 @@ TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
 }
 
 // A mesh with a hole of about a voxel still has an inside.
+// What OpenVDB throws would end a run without a word on which file it was; and of NaN it makes distances for
+// ever.
+TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
+    const TemporaryDirectory directory;
+    const auto file = write_sphere(directory, openvdb::GRID_LEVEL_SET);
+    const std::string whole = directory.contents().at(file.string());
+    const std::string map = "UniformScaleTranslateMap";
+    const std::size_t at = whole.find(map) + map.size(), size = 24;  // the first of its vectors
+    ASSERT_LT(at, whole.size());
+    for (const char byte : {'\0', '\xff'}) {
+        std::string damaged = whole;
+        for (std::size_t vector = 0; vector < 6; ++vector)
+            damaged.replace(at + vector * size, size, size, byte);
+        directory.write("ball.vdb", damaged);
+        const std::string message = thrown_by([&] { SignedDistanceGrid::of_level_set(file, "", 1, 0.002); });
+        EXPECT_NE(message.find("ball.vdb: "), std::string::npos) << message;
+    }
+}
+
 TEST(SignedDistanceGrid, SmallHolesAreClosed) {
     Mesh mesh = sphere_mesh();
     mesh.remove_face(Face(5));

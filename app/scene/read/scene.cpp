@@ -60,7 +60,7 @@ BendingOptions read_bending(TomlTable& table) {
 Method read_method(TomlTable& table) {
     constexpr std::array<std::string_view, 3> names{"quasi-newton", "newton", "newton-2026"};
     constexpr std::array methods{Method::quasi_newton, Method::newton, Method::newton_2026};
-    return methods[std::ranges::find(names, table.choice("method", names)) - names.begin()];
+    return methods[table.choice_number("method", names)];
 }
 
 ContactSpec read_contact(TomlTable& table) {

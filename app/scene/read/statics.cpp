@@ -33,9 +33,9 @@ void read_scheme(TomlTable& table, SolverSpec& solver) {
         Scheme::implicit_euler,       Scheme::bdf2,   Scheme::midpoint, Scheme::implicit_euler,
         Scheme::explicit_differences, Scheme::statics};
     if (table.has("scheme")) {
-        const std::string chosen = table.choice("scheme", names);
-        solver.scheme = schemes[std::ranges::find(names, chosen) - names.begin()];
-        solver.alternates = chosen == "auto";
+        const std::size_t chosen = table.choice_number("scheme", names);
+        solver.scheme = schemes[chosen];
+        solver.alternates = names[chosen] == "auto";
     }
     const bool statics = solver.scheme == Scheme::statics;
     const bool is_explicit = solver.scheme == Scheme::explicit_differences;

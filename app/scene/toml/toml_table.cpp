@@ -127,6 +127,11 @@ std::string TomlTable::choice(std::string_view key, std::span<const std::string_
     return {};
 }
 
+std::size_t TomlTable::choice_number(std::string_view key, std::span<const std::string_view> names) {
+    const auto found = std::find(names.begin(), names.end(), choice(key, names));
+    return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());
+}
+
 Eigen::Vector3d TomlTable::vector(std::string_view key, std::string_view unit,
                                   std::optional<Eigen::Vector3d> fallback) {
     const toml::node* node = find(key);

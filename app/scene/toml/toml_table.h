@@ -42,6 +42,8 @@ class TomlTable {
     std::string string(std::string_view key, std::string_view what);
     /// Reads one of `names`; the string is empty after a problem.
     std::string choice(std::string_view key, std::span<const std::string_view> names);
+    /// The place of a choice() among `names`; 0 when it is none of them, which is reported.
+    std::size_t choice_number(std::string_view key, std::span<const std::string_view> names);
     /// Reads an array of different ones of `names`, at least one; it is empty after a problem.
     std::vector<std::string> choices(std::string_view key, std::span<const std::string_view> names);
     Eigen::Vector3d vector(std::string_view key, std::string_view unit,

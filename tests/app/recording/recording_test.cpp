@@ -291,6 +291,25 @@ TEST(Recording, NamesWhatIsDamaged) {
     expect_error([&] { recording.steps(); }, Fault::input, {"run.h5", "damaged", "steps/kinetic"});
 }
 
+// A run of a thousand million vertices would need memory before a single one is read.
+TEST(Recording, BelievesNoLengthThatItsBytesCannotHave) {
+    const TemporaryDirectory folder;
+    const fs::path file = folder.path / "run.h5";
+    record(synthetic_run(), file);
+    {
+        const hdf5::Handle opened = open_to_edit(file);
+        hdf5::remove(opened, "frames/000001/vertex/mass");
+        const hsize_t rows = hsize_t{1} << 40, chunk = 128;
+        const hdf5::Handle space(H5Screate_simple(1, &rows, nullptr)), layout(H5Pcreate(H5P_DATASET_CREATE));
+        H5Pset_chunk(layout, 1, &chunk);
+        const hdf5::Handle dataset(H5Dcreate2(opened, "frames/000001/vertex/mass", H5T_NATIVE_DOUBLE, space,
+                                              H5P_DEFAULT, layout, H5P_DEFAULT));
+        ASSERT_GE(static_cast<hid_t>(dataset), 0);
+    }
+    expect_error([&] { Recording(file).frame(1); }, Fault::input,
+                 {"run.h5", "damaged", "vertex/mass", "promises more values than the file holds"});
+}
+
 // Fields would else be read as those of other faces, or not be there for who opens the file with h5py.
 TEST(Recording, KeepsFieldsOfFacesWithPrincipalValuesAndAxes) {
     const TemporaryDirectory folder;

@@ -159,6 +159,21 @@ TEST(Scene, MembraneIsChosenAndKeptFromWrongNames) {
     EXPECT_NE(error.find("constant-strain"), std::string::npos) << error;
 }
 
+// Else what stands beside the list of schemes in memory would be chosen, until the error is told at the end.
+TEST(Scene, AWordThatIsNoneOfThoseKnownChoosesTheFirst) {
+    Problems problems;
+    toml::table table = toml::parse("known = \"b\"\nwrong = \"c\"\nother = 3");
+    TomlTable root(table, "", problems);
+    constexpr std::array<std::string_view, 2> names{"a", "b"};
+    EXPECT_EQ(root.choice_number("known", names), 1u);
+    EXPECT_EQ(root.choice_number("wrong", names), 0u);
+    EXPECT_EQ(root.choice_number("other", names), 0u);
+    for (const std::string key : {"solver.scheme", "solver.method"}) {
+        const std::string error = thrown_by([&] { scene_of(small_scene, {{key + "=unknown"}, ""}); });
+        EXPECT_NE(error.find(key + ": must be one of"), std::string::npos) << error;
+    }
+}
+
 // Neither would have any effect, and whoever gave it would believe that it has.
 TEST(Scene, CoupledHingesTakeNeitherAJacobianNorACalibration) {
     for (const std::string bending : {"solver.bending=coupled", "solver.bending=coupled-cubic"}) {

@@ -199,6 +199,11 @@ TEST(ReadPng, KeepsSixteenBitsAndRefusesWhatIsNoPng) {
         return "no error";
     };
     EXPECT_NE(message(file).find("a.png: damaged PNG file: "), std::string::npos) << message(file);
+    // libpng would make room for 256 million pixels.
+    std::string promising = directory.contents().at(file.string());
+    promising.replace(16, 8, "\0\0\x3e\x80\0\0\x3e\x80", 8);
+    EXPECT_NE(message(directory.write("d.png", promising)).find("ends before all its pixels"),
+              std::string::npos);
     EXPECT_NE(message(directory.write("b.png", "no image")).find("is not a PNG file"), std::string::npos);
     EXPECT_NE(message(directory.path / "c.png").find("No such file"), std::string::npos);
     EXPECT_NE(message(directory.path).find("is a folder"), std::string::npos);

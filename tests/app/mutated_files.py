@@ -1,0 +1,194 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""mutated_files.py SHERD [--files N] [--seed N] [--keep FOLDER]
+
+Recordings and their checkpoints, and OpenVDB grids, that were damaged: N files in all are given to the real program.
+Whatever reads them must end within 20 CPU seconds and 4 GB, with 0 or 2 (and `run --resume` with 1, too), never by a
+signal; what it says must be Sherd's own words. A file that breaks this is kept in FOLDER, and the command is printed.
+The same seed damages them in the same way. SHERD_SHORT in the environment: at most 100.
+"""
+import argparse
+import os
+import pathlib
+import random
+import re
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+PLATE = """
+[sheet.plate]
+mesh = { generate = "disc", radius = 0.05, edge_length = 0.03 }
+place = { translate = [0, 0, 0.003] }
+velocity = [0, 0, -5]
+fracture = { strain = 0.05%s }
+[solver]
+step = 2e-4
+"""
+SCENES = {
+    "run.toml": "duration = 0.001" + PLATE % "" + """
+[output]
+every = 5e-4
+fields = ["stress"]
+[obstacle.floor]
+plane = {}
+[obstacle.ball]
+sphere = { radius = 0.02, centre = [0.2, 0, 0.02] }
+""",
+    "obstacle.toml": "duration = 0.001" + PLATE % "" + '[obstacle.body]\nvdb = { file = "a.vdb", scale = 0.5 }\n',
+    "map.toml": "duration = 0.001" + PLATE % ', map = { vdb = "a.vdb", range = [1, 2] }',
+}
+MATERIAL = 'material = { preset = "stoneware" }\n'
+READERS = [["info", "run.h5"], ["info", "--json", "run.h5"], ["export", "run.h5", "--to", "glb", "--frames", "all"],
+           ["render", "run.h5", "-o", "p", "--frames", "-1", "--size", "32x32", "--samples", "1"], ["plot", "run.h5"],
+           ["view", "run.h5"], ["export", "run.h5", "--to", "obj", "--fragments"], ["run", "run.toml", "--resume"]]
+SECONDS, MEMORY = 20, 4 << 30
+# Where a file's structure stands: what HDF5 and OpenVDB begin their parts with.
+LANDMARKS = re.compile(rb"TREE|HEAP|SNOD|GCOL|\x89HDF|OHDR|Tree_float|file_bbox|Affine|Scale")
+WORDS = [b"\0" * 8, b"\xff" * 8, b"\xff" * 4, struct.pack("<q", 1 << 40), struct.pack("<i", 1 << 30),
+         struct.pack("<q", -1), struct.pack("<d", float("nan")), struct.pack("<f", 1e38), b"\x01", b"\x7f"]
+# What no message of Sherd's has: the words of an exception of the library.
+FOREIGN = re.compile(r"std::|bad_alloc|basic_string|vector::|Assertion|terminate called")
+
+
+def place(content, chance):
+    """An offset, mostly near the structure, or else in what is not zero."""
+    marks = [match.start() for match in LANDMARKS.finditer(content)]
+    if marks and chance.random() < 0.4:
+        return min(chance.choice(marks) + chance.randrange(96), len(content) - 1)
+    for _ in range(40):
+        at = chance.randrange(len(content))
+        if content[at]:
+            break
+    return at
+
+
+def mutated(content, chance):
+    content = bytearray(content)
+    for _ in range(chance.choice((1, 1, 2, 4, 16))):
+        at, size = place(bytes(content), chance), chance.randrange(1, 17)
+        kind = chance.randrange(8)
+        if kind < 3:
+            content[at] ^= 1 << chance.randrange(8)
+        elif kind == 3:
+            content[at] = chance.randrange(256)
+        elif kind < 6:
+            word = chance.choice(WORDS)
+            content[at:at + len(word)] = word
+        elif kind == 6:
+            other = place(bytes(content), chance)
+            content[at:at + size] = content[other:other + size]
+        elif chance.random() < 0.2:
+            del content[max(1, at):]
+        else:
+            del content[at:at + size]
+    return bytes(content)
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Program:
+    def __init__(self, sherd, folder):
+        self.sherd, self.folder = sherd, folder
+
+    def run(self, *arguments):
+        """Exit code (negative: the signal; None: none in time) and what was said."""
+        environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
+        try:
+            done = subprocess.run([self.sherd, *arguments], cwd=self.folder, capture_output=True, env=environment,
+                                  timeout=10 * SECONDS, preexec_fn=limit_memory)
+        except subprocess.TimeoutExpired:
+            return None, ""
+        return done.returncode, done.stderr.decode(errors="replace")
+
+
+def prepare(program):
+    """Makes the files that are then damaged; returns their contents by name."""
+    for name, text in SCENES.items():
+        (program.folder / name).write_text(text.replace("velocity", MATERIAL + "velocity"))
+    grid = ["export", "run.h5", "--to", "vdb", "--frames", "0", "--sheets-only", "--voxel", "0.002", "-o", "a.vdb"]
+    for command in (["run", "run.toml"], grid, ["check", "obstacle.toml"], ["check", "map.toml"]):
+        code, words = program.run(*command)
+        if code != 0:
+            sys.exit(f"{' '.join(command)} of files that are whole: exit code {code}\n{words}")
+    return {path.name: path.read_bytes() for path in program.folder.iterdir()}
+
+
+def case(number, files):
+    """What is damaged in the case of this number, and what reads it."""
+    if number % 2 == 0:
+        return "a.vdb", ["check", "obstacle.toml" if number % 4 else "map.toml"]
+    command = READERS[number // 2 % len(READERS)]
+    name = "run.h5"
+    if "--resume" in command and number % 3:
+        name = max(file for file in files if "checkpoint" in file)
+    return name, command
+
+
+def fault(command, code, words):
+    """What is wrong with an end, or nothing."""
+    if code in (None, -signal.SIGXCPU):
+        return f"takes more than {SECONDS} s"
+    if code < 0:
+        return f"ended by signal {-code}"
+    if code not in ((0, 1, 2) if "--resume" in command else (0, 2)):
+        return f"exit code {code}: {words.strip()[-300:]}"
+    if FOREIGN.search(words):
+        return f"says {words.strip()[-300:]}"
+    return "says nothing" if code and not words.strip() else None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("sherd", type=pathlib.Path)
+    parser.add_argument("--files", type=int, default=2000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--keep", type=pathlib.Path)
+    wanted = parser.parse_args()
+    if "SHERD_SHORT" in os.environ:
+        wanted.files = min(wanted.files, 100)
+    chance, faults, ends, slowest = random.Random(wanted.seed), 0, {}, 0.0
+    with tempfile.TemporaryDirectory(prefix="sherd-test-") as name:
+        program = Program(wanted.sherd.resolve(), pathlib.Path(name))
+        files = prepare(program)
+        for number in range(wanted.files):
+            for path in program.folder.iterdir():
+                if path.name not in files:
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+            for path, content in files.items():
+                (program.folder / path).write_bytes(content)
+            damaged, command = case(number, files)
+            content = mutated(files[damaged], chance)
+            (program.folder / damaged).write_bytes(content)
+            begin = time.monotonic()
+            code, words = program.run(*command)
+            slowest = max(slowest, time.monotonic() - begin)
+            kind = damaged.split(".")[1]
+            ends[kind, code] = ends.get((kind, code), 0) + 1
+            found = fault(command, code, words)
+            if not found:
+                continue
+            faults += 1
+            print(f"{number}: sherd {' '.join(command)}, {damaged}: {found}", flush=True)
+            if wanted.keep:
+                wanted.keep.mkdir(parents=True, exist_ok=True)
+                (wanted.keep / f"{number}-{damaged}").write_bytes(content)
+    counts = ", ".join(f"{count} {kind} with {code}" for (kind, code), count in sorted(ends.items(), key=str))
+    print(f"{wanted.files} files, {faults} faults; {counts}; the slowest took {slowest:.1f} s")
+    refused = sum(count for (_, code), count in ends.items() if code)
+    if refused < wanted.files // 10:
+        sys.exit("the mutations do no harm: the test tests nothing")
+    sys.exit(faults > 0)
+
+
+if __name__ == "__main__":
+    main()

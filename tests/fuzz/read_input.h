@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "meshops/error.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+
+/// The folder of this fuzzer, for what is read from files.
+inline const TemporaryDirectory& fuzz_folder() {
+    static const TemporaryDirectory folder;
+    return folder;
+}
+
+/// Reads, and takes the one kind of failure that reading may have: whatever else escapes is a finding.
+template <class Read>
+void read_or_refuse(const Read& read) {
+    try {
+        read();
+    } catch (const Error&) {
+        return;
+    }
+}
+
+inline std::string text_of(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+}  // namespace sherd::test
