@@ -20,7 +20,7 @@ class Refusal:
 
 
 OVERWHELMED = Refusal(1, ("the springs of explicit contact are overwhelmed",))
-UNSTABLE = Refusal(1, ("explicit steps",))
+UNSTABLE = Refusal(1, ("explicit",))
 UNSOLVED = Refusal(1, ("cannot be solved",))
 EXPLICIT = ("explicit", "auto")
 
@@ -124,7 +124,7 @@ add("young_1e15", "Young's modulus of 1e15 Pa", scene(sheet(material=steel(young
 add("young_1e15_explicit", "the same for 20 µs", scene(sheet(material=steel(young=1e15)), FLOOR, duration=2e-5),
     schemes=("explicit",))
 add("thickness_1e-9", "a foil of 1 nm", scene(sheet(material=steel(thickness=1e-9), at=(0, 0, 1e-3), fracture=""), FLOOR),
-    schemes=ALL, unexplained=100, explicit=UNSTABLE)
+    schemes=("explicit", "implicit", "auto"), unexplained=100, explicit=UNSTABLE)
 add("thickness_of_1_m", "a plate five times as thick as wide", scene(sheet(material=steel(thickness=1), at=(0, 0, 0.51)), FLOOR),
     schemes=ALL)
 add("density_of_2.4", "density in g/cm³: stoneware as light as air", scene(sheet(material=steel(density=2.4)), FLOOR), schemes=ALL, unexplained=0.2)
