@@ -109,11 +109,12 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
         add(cost, tried);
         if (!tried.failure.empty())
             warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
-        if (tried.yield > 1)
-            warnings.push_back(fmt::format(
-                "{}: stress reaches {} within {} steps; real metal would keep a dent, "
-                "here it springs back",
-                scene.file.string(), yield_words(tried.yield, tried.yielding, scene), tried.count));
+        if (tried.peaks.peak_yield > 1)
+            warnings.push_back(
+                fmt::format("{}: stress reaches {} within {} steps; real metal would keep a dent, "
+                            "here it springs back",
+                            scene.file.string(),
+                            yield_words(tried.peaks.peak_yield, tried.peaks.yielding, scene), tried.count));
     }
     fmt::print("{}", cost_lines(cost));
     warn_of_cost(scene, cost, warnings);

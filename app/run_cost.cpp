@@ -83,8 +83,7 @@ TriedSteps try_steps(const Scene& scene, BuiltScene built) {
         while (tried.count < most_steps && (tried.count == 0 || seconds() < patience)) {
             const double begin = seconds();
             const StepReport report = runner.step();
-            if (report.peak_yield > tried.yield)
-                tried.yield = report.peak_yield, tried.yielding = report.yielding;
+            raise_peaks(tried.peaks, report);
             // One that was halved is only a part of a step of the scene.
             const double whole = (seconds() - begin) * scene.solver.step / report.step_size;
             if (tried.count++ == 0) tried.first = whole;

@@ -7,7 +7,7 @@
 
 #include "app/scene/build/built_scene.h"
 #include "app/scene/scene.h"
-#include "fracture/yielding.h"
+#include "fracture/step_report.h"
 
 namespace sherd {
 
@@ -16,8 +16,7 @@ struct TriedSteps {
     int count = 0;
     double first = 0, later = 0;  ///< s of wall time, of the first step and of one of those that follow
     std::string failure;          ///< why a step could not be done; empty: all could
-    double yield = 0;             ///< see StepReport::peak_yield
-    YieldPlace yielding;
+    StepReport peaks;             ///< of these steps: raise_peaks()
 };
 
 /// What a run will take.

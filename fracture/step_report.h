@@ -60,8 +60,10 @@ inline void raise_peaks(StepReport& peaks, const StepReport& step) {
     for (double StepReport::*peak : {&StepReport::peak_strain, &StepReport::peak_stress,
                                      &StepReport::peak_bending_strain, &StepReport::peak_overload})
         peaks.*peak = std::max(peaks.*peak, step.*peak);
-    if (step.peak_yield > peaks.peak_yield)
-        peaks.peak_yield = step.peak_yield, peaks.yielding = step.yielding;
+    if (step.peak_yield > peaks.peak_yield) {
+        peaks.peak_yield = step.peak_yield;
+        peaks.yielding = step.yielding;
+    }
 }
 
 }  // namespace sherd

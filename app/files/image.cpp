@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/files/deflate.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -127,10 +128,9 @@ bool is_png(const PngHead& head) {
 
 /// Whether so few bytes can be an image of this size: libpng makes room for all rows before it reads one.
 bool is_cut_off(const PngHead& head, std::uintmax_t bytes) {
-    constexpr std::uintmax_t most_of_a_byte = 1032;  // how far deflate compresses zeros
     const std::uintmax_t width = png_get_uint_32(head.data() + 16),
                          height = png_get_uint_32(head.data() + 20);
-    return height * (1 + width / 8) / most_of_a_byte > bytes;
+    return height * (1 + width / 8) / most_of_a_deflated_byte > bytes;
 }
 
 }  // namespace

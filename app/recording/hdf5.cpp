@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/files/deflate.h"
 #include "app/recording/hdf5_error.h"
 #include "meshops/error.h"
 
@@ -98,12 +99,12 @@ void describe(hid_t dataset, const Meaning& meaning) {
 /// That the values which a damaged file promises are not more than its bytes can be: who reads makes room for
 /// all of them.
 void require_stored(hid_t dataset, const std::string& name, const std::vector<hsize_t>& shape) {
-    constexpr double few = 1 << 17, most_of_a_byte = 1032;  // values; how far deflate compresses zeros
+    constexpr double few = 1 << 17;  // values
     double values = 1;
     for (const hsize_t length : shape) values *= static_cast<double>(length);
     if (values < few) return;
     const auto stored = static_cast<double>(H5Dget_storage_size(dataset));
-    if (values > most_of_a_byte * stored)
+    if (values > static_cast<double>(most_of_a_deflated_byte) * stored)
         throw Error("dataset '" + name + "' promises more values than the file holds", Fault::run);
 }
 

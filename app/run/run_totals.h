@@ -28,8 +28,8 @@ class RunTotals : public RunObserver {
     std::array<std::int64_t, urgency_count> urgencies{};             ///< how often each was met by them
     LoadHistory load;
     StepReport peaks;
-    double yielded_at =
-        std::numeric_limits<double>::infinity();  ///< s, when a material was first beyond its yield stress
+    /// s, when a material was first beyond its yield stress.
+    double yielded_at = std::numeric_limits<double>::infinity();
     StepReport last;
 };
 

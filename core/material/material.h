@@ -24,8 +24,8 @@ struct Material {
     std::optional<double> shear = {};   ///< G01, Pa; none: see elastic_constants()
     Calibration calibration = Calibration::third;
     double tempered = 0;  ///< Pa, compression at the surfaces, which tension within balances
-    double yield =
-        0;  ///< Pa, von Mises stress beyond which it would keep a dent, which no sheet does; 0: none
+    /// Pa, von Mises stress beyond which real sheets keep a dent, and ours do not; 0: none.
+    double yield = 0;
 };
 
 /// Whether all directions in the sheet are equivalent, so that the material axes do not matter.

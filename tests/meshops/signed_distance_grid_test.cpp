@@ -124,7 +124,6 @@ TEST(SignedDistanceGrid, WhatIsNoSolidIsRefused) {
     EXPECT_NE(open.find("it is open"), std::string::npos) << open;
 }
 
-// A mesh with a hole of about a voxel still has an inside.
 // What OpenVDB throws would end a run without a word on which file it was; and of NaN it makes distances for
 // ever.
 TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
@@ -144,6 +143,7 @@ TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
     }
 }
 
+// A mesh with a hole of about a voxel still has an inside.
 TEST(SignedDistanceGrid, SmallHolesAreClosed) {
     Mesh mesh = sphere_mesh();
     mesh.remove_face(Face(5));

@@ -21,8 +21,8 @@ class StickMemory {
         return found != kept.end() && found->first == key ? found->second : Vector3d::Zero();
     }
     void clear() { kept.clear(); }
+    /// Each contact once, in ascending order, or sort() when all are kept.
     void keep(const Key& key, const Vector3d& held) { kept.emplace_back(key, held); }
-    /// To be called when all contacts of a step are kept, each once.
     void sort() { std::ranges::sort(kept, {}, &Kept::first); }
 
     void visit_state(StateVisitor& visit) { visit(kept); }
