@@ -98,9 +98,13 @@ class ObjParser {
     void add_libraries(const std::vector<std::string>& words) {
         const std::filesystem::path folder = soup.file.parent_path();
         const std::string line = joined(words);
-        const bool is_one = std::filesystem::exists(folder / line);
+        const auto is_there = [&](const std::string& name) {
+            std::error_code not_a_name;  // of a file, such as one that is too long
+            return std::filesystem::exists(folder / name, not_a_name);
+        };
+        const bool is_one = is_there(line);
         for (const std::string& name : is_one ? std::vector{line} : words) {
-            if (std::filesystem::exists(folder / name))
+            if (is_there(name))
                 definitions.merge(read_material_library(folder / name));
             else
                 soup.warnings.push_back("line " + std::to_string(line_number) + ": the file of materials '" +

@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 
 /// Makes the folder of the files when the output names one.
 void prepare_folder(const ExportOptions& options, const fs::path& folder) {
-    if (folder.empty() || fs::is_directory(folder)) return;
-    std::error_code reason;
+    std::error_code reason, unreadable;
+    if (folder.empty() || fs::is_directory(folder, unreadable)) return;
     // Only the folder that was asked for: a missing one above it is more likely a mistake.
     if (folder == (options.output / "file").parent_path()) fs::create_directory(folder, reason);
-    if (!fs::is_directory(folder))
+    if (!fs::is_directory(folder, unreadable))
         throw Error(fmt::format("cannot write to the folder '{}': {}; create it first", folder.string(),
                                 reason ? reason.message() : "it does not exist"));
 }

@@ -109,7 +109,8 @@ Bytes content_of(const fs::path& file) try {
     opened.read(0, bytes);
     return bytes;
 } catch (const Error&) {
-    if (fs::exists(file)) throw;
+    std::error_code not_a_name;  // such as one that is too long
+    if (fs::exists(file, not_a_name)) throw;
     return {};
 }
 

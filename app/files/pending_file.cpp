@@ -66,7 +66,8 @@ void PendingFile::publish_durably() {
 }
 
 void check_free(const std::filesystem::path& file, bool force) {
-    const auto status = std::filesystem::status(file);
+    std::error_code unreadable;  // which whoever creates it will be told of
+    const auto status = std::filesystem::status(file, unreadable);
     if (!std::filesystem::exists(status)) return;
     if (!std::filesystem::is_regular_file(status))
         throw Error(fmt::format("'{}' exists and is not an ordinary file; name another one", file.string()));
@@ -76,10 +77,10 @@ void check_free(const std::filesystem::path& file, bool force) {
 }
 
 void make_folder(const std::filesystem::path& folder) {
-    if (folder.empty() || std::filesystem::is_directory(folder)) return;
-    std::error_code reason;
+    std::error_code reason, unreadable;
+    if (folder.empty() || std::filesystem::is_directory(folder, unreadable)) return;
     std::filesystem::create_directory(folder, reason);
-    if (!std::filesystem::is_directory(folder))
+    if (!std::filesystem::is_directory(folder, unreadable))
         throw Error(fmt::format("cannot make the folder '{}': {}", folder.string(),
                                 reason ? reason.message() : "something else has its name"));
 }

@@ -115,9 +115,8 @@ Handle register_driver() {
 }
 
 /// HDF5 closes what is still open in a file with it, so that it is closed for good when we say so.
-Handle access_to(ByteFile& file) {
+Handle access_to(ByteFile& file, const Handle& driver) {
     const DriverInfo info{&file};
-    const Handle driver = register_driver();
     Handle access(H5Pcreate(H5P_FILE_ACCESS));
     if (driver < 0 || access < 0 || H5Pset_driver(access, driver, &info) < 0 ||
         H5Pset_fclose_degree(access, H5F_CLOSE_STRONG) < 0)
@@ -125,16 +124,21 @@ Handle access_to(ByteFile& file) {
     return access;
 }
 
+hid_t opened_file(const std::string& name, Access access, const Handle& how) {
+    if (access == Access::create)
+        return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how),
+                       "cannot create '" + name + "'");
+    const unsigned flags = access == Access::write ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
+    return checked(H5Fopen(name.c_str(), flags, how), "cannot open '" + name + "'");
+}
+
 }  // namespace
 
-Handle open_in(ByteFile& file, const std::string& name, Access access) {
+OpenedFile open_in(ByteFile& file, const std::string& name, Access access) {
     be_quiet();
-    const Handle how = access_to(file);
-    if (access == Access::create)
-        return Handle(checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how),
-                              "cannot create '" + name + "'"));
-    const unsigned flags = access == Access::write ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
-    return Handle(checked(H5Fopen(name.c_str(), flags, how), "cannot open '" + name + "'"));
+    Handle driver = register_driver();
+    const Handle how = access_to(file, driver);
+    return {std::move(driver), Handle(opened_file(name, access, how))};
 }
 
 }  // namespace sherd::hdf5

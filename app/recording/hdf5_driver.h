@@ -11,6 +11,14 @@
 namespace sherd::hdf5 {
 
 enum class Access { create, read, write };
-Handle open_in(ByteFile& file, const std::string& name, Access access);
+
+/// A file that is open, and its driver. HDF5 closes the file by what belongs to the driver, which it frees
+/// with the last handle of it, even if that is the file's own (H5FD_close in 1.10.8): ours has to live
+/// longer.
+struct OpenedFile {
+    Handle driver, file;
+};
+
+OpenedFile open_in(ByteFile& file, const std::string& name, Access access);
 
 }  // namespace sherd::hdf5

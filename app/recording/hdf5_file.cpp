@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "app/files/memory_file.h"
-#include "app/recording/hdf5_driver.h"
 #include "app/recording/hdf5_error.h"
 #include "meshops/error.h"
 
@@ -17,17 +16,22 @@ constexpr auto patience = std::chrono::seconds(10);  // with a writer, which tak
 
 void fill_and_close(ByteFile& bytes, const std::string& name, Access access,
                     const std::function<void(hid_t)>& fill) {
-    Handle opened = open_in(bytes, name, access);
-    fill(opened);
-    opened.close("'" + name + "'");
+    OpenedFile opened = open_in(bytes, name, access);
+    fill(opened.file);
+    opened.file.close("'" + name + "'");
 }
 
 }  // namespace
 
 ReadableFile::ReadableFile(const std::filesystem::path& file) {
     const std::string name = "'" + file.string() + "'";
-    if (!std::filesystem::exists(file)) throw Error("there is no file " + name + "; check the path");
-    if (!std::filesystem::is_regular_file(file)) throw Error(name + " is not a file; name a recording (.h5)");
+    std::error_code reason;
+    const std::filesystem::file_status status = std::filesystem::status(file, reason);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw Error("there is no file " + name + "; check the path");
+    if (reason) throw Error("cannot read " + name + ": " + reason.message() + "; check the path");
+    if (!std::filesystem::is_regular_file(status))
+        throw Error(name + " is not a file; name a recording (.h5)");
     if (::access(file.c_str(), R_OK) != 0) throw Error("cannot read " + name + "; check its permissions");
     be_quiet();
     if (H5Fis_hdf5(file.c_str()) == 0)

@@ -9,6 +9,7 @@
 #include "app/files/overlaid_file.h"
 #include "app/files/pending_file.h"
 #include "app/recording/hdf5.h"
+#include "app/recording/hdf5_driver.h"
 
 namespace sherd::hdf5 {
 
@@ -18,11 +19,11 @@ class ReadableFile {
     /// Waits for a writer to finish. Throws Error: (input) when the file is missing, damaged or not HDF5,
     /// (run) when another program has locked it.
     explicit ReadableFile(const std::filesystem::path& file);
-    operator hid_t() const { return opened; }
+    operator hid_t() const { return opened.file; }
 
   private:
     std::unique_ptr<OverlaidFile> bytes;
-    Handle opened;
+    OpenedFile opened;
 };
 
 /// Fills a new HDF5 file. Throws Error (run) when there is no room for it.

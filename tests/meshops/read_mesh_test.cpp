@@ -83,6 +83,12 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
     EXPECT_EQ(texture[Face(1)][2], Eigen::Vector2d(1, 0));
 }
 
+// The system refuses to look for a file with such a name, which is another thing than that there is none.
+TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
+    read("a.obj", "mtllib " + std::string(300, 'm') + "\n" + square + "f 1 2 3\nf 1 3 4\n");
+    expect_warning("mmm' is not there; they have names only");
+}
+
 TEST_F(ReadMesh, HasNoTextureWhereTheFileHasNone) {
     const Mesh bare = read("a.obj", square + "f 1//1 2//1 3//1\n f 1 3 4\n");
     EXPECT_FALSE((bare.property_map<Face, FaceTexture>(property::texture).second));

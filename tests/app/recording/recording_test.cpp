@@ -261,6 +261,8 @@ TEST(Recording, SaysWhatIsWrongWithAFileThatIsNoRecording) {
         return [=, &folder] { Recording(folder.path / name); };
     };
     expect_error(opening("missing.h5"), Fault::input, {"missing.h5", "there is no file"});
+    expect_error(opening(std::string(300, 'a') + ".h5"), Fault::input,
+                 {"aaa.h5", "File name too long", "path"});
     expect_error(opening("."), Fault::input, {"is not a file"});
     folder.write("text.h5", "not HDF5 at all");
     folder.write("empty.h5", "");
