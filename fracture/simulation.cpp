@@ -38,6 +38,13 @@ StepperOptions stepper_options(const SimulationOptions& options, const Shell& sh
     return result;
 }
 
+/// What all sheets and bodies get by falling a tenth of a thickness, J: such bounces are no blows.
+double little_fall(const Shell& shell, const StepperOptions& options) {
+    double moment = shell.mass.dot(shell.thickness);
+    for (const RigidBody& body : options.contact.bodies) moment += body.mass * shell.thickness.mean();
+    return 0.1 * options.gravity.norm() * moment;
+}
+
 /// The number of `one` in a list, from 1. It is appended when it is not there.
 template <class T>
 std::size_t number_in(std::vector<T>& all, const T& one) {
@@ -79,7 +86,8 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       obstacles_touched(options.stepper.contact.obstacles.size(), 0),
       bodies_touched(options.stepper.contact.bodies.size(), 0),
       step_size(options.stepper.step,
-                options.adaptive ? StepSize::Growth::steady : StepSize::Growth::doubling) {}
+                options.adaptive ? StepSize::Growth::steady : StepSize::Growth::doubling),
+      pace(little_fall(breakable.mechanics(), options.stepper)) {}
 
 BreakableShell Simulation::with_cracks(BreakableShell sheets) {
     keep_loads(sheets, options.stepper.shell);

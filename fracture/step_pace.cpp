@@ -11,8 +11,13 @@ constexpr int soon = 8, most_quiet = 64;  // implicit steps; whole steps
 
 }  // namespace
 
+void StepPace::Range::add(double energy) {
+    least = std::min(least, energy);
+    most = std::max(most, energy);
+}
+
 double StepPace::much(const StepActivity& step) const {
-    return much_energy * std::max(largest_energy, step.energy);
+    return std::max(little, much_energy * std::max(largest_energy, step.energy));
 }
 
 bool StepPace::strikes(const StepActivity& solved) const {
@@ -40,15 +45,18 @@ void StepPace::goes_explicit() {
     enough = in_vain ? std::min(2 * enough, most_quiet) : least_quiet;
     quiet = implicit_steps = 0;
     is_busy = false;
+    contact = {};
 }
 
 bool StepPace::explicit_finished(const StepActivity& step, bool whole) {
     largest_energy = std::max(largest_energy, step.energy);
     // What rings and does not break will not break by that: it only gets less.
-    is_busy = is_busy || step.fails || step.contact > much(step);
+    is_busy = is_busy || step.fails;
+    contact.add(step.contact);
     if (!whole) return false;
-    quiet = is_busy ? 0 : quiet + 1;
+    quiet = is_busy || contact.width() > much(step) ? 0 : quiet + 1;
     is_busy = false;
+    contact = {step.contact, step.contact};
     return quiet >= enough;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "core/state_visitor.h"
 
@@ -33,6 +34,8 @@ struct StepActivity {
 /// many of them each time that explicit steps had to follow at once again.
 class StepPace {
   public:
+    /// little: J, so much and less in a step is never a blow.
+    explicit StepPace(double little = 0) : little(little) {}
     /// Of an implicit step that has been solved.
     Urgency judge(const StepActivity& solved) const;
     /// Whether it should be shorter: it strikes, or goes far over what something withstands.
@@ -45,19 +48,29 @@ class StepPace {
     /// implicit steps shall follow.
     bool explicit_finished(const StepActivity& step, bool whole);
     void visit_state(StateVisitor& visit) {
-        auto& [largest_energy, is_busy, quiet, enough, implicit_steps] = *this;
-        visit(largest_energy, is_busy, quiet, enough, implicit_steps);
+        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps] = *this;
+        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps);
     }
 
   private:
     static constexpr int least_quiet = 4;  // whole steps
     static constexpr int calming = 3;      // implicit steps that take what still rings
 
+    /// Of energies, J. What lies on something, or is pressed, keeps its contact; a blow makes and ends one.
+    struct Range {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        void add(double energy);
+        double width() const { return most - least; }
+        void visit_state(StateVisitor& visit) { visit(least, most); }
+    };
+
     double much(const StepActivity& step) const;  ///< J
     bool strikes(const StepActivity& solved) const;
 
+    double little;                 ///< J
     double largest_energy = 0;     ///< J, StepActivity::energy in all steps
-    bool is_busy = false;          ///< whether anything has happened since the last whole step
+    bool is_busy = false;          ///< whether anything has failed since the last whole step
+    Range contact;                 ///< stored in contact, from the end of the last whole step on
     int quiet = 0;                 ///< whole steps in which nothing has
     int enough = least_quiet;      ///< of them, for implicit steps to follow
     int implicit_steps = calming;  ///< since the last explicit one

@@ -46,6 +46,27 @@ TEST(StepPace, ExplicitStepsEndWhenNothingHasHappenedForSomeWholeSteps) {
     EXPECT_EQ(whole_steps_until_quiet(pace, ringing), 4);
 }
 
+// A shard that lies on a slope has all its energy stored in contact, in every step.
+TEST(StepPace, ExplicitStepsEndWhereSomethingLiesOrIsPressed) {
+    StepPace pace;
+    pace.goes_explicit();
+    const StepActivity lies{0.1, false, 10, 0, 10}, bounces{0.1, false, 9, 0, 10};
+    EXPECT_EQ(whole_steps_until_quiet(pace, lies), 4);
+    pace.goes_explicit();
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_FALSE(pace.explicit_finished(lies, true));
+        EXPECT_FALSE(pace.explicit_finished(bounces, false));
+    }
+}
+
+// A run that begins at rest has no blow to measure others by: it would take the least bounce for one.
+TEST(StepPace, BouncesOfLittleEnergyAreNoBlows) {
+    StepPace pace(0.5);
+    EXPECT_EQ(pace.judge(strike), Urgency::none);
+    pace.goes_explicit();
+    EXPECT_EQ(whole_steps_until_quiet(pace, strike), 4);
+}
+
 // What still rings is damped by the first implicit steps; that they take it is no strike.
 TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     StepPace pace;
