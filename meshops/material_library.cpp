@@ -73,7 +73,8 @@ std::string absolute_name(const fs::path& folder, std::string name) {
 
 std::map<std::string, std::string> read_material_library(const fs::path& file) {
     std::ifstream stream(file);
-    if (!stream || fs::is_directory(file)) throw Error(file.string() + ": cannot be read");
+    if (!stream || fs::is_directory(file))
+        throw Error(file.string() + ": the file of materials cannot be read; check its permissions");
     std::map<std::string, std::string> definitions;
     std::string* current = nullptr;
     std::size_t number = 0;

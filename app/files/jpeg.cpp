@@ -129,8 +129,8 @@ Image read_jpeg(const std::filesystem::path& file) {
     image.width = static_cast<int>(reader.jpeg.output_width);
     image.height = static_cast<int>(reader.jpeg.output_height);
     if (image.width > largest_image || image.height > largest_image)
-        throw Error(fmt::format("{}: the image is {} x {}, larger than {} x {}", file.string(), image.width,
-                                image.height, largest_image, largest_image));
+        throw Error(fmt::format("{}: the image is {} x {}, larger than {} x {}; make it smaller",
+                                file.string(), image.width, image.height, largest_image, largest_image));
     image.colours.resize(3, static_cast<Eigen::Index>(image.width) * image.height);
     std::vector<JSAMPLE> row(3 * static_cast<std::size_t>(image.width));
     for (int y = 0; y < image.height; ++y) {

@@ -12,7 +12,8 @@ PictureFile read_picture_file(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     PictureFile picture{{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
     picture.is_jpeg = picture.bytes.starts_with("\xff\xd8\xff");
-    if (picture.bytes.empty()) throw Error(file.string() + ": the picture cannot be read");
+    if (picture.bytes.empty())
+        throw Error(file.string() + ": the picture cannot be read, or is empty; check the path");
     if (!picture.is_jpeg && !picture.bytes.starts_with("\x89PNG\r\n\x1a\n"))
         throw Error(file.string() + ": the picture is neither .png nor .jpg");
     return picture;

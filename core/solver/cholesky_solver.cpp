@@ -171,7 +171,9 @@ class CholeskySolver : public LinearSolver {
         if (indices == Indices::as_needed && narrow.emplace(supernodal).analyze(matrix, of_vertices)) return;
         narrow.reset();
         if (!wide.emplace(supernodal).analyze(matrix, of_vertices))
-            throw std::runtime_error("linear solver: the factor of the matrix is too large");
+            throw std::runtime_error(
+                "linear solver: the factor of the matrix is too large; a coarser mesh or explicit steps need "
+                "less");
     }
     std::vector<Index> order() const override { return of_vertices; }
     bool factorize(const BlockMatrix& matrix) override {

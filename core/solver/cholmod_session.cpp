@@ -28,9 +28,12 @@ CholmodSession::~CholmodSession() {
 }
 
 void CholmodSession::require(bool success, const char* action) const {
-    if (!success)
-        throw std::runtime_error(std::string("linear solver: cannot ") + action + " (CHOLMOD status " +
-                                 std::to_string(common.status) + ")");
+    if (success) return;
+    const std::string what = std::string("linear solver: cannot ") + action;
+    if (common.status == CHOLMOD_OUT_OF_MEMORY)
+        throw std::runtime_error(what +
+                                 ": there is not enough memory; a coarser mesh or explicit steps need less");
+    throw std::runtime_error(what + " (CHOLMOD status " + std::to_string(common.status) + ")");
 }
 
 }  // namespace sherd

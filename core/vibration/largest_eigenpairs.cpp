@@ -45,7 +45,10 @@ Eigenpairs lanczos(DeflatedMap map, Eigen::Index count) {
     solver.init();  // the start vector is random, with the same seed always
     solver.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance);
     if (solver.info() != Spectra::CompInfo::Successful)
-        throw std::runtime_error("vibration: Lanczos' method does not converge");
+        throw std::runtime_error(
+            "vibration: Lanczos' method does not converge; sherd check warns of materials and triangles that "
+            "are "
+            "hardly meant");
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

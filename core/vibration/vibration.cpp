@@ -52,6 +52,12 @@ double slow_bending(const Shell& shell) {
 }
 
 /// K, and the factor of K + shift M.
+[[noreturn]] void refuse() {
+    throw std::runtime_error(
+        "vibration: the stiffness is not finite; sherd check warns of materials and triangles that are "
+        "hardly meant");
+}
+
 class ShiftedStiffness {
   public:
     ShiftedStiffness(const Shell& shell, ShellEnergies& energies)
@@ -59,7 +65,7 @@ class ShiftedStiffness {
           potential(shell, all(energies), spent),
           matrix(pattern()),
           highest(fastest(shell, matrix)) {
-        if (!std::isfinite(highest)) throw std::runtime_error("vibration: the stiffness is not finite");
+        if (!std::isfinite(highest)) refuse();
     }
 
     const BlockMatrix& stiffness() const { return matrix; }
@@ -76,7 +82,7 @@ class ShiftedStiffness {
                 matrix.add(v, v, shift * shell.mass[v] * Matrix3d::Identity());
             if (solver->factorize(matrix)) return shift;
         }
-        throw std::runtime_error("vibration: the stiffness is not finite");
+        refuse();
     }
 
     /// sqrt(M) (K + shift M)^-1 sqrt(M), zero in blocked directions.

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""long_rest.py SHERD [--steps N]
+
+A plate breaks on a floor between walls, and its shards lie there for N steps (100,000) in all: nothing may move any
+more, no energy may come from nowhere, and no memory may be taken. Prints a table by tenths of the run, with the
+processor time of a step, which should not grow either. SHERD_SHORT in the environment: 5,000 steps."""
+
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+
+SIZE = 0.16  # m
+SCENE = f"""
+seed = 3
+[sheet.plate]
+mesh = {{ generate = "plate", radius = {SIZE / 2}, edge_length = 0.016 }}
+place = {{ translate = [0, 0, 0.03], rotate = {{ axis = [1, 0, 0], degrees = 15 }} }}
+velocity = [0, 0, -4]
+material = {{ preset = "stoneware" }}
+fracture = {{ strain = 0.02 }}
+[obstacle.floor]
+plane = {{}}
+friction = 0.3
+[obstacle.east]
+plane = {{ point = [0.1, 0, 0], normal = [-1, 0, 0] }}
+[obstacle.west]
+plane = {{ point = [-0.1, 0, 0], normal = [1, 0, 0] }}
+[obstacle.north]
+plane = {{ point = [0, 0.1, 0], normal = [0, -1, 0] }}
+[obstacle.south]
+plane = {{ point = [0, -0.1, 0], normal = [0, 1, 0] }}
+[contact]
+friction = 0.3
+[solver]
+step = 1e-3
+"""
+MEMORY = 4 << 20    # bytes that the last half of a run may take more: what pages of the heap come and go
+STILL = 1e-6 * SIZE  # m, what may move from the middle of the run to its end
+ENERGY = 1e-6       # of the largest, what may come from nowhere
+
+
+def used(process):
+    """Resident memory, bytes, and processor time, s, of a process that runs."""
+    folder = pathlib.Path("/proc") / str(process.pid)
+    ticks = folder.joinpath("stat").read_text().rpartition(")")[2].split()[11:13]
+    pages = int(folder.joinpath("statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE"), sum(map(int, ticks)) / os.sysconf("SC_CLK_TCK")
+
+
+def run(sherd, scene, recording):
+    """Runs the scene; returns (step, memory, processor time) at each tenth but the last, when it may have ended."""
+    process = subprocess.Popen([sherd, "run", scene, "-o", recording], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+    tenths, words = [], []
+    for line in process.stderr:
+        words.append(line)
+        if (found := re.match(r" *(\d+)0% +step (\d+)", line)) and int(found[1]) < 10:
+            tenths.append((int(found[2]), *used(process)))
+    if process.wait() != 0:
+        sys.exit(f"the run ended with {process.returncode}:\n{''.join(words)}")
+    return tenths
+
+
+def show(tenths):
+    print("| steps | memory (MB) | processor time of a step (ms) |\n| --- | --- | --- |")
+    for (before, _, earlier), (step, memory, time) in zip([(0, 0, 0.0), *tenths], tenths):
+        print(f"| {step:,} | {memory / 1e6:.1f} | {1e3 * (time - earlier) / (step - before):.2f} |")
+
+
+def problems(recording, tenths):
+    """What is wrong with a run, in words."""
+    with h5py.File(recording) as file:
+        steps = file["steps"]
+        names = sorted(file["frames"])
+        middle, end = (file["frames"][name]["vertex/position"][()] for name in (names[len(names) // 2], names[-1]))
+        moved = numpy.linalg.norm(end - middle, axis=1).max()
+        total = sum(steps[kind][()] for kind in ("kinetic", "bending", "membrane", "contact"))
+        nowhere = numpy.abs(steps["unexplained"][()]).max() / total.max()
+        fragments = int(steps["fragments"][-1])
+    grown = tenths[-1][1] - tenths[len(tenths) // 2][1]
+    print(f"{fragments} fragments; from the middle to the end they move by {moved:.1e} m at most, memory grows by "
+          f"{grown / 1e6:.1f} MB; {nowhere:.1e} of the largest energy is unexplained")
+    return [words for wrong, words in ((fragments < 10, "too few fragments for a proof"),
+                                       (moved > STILL, "what rests moves"), (grown > MEMORY, "memory grows"),
+                                       (nowhere > ENERGY, "energy comes from nowhere")) if wrong]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("sherd")
+    parser.add_argument("--steps", type=int, default=100_000)
+    options = parser.parse_args()
+    steps = min(options.steps, 5_000) if "SHERD_SHORT" in os.environ else options.steps
+    with tempfile.TemporaryDirectory() as folder:
+        scene, recording = pathlib.Path(folder) / "shards.toml", pathlib.Path(folder) / "shards.h5"
+        scene.write_text(f"duration = {steps * 1e-3!r}\n{SCENE}[output]\nevery = {steps * 1e-5!r}\n")
+        tenths = run(options.sherd, scene, recording)
+        show(tenths)
+        wrong = problems(recording, tenths)
+    sys.exit("; ".join(wrong) or 0)
+
+
+main()
