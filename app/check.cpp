@@ -109,7 +109,7 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
         add(cost, tried);
         if (!tried.failure.empty())
             warnings.push_back(fmt::format("{}: {}", scene.file.string(), tried.failure));
-        if (tried.peaks.peak_yield > 1)
+        if (tried.peaks.peak_yield > 1 && !keeps_bends(scene, scene.sheets[tried.peaks.yielding.sheet]))
             warnings.push_back(
                 fmt::format("{}: stress reaches {} within {} steps; real metal would keep a dent, "
                             "here it springs back",

@@ -159,9 +159,10 @@ void add_balance(std::string& text, const EnergyBalance& balance) {
         balance.work_of_loads, balance.work_of_wind, balance.work_of_supports, balance.work_of_obstacles);
     fmt::format_to(out,
                    "lost to      friction {:.5g}, damping {:.5g}, cracks {:.5g}, remeshing {:.5g}, "
-                   "time scheme {:.5g} J; unexplained {:.2g} J\n",
+                   "yield {:.5g}, time scheme {:.5g} J; unexplained {:.2g} J\n",
                    balance.lost_to_friction, balance.lost_to_damping, balance.lost_to_cracks,
-                   balance.lost_to_remeshing, balance.lost_to_scheme, balance.unexplained);
+                   balance.lost_to_remeshing, balance.lost_to_yield, balance.lost_to_scheme,
+                   balance.unexplained);
 }
 
 void add_last_step(std::string& text, const RunInfo& info) {

@@ -6,11 +6,17 @@ namespace sherd {
 namespace {
 
 Json balance_json(const EnergyBalance& balance) {
-    return {{"work_of_loads", balance.work_of_loads},       {"work_of_wind", balance.work_of_wind},
-            {"work_of_supports", balance.work_of_supports}, {"work_of_obstacles", balance.work_of_obstacles},
-            {"lost_to_friction", balance.lost_to_friction}, {"lost_to_damping", balance.lost_to_damping},
-            {"lost_to_cracks", balance.lost_to_cracks},     {"lost_to_remeshing", balance.lost_to_remeshing},
-            {"lost_to_scheme", balance.lost_to_scheme},     {"unexplained", balance.unexplained}};
+    return {{"work_of_loads", balance.work_of_loads},
+            {"work_of_wind", balance.work_of_wind},
+            {"work_of_supports", balance.work_of_supports},
+            {"work_of_obstacles", balance.work_of_obstacles},
+            {"lost_to_friction", balance.lost_to_friction},
+            {"lost_to_damping", balance.lost_to_damping},
+            {"lost_to_cracks", balance.lost_to_cracks},
+            {"lost_to_remeshing", balance.lost_to_remeshing},
+            {"lost_to_yield", balance.lost_to_yield},
+            {"lost_to_scheme", balance.lost_to_scheme},
+            {"unexplained", balance.unexplained}};
 }
 
 Json gauge_json(const GaugeInfo& g) {

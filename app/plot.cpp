@@ -23,7 +23,7 @@ namespace {
 
 // Okabe and Ito's palette.
 constexpr const char *blue = "#0072b2", *vermillion = "#d55e00", *green = "#009e73", *purple = "#cc79a7",
-                     *orange = "#e69f00", *black = "#000000", *sky = "#56b4e9";
+                     *yellow = "#f0e442", *orange = "#e69f00", *black = "#000000", *sky = "#56b4e9";
 const ChartAxis time_axis{.name = "time", .unit = "s", .from_zero = true};
 
 using Value = std::function<double(const StepReport&)>;
@@ -70,6 +70,7 @@ Chart balance_chart(const std::vector<StepReport>& steps) {
     add("damping", purple, &StepReport::lost_to_damping);
     add("cracks", vermillion, &StepReport::lost_to_cracks);
     add("remeshing", sky, &StepReport::lost_to_remeshing);
+    add("yield", yellow, &StepReport::lost_to_yield);
     add("scheme", blue, &StepReport::lost_to_scheme);
     add("unexplained", green, &StepReport::unexplained);
     return chart;

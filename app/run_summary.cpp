@@ -32,10 +32,12 @@ void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
     const StepReport& peaks = totals.peaks;
     if (!(peaks.peak_yield > 0)) return;
     add_row(text, "peak yield", yield_words(peaks.peak_yield, peaks.yielding, scene));
-    if (std::isfinite(totals.yielded_at))
-        add_row(text, "would keep a dent",
-                fmt::format("from {} on; here it springs back",
-                            moment_words(fmt::format("{:.4g}", totals.yielded_at), scene.time_unit())));
+    if (!std::isfinite(totals.yielded_at)) return;
+    const bool keeps = keeps_bends(scene, scene.sheets[peaks.yielding.sheet]);
+    add_row(
+        text, keeps ? "keeps a dent" : "would keep a dent",
+        fmt::format("from {} on{}", moment_words(fmt::format("{:.4g}", totals.yielded_at), scene.time_unit()),
+                    keeps ? "" : "; here it springs back"));
 }
 
 std::string load_words(const LoadHistory& load) {

@@ -13,7 +13,7 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
 void EnergyBalance::take(double EnergyBalance::*part, double against) {
     const bool loses = part == &EnergyBalance::lost_to_friction || part == &EnergyBalance::lost_to_damping ||
                        part == &EnergyBalance::lost_to_cracks || part == &EnergyBalance::lost_to_remeshing ||
-                       part == &EnergyBalance::lost_to_scheme;
+                       part == &EnergyBalance::lost_to_yield || part == &EnergyBalance::lost_to_scheme;
     this->*part += loses ? against : -against;
 }
 

@@ -25,6 +25,7 @@ struct EnergyBalance {
     double lost_to_cracks = 0;
     /// What is lost where the sheet gets other triangles, which interpolate it: of either sign.
     double lost_to_remeshing = 0;
+    double lost_to_yield = 0;   ///< by bending beyond yield
     double lost_to_scheme = 0;  ///< what the time scheme takes
 
     double unexplained = 0;  ///< the change of the energy, less all of the above
@@ -35,11 +36,11 @@ struct EnergyBalance {
 };
 
 /// All of its members.
-inline constexpr std::array balance_parts{&EnergyBalance::work_of_loads,    &EnergyBalance::work_of_wind,
-                                          &EnergyBalance::work_of_supports, &EnergyBalance::work_of_obstacles,
-                                          &EnergyBalance::lost_to_friction, &EnergyBalance::lost_to_damping,
-                                          &EnergyBalance::lost_to_cracks,   &EnergyBalance::lost_to_remeshing,
-                                          &EnergyBalance::lost_to_scheme,   &EnergyBalance::unexplained};
+inline constexpr std::array balance_parts{
+    &EnergyBalance::work_of_loads,     &EnergyBalance::work_of_wind,      &EnergyBalance::work_of_supports,
+    &EnergyBalance::work_of_obstacles, &EnergyBalance::lost_to_friction,  &EnergyBalance::lost_to_damping,
+    &EnergyBalance::lost_to_cracks,    &EnergyBalance::lost_to_remeshing, &EnergyBalance::lost_to_yield,
+    &EnergyBalance::lost_to_scheme,    &EnergyBalance::unexplained};
 
 /// Work of forces on a rigid body in its motion from one place to another, when its parts lie where they are
 /// in the end. Second-order terms of the rotation are left out.

@@ -54,7 +54,8 @@ double HingeMeasures::of(Measure measure, Index hinge) const {
 
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures,
-                             const std::optional<Eigen::Matrix3Xd>& strains) {
+                             const std::optional<Eigen::Matrix3Xd>& strains,
+                             const std::optional<Eigen::Matrix3Xd>& kept) {
     const Shell& mechanics = shell.mechanics();
     std::vector<std::array<TriangleEdge, 2>> sides;
     sides.reserve(mechanics.hinges.size());
@@ -84,6 +85,7 @@ HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
             const Vector3d part = across(side_normal(mechanics.triangles[face].membrane, corner));
             stretch += 0.5 * part.dot(green.col(face));
             bend += 0.5 * part.dot(curvature.col(face));
+            if (kept) bend += 0.5 * part.dot(kept->col(face));
             pull += 0.5 * part.dot(force.col(face)) / thickness;
             bending_stress += 0.5 * part.dot(moment.col(face)) / 2;
         }

@@ -33,9 +33,11 @@ struct HingeMeasures {
 /// the changes of each face's own hinges' angles, which is all that uncoupled hinges know. In pure bending
 /// `strain` is a curvature, like the paper's measure; unlike the paper's, it includes in-plane stretch, and
 /// the bending of a face as a whole. strains: the faces' Green strain, [3, F]
-/// (ShellEnergies::face_strains()); without them it is that of their corners. x: [3, V] m.
+/// (ShellEnergies::face_strains()); without them it is that of their corners. kept: what the faces keep of
+/// their curvature (ShellEnergies::kept_curvatures()), which is strained and has no stress. x: [3, V] m.
 HingeMeasures hinge_measures(const BreakableShell& shell, const Positions& x,
                              const std::optional<Eigen::Matrix3Xd>& curvatures = {},
-                             const std::optional<Eigen::Matrix3Xd>& strains = {});
+                             const std::optional<Eigen::Matrix3Xd>& strains = {},
+                             const std::optional<Eigen::Matrix3Xd>& kept = {});
 
 }  // namespace sherd

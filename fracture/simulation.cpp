@@ -224,7 +224,8 @@ Simulation::Measured Simulation::measured() const {
     const std::optional<Eigen::Matrix3Xd> coupled = stepper->coupled_curvatures();
     if (growth.needed() || breakable.yields())
         now.strains.curvature = coupled ? *coupled : stepper->face_curvatures();
-    now.hinges = hinge_measures(breakable, stepper->position, coupled, now.strains.membrane);
+    now.hinges = hinge_measures(breakable, stepper->position, coupled, now.strains.membrane,
+                                stepper->kept_curvatures());
     return now;
 }
 

@@ -133,6 +133,7 @@ struct Table<StepReport> {
                     &R::lost_to_cracks);
         since_start("lost_to_remeshing", "since the start: where the sheet got other triangles",
                     &R::lost_to_remeshing);
+        since_start("lost_to_yield", "since the start: by bending beyond yield", &R::lost_to_yield);
         since_start("lost_to_scheme", "since the start: what the time scheme takes, by its formula",
                     &R::lost_to_scheme);
         since_start("unexplained", "since the start: change of all energies, less work, plus losses",

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/shell/inheritance.h"
 #include "core/shell/thickness.h"
 
 namespace sherd {
@@ -60,10 +61,47 @@ void CoupledBending::start_from(const Positions& x, double factor) {
     scale = factor;
 }
 
+void CoupledBending::let_yield(std::vector<double> yield_of_sheet) {
+    yields = std::move(yield_of_sheet);
+    kept.resize(shell.triangles.size());
+    keep(shell.position);
+}
+
+YieldingSection CoupledBending::section(Index face) const {
+    const auto& [vertices, membrane] = shell.triangles[face];
+    const double t = mean_thickness(shell, vertices);
+    return {t * t / 12 * membrane.elasticity, yields[shell.face_sheet[face]] * t * t / 6};
+}
+
+double CoupledBending::taken_by_yielding(const Positions& x) const {
+    if (yields.empty()) return 0;
+    const VectorXd all = changes(x, needed);
+    double sum = 0;
+    for (const Index face : counted)
+        if (yields_at(face))
+            sum += shell.triangles[face].membrane.area * yielded(face, curvature.of(face, all)).taken;
+    return sum;
+}
+
+void CoupledBending::keep(const Positions& x) {
+    if (yields.empty()) return;
+    const VectorXd all = changes(x, needed);
+    for (const Index face : counted)
+        if (yields_at(face)) kept[face] = yielded(face, curvature.of(face, all)).kept;
+}
+
+Matrix3d CoupledBending::stiffness(Index face, const VectorXd& changes) const {
+    if (!yields_at(face)) return rigidity(face);
+    const YieldingSection here = section(face);
+    const YieldingSection::State state = here.at(curvature.of(face, changes), kept[face]);
+    return shell.triangles[face].membrane.area * here.tangent(state, kept[face]);
+}
+
 std::vector<Index> CoupledBending::follow(const ShellChange& change) {
     folds.follow(change);
     std::vector<Index> changed = curvature.follow(change);
     folds.extend(change, start);
+    if (!yields.empty()) append(kept, change.faces, Inheritance::first, KeptBend{});
     if (of_all)
         count_all();
     else
@@ -86,8 +124,17 @@ VectorXd CoupledBending::changes_from(const VectorXd& angles) const {
 Eigen::Matrix3Xd CoupledBending::curvatures(const Positions& x) const {
     const VectorXd all = changes(x);
     Eigen::Matrix3Xd of_faces(3, shell.triangles.size());
-    for (std::size_t face = 0; face < shell.triangles.size(); ++face)
-        of_faces.col(static_cast<Eigen::Index>(face)) = curvature.of(face, all);
+    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face)
+        of_faces.col(face) = curvature.of(face, all);
+    if (!yields.empty()) of_faces -= kept_curvatures(x);
+    return of_faces;
+}
+
+Eigen::Matrix3Xd CoupledBending::kept_curvatures(const Positions& x) const {
+    const VectorXd all = changes(x);
+    Eigen::Matrix3Xd of_faces = Eigen::Matrix3Xd::Zero(3, shell.triangles.size());
+    for (Index face = 0; face < static_cast<Index>(shell.triangles.size()); ++face)
+        if (yields_at(face)) of_faces.col(face) = yielded(face, curvature.of(face, all)).kept.curvature;
     return of_faces;
 }
 
@@ -110,7 +157,12 @@ double CoupledBending::value(const Positions& x) const {
     double sum = 0;
     for (const Index face : counted) {
         const Vector3d bent = curvature.of(face, all);
-        sum += 0.5 * bent.dot(moment(face, bent));
+        if (yields_at(face)) {
+            const YieldingSection::State state = yielded(face, bent);
+            sum += shell.triangles[face].membrane.area * (state.stored + state.taken);
+        } else {
+            sum += 0.5 * bent.dot(moment(face, bent));
+        }
     }
     return sum;
 }
@@ -129,7 +181,7 @@ void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const
 }
 
 void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
-                                 std::vector<Matrix3d>& of_face) const {
+                                 const VectorXd& changes, std::vector<Matrix3d>& of_face) const {
     const auto& [vertices, places] = reach_of_counted()[i];
     of_face.assign(vertices.size(), Matrix3d::Zero());
     auto place = places.begin();
@@ -139,7 +191,7 @@ void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>&
             if ((*place)[v] >= 0) of_face[(*place)[v]] += per_angle * gradient.col(v).transpose();
         ++place;
     }
-    const Matrix3d root = rigidity(counted[i]).llt().matrixU();
+    const Matrix3d root = stiffness(counted[i], changes).llt().matrixU();
     for (Matrix3d& slope : of_face) slope = (root * slope).eval();
 }
 
@@ -153,10 +205,11 @@ std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
     const std::vector<Index> some = needed_for(hessian);
     folds.find_slopes(x, some, slopes);
+    const VectorXd all = changes_from(folds.angles(slopes, some));
     std::vector<Matrix3d> of_face;
     for (std::size_t i = 0; i < counted.size(); ++i) {
         if (!hessian.has_all(reach_of_counted()[i].vertices)) continue;
-        find_slopes(i, slopes, of_face);
+        find_slopes(i, slopes, all, of_face);
         hessian.add_all(reach_of_counted()[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
             return of_face[a].transpose() * of_face[b];
         });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/bending/face_curvature.h"
+#include "core/bending/yielding_section.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
@@ -23,11 +24,21 @@ class CoupledBending : public Energy {
     void count_only(std::vector<Index> faces);
     /// Measures changes of angles from the shape x instead of the rest shape, and multiplies the energy.
     void start_from(const Positions& x, double scale);
+    /// Faces keep what they are bent beyond yield (YieldingSection), from the shell's positions on.
+    /// yield_of_sheet: Pa; 0: never.
+    void let_yield(std::vector<double> yield_of_sheet);
+    /// J, part of value(), that faces take by yielding in a step that ends at x.
+    double taken_by_yielding(const Positions& x) const;
+    /// A step ends at x: what faces keep is kept.
+    void keep(const Positions& x);
 
     /// Changes of the angles of all folds, rad.
     VectorXd changes(const Positions& x) const { return changes(x, folds.present()); }
-    /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame.
+    /// Change of curvature of each face, [3, F], 1/m: (00, 11, 2 * 01) in the face's rest frame, less what it
+    /// keeps of it.
     Eigen::Matrix3Xd curvatures(const Positions& x) const;
+    /// What each face keeps in a step that ends at x, [3, F], 1/m.
+    Eigen::Matrix3Xd kept_curvatures(const Positions& x) const;
 
     const Folds& all_folds() const { return folds; }
     double start_angle(Index fold) const { return start[fold]; }  ///< rad, from which changes are measured
@@ -51,8 +62,9 @@ class CoupledBending : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, reach, slopes] = *this;
-        visit(folds, curvature, of_all, counted, needed, start, scale);
+        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, yields, kept, reach, slopes] =
+            *this;
+        visit(folds, curvature, of_all, counted, needed, start, scale, kept);
         if (visit.reads()) reach.clear();
     }
 
@@ -70,17 +82,25 @@ class CoupledBending : public Energy {
     /// positions of the vertices in its reach, sqrt(J) / m.
     /// The needed folds whose vertices are all in a matrix.
     std::vector<Index> needed_for(const BlockMatrix& hessian) const;
-    void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
+    void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
                      std::vector<Matrix3d>& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {
         return changes_from(folds.angles(x, some));
     }
     VectorXd changes_from(const VectorXd& angles) const;
     double rigidity_factor(Index face) const;  ///< m^4, of the membrane's elasticity
+    bool yields_at(Index face) const { return !yields.empty() && yields[shell.face_sheet[face]] > 0; }
+    YieldingSection section(Index face) const;
+    YieldingSection::State yielded(Index face, const Vector3d& bent) const {
+        return section(face).at(bent, kept[face]);
+    }
     /// The derivative of a face's energy by its curvature, J m.
     Vector3d moment(Index face, const Vector3d& bent) const {
+        if (yields_at(face)) return shell.triangles[face].membrane.area * yielded(face, bent).moment;
         return rigidity_factor(face) * (shell.triangles[face].membrane.elasticity * bent);
     }
+    /// The second derivative, J m^2, positive definite.
+    Matrix3d stiffness(Index face, const VectorXd& changes) const;
     VectorXd moments(const VectorXd& changes) const;
 
     const Shell& shell;
@@ -91,6 +111,8 @@ class CoupledBending : public Energy {
     std::vector<Index> needed;   ///< present folds on which their curvature depends
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
+    std::vector<double> yields;        ///< Pa, of each sheet; empty: nothing yields
+    std::vector<KeptBend> kept;        ///< [F], or none
     mutable std::vector<Reach> reach;  ///< of each face that counts, once a Hessian has asked for it; or none
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations
 };

@@ -16,12 +16,21 @@ std::vector<MirrorHinge> uncoupled_mirrors(const ShellEnergyOptions& options) {
     return is_coupled(options.bending.model) ? std::vector<MirrorHinge>() : options.mirrors;
 }
 
+/// The bending energy if it keeps what is bent beyond yield; else null.
+CoupledBending* yielding_part(Energy& bending, const ShellEnergyOptions& options) {
+    if (options.yields.empty()) return nullptr;
+    auto* coupled = dynamic_cast<CoupledBending*>(&bending);
+    if (coupled != nullptr) coupled->let_yield(options.yields);
+    return coupled;
+}
+
 }  // namespace
 
 ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& options)
     : shell(shell),
       bending(bending_energy(shell, options.bending, options.mirrors)),
       coupled(coupled_hinges(*bending)),
+      yielding(yielding_part(*bending, options)),
       membrane(membrane_energy(shell, options.membrane, options.mirrors)),
       arcs(dynamic_cast<const ArcMembrane*>(membrane.get())),
       mirrors(shell, uncoupled_mirrors(options)),
@@ -48,7 +57,8 @@ void ShellEnergies::damp(const ShellEnergyOptions& options) {
 }
 
 void ShellEnergies::visit_state(StateVisitor& visit) {
-    auto& [shell, bending, coupled, membrane, arcs, mirrors, mirror_supports, mirror_scripts, others] = *this;
+    auto& [shell, bending, coupled, yielding, membrane, arcs, mirrors, mirror_supports, mirror_scripts,
+           others] = *this;
     visit(bending, membrane, mirrors);
     for (auto& [part, energy, of_velocity] : others) visit(energy);
 }
@@ -56,6 +66,11 @@ void ShellEnergies::visit_state(StateVisitor& visit) {
 std::optional<Eigen::Matrix3Xd> ShellEnergies::coupled_curvatures(const Positions& x) const {
     if (coupled == nullptr) return std::nullopt;
     return coupled->curvatures(x);
+}
+
+std::optional<Eigen::Matrix3Xd> ShellEnergies::kept_curvatures(const Positions& x) const {
+    if (yielding == nullptr) return std::nullopt;
+    return yielding->kept_curvatures(x);
 }
 
 Eigen::Matrix3Xd ShellEnergies::face_strains(const Positions& x) const {

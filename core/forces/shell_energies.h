@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/bending/bending.h"
+#include "core/bending/coupled_bending.h"
 #include "core/bending/mirror_hinge.h"
 #include "core/energy_balance.h"
 #include "core/forces/damping.h"
@@ -17,7 +18,6 @@
 namespace sherd {
 
 class ArcMembrane;
-class CoupledBending;
 
 struct ShellEnergyOptions {
     BendingOptions bending = {};  ///< energy and Jacobian of the hinges
@@ -27,6 +27,9 @@ struct ShellEnergyOptions {
     std::vector<Load> loads = {};
     std::vector<Wind> winds = {};
     Damping damping = {};
+    /// Pa, of each sheet: the stress beyond which coupled hinges keep what they are bent; 0: they do not.
+    /// Empty: none does.
+    std::vector<double> yields = {};
 };
 
 /// An energy of what is not elastic, in a step.
@@ -65,14 +68,25 @@ class ShellEnergies {
     void add_outer(const Positions& x, const Positions& moved, EnergyBalance& balance,
                    Positions& gradient) const;
 
-    double bending_value(const Positions& x) const {  ///< J
-        return bending->value(x) + mirrors.value(x);
+    /// J, elastic.
+    double bending_value(const Positions& x) const {
+        return bending->value(x) - taken_by_yielding(x) + mirrors.value(x);
+    }
+    /// J, that bending takes for good in a step that ends at x.
+    double taken_by_yielding(const Positions& x) const {
+        return yielding != nullptr ? yielding->taken_by_yielding(x) : 0;
+    }
+    /// A step ends at x.
+    void keep(const Positions& x) {
+        if (yielding != nullptr) yielding->keep(x);
     }
     const CoupledBending* coupled_bending() const { return coupled; }  ///< null if hinges are not coupled
     /// Changes of curvature of all faces (CoupledBending::curvatures()); none: hinges are not coupled.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures(const Positions& x) const;
     /// The same, or as single hinges have them (curvatures_of_hinges(), by height).
     Eigen::Matrix3Xd face_curvatures(const Positions& x) const;
+    /// What all faces keep of being bent (CoupledBending::kept_curvatures()); none: nothing yields.
+    std::optional<Eigen::Matrix3Xd> kept_curvatures(const Positions& x) const;
     /// Green strain of all faces, [3, F], as the membrane sees it.
     Eigen::Matrix3Xd face_strains(const Positions& x) const;
     double membrane_value(const Positions& x) const { return membrane->value(x); }  ///< J
@@ -85,6 +99,7 @@ class ShellEnergies {
     const Shell& shell;
     std::unique_ptr<Energy> bending;
     const CoupledBending* coupled;  ///< those of bending, if it has coupled hinges
+    CoupledBending* yielding;       ///< the same, if they keep what they are bent
     std::unique_ptr<Energy> membrane;
     const ArcMembrane* arcs;  ///< membrane, if its sides are arcs
     MirrorEnergy mirrors;

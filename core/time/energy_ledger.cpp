@@ -36,7 +36,7 @@ void EnergyLedger::finish(const StepWork& work, double stored, double moving) {
     now.lost_to_remeshing += reshaped + slowed;
     const double gained = now.work_of_loads + now.work_of_wind + now.work_of_supports + now.work_of_obstacles;
     const double lost = now.lost_to_friction + now.lost_to_damping + now.lost_to_cracks +
-                        now.lost_to_remeshing + now.lost_to_scheme;
+                        now.lost_to_remeshing + now.lost_to_yield + now.lost_to_scheme;
     now.unexplained = stored + moving - (last + last_moving) - gained + lost;
     last = stored;
     last_moving = moving;

@@ -10,8 +10,8 @@ struct StepWork {
     /// All accounts but those of the ledger: lost_to_scheme has what the scheme takes of the kinetic energy,
     /// and lost_to_cracks what edges take while they open.
     EnergyBalance balance;
-    /// Work against the forces of elasticity and contact, less what friction took of it, J: what is stored
-    /// would grow by as much if the forces were those along the way.
+    /// Work against the forces of elasticity and contact, less what friction and yielding took of it, J: what
+    /// is stored would grow by as much if the forces were those along the way.
     double against_stored = 0;
 };
 

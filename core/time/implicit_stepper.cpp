@@ -170,6 +170,7 @@ void ImplicitStepper::finish() {
     if (step.where < 1 && forces.mirrors_move())  // clamps are in the middle
         for (Energy* energy : forces.elastic()) energy->begin(step);
     ledger.finish(of_step, stored(), moving(step.end_velocity(position), position));
+    forces.keep(elastic_position());
     if (path) path->finish(step, position);
     scheme->finish(step, position, shell);
     opening.finish();
@@ -224,8 +225,9 @@ StepWork ImplicitStepper::work() {
     balance.work_of_supports = (gradient - free).cwiseProduct(moved).sum() + of_mirrors;
     balance.work_of_obstacles = contact.obstacle_work(step, position);
     balance.lost_to_friction = contact.friction_loss(position);
-    all.against_stored +=
-        of_mirrors + balance.work_of_obstacles - balance.lost_to_friction - balance.lost_to_cracks;
+    balance.lost_to_yield = forces.taken_by_yielding(elastic_position());
+    all.against_stored += of_mirrors + balance.work_of_obstacles - balance.lost_to_friction -
+                          balance.lost_to_yield - balance.lost_to_cracks;
     return all;
 }
 

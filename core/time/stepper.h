@@ -88,6 +88,7 @@ class Stepper {
     const EnergyBalance& balance() const { return ledger.balance(); }  ///< of the finished steps
     /// Those of ShellEnergies at `position`.
     std::optional<Eigen::Matrix3Xd> coupled_curvatures() const { return forces.coupled_curvatures(position); }
+    std::optional<Eigen::Matrix3Xd> kept_curvatures() const { return forces.kept_curvatures(position); }
     Eigen::Matrix3Xd face_curvatures() const { return forces.face_curvatures(position); }
     Eigen::Matrix3Xd face_strains() const { return forces.face_strains(position); }
     /// Coupled hinges, in the state of `position`; null without them.

@@ -27,7 +27,8 @@ UNEXPLAINED = 1e-6  # of the largest energy
 # Of the largest energy, what a scheme may give. Springs of explicit contact begin and end within a substep, of 0.53 over
 # their frequency at most, and err by up to a quarter of its square.
 GAINED = {"implicit": 1e-6, "explicit": 0.07, "auto": 0.07}
-LOSSES = ["lost_to_friction", "lost_to_damping", "lost_to_cracks", "lost_to_remeshing", "lost_to_scheme"]
+LOSSES = ["lost_to_friction", "lost_to_damping", "lost_to_cracks", "lost_to_remeshing", "lost_to_yield",
+          "lost_to_scheme"]
 CREEP = 1e-3  # m/s
 WORK = ["work_of_loads", "work_of_wind", "work_of_supports", "work_of_obstacles"]
 STORED = ["kinetic", "bending", "membrane", "contact"]

@@ -22,7 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import recording_content  # noqa: E402
 
 
-def falling_plate(duration, every, solver):
+def falling_plate(duration, every, solver, material=""):
     """A plate that falls onto the floor, with a ball behind it, in steps of this kind."""
     return f"""
 duration = {duration}
@@ -31,7 +31,7 @@ seed = 6
 mesh = {{ generate = "plate", radius = 0.11, edge_length = 0.013 }}
 place = {{ translate = [0, 0, 0.042], rotate = {{ axis = [1, 0, 0], degrees = 20 }} }}
 velocity = [0, 0, -4]
-material = {{ preset = "stoneware" }}
+material = {{ preset = "stoneware"{material} }}
 fracture = {{ strain = 0.2 }}
 [obstacle.floor]
 plane = {{}}
@@ -92,8 +92,8 @@ checkpoint = 0.1
 """,
     # Implicit and explicit steps by turns, with what has to come along.
     "auto": falling_plate(0.003, 2e-4, 'scheme = "auto"\ndamping = { stiffness = 2e-8, mass = 1 }'),
-    # BDF2 with steps that choose their length: what it remembers of the last step.
-    "bdf2": falling_plate(0.004, 5e-4, 'scheme = "bdf2"\nadaptive = true'),
+    # BDF2 with steps that choose their length: what it remembers of the last step, and what bends keep.
+    "bdf2": falling_plate(0.004, 5e-4, 'scheme = "bdf2"\nadaptive = true', ", yield = 1e6"),
     # Midpoint rule, Newton's method.
     "midpoint": falling_plate(0.004, 5e-4, 'scheme = "midpoint"\nmethod = "newton"'),
     # Statics: a flap that tears a film, load step by load step.

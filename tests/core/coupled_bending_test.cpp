@@ -22,6 +22,30 @@ TEST(CoupledBending, DerivativesAreThoseOfTheValue) {
     }
 }
 
+// Where faces yield the solver would not find its minimum. (Far beyond the yield stress, or within it: in
+// between the second derivative changes too fast for differences; YieldingSection looks there.)
+TEST(CoupledBending, DerivativesAreThoseOfTheValueWhereFacesYield) {
+    Shell shell = test::curved_patch();
+    shell.face_sheet.assign(shell.triangles.size(), 0);
+    const Positions x = test::shaken(shell, 0.03, 1);
+    const CoupledBending elastic(shell, test::patch_mirrors(shell));
+    const Eigen::Matrix3Xd bent = elastic.curvatures(x);
+    double moment = 0;  // N, on the mean
+    for (Index f = 0; f < static_cast<Index>(shell.triangles.size()); ++f)
+        moment += (elastic.rigidity(f) * bent.col(f)).norm() / shell.triangles[f].membrane.area /
+                  static_cast<double>(shell.triangles.size());
+    const double yield = 0.01 * 6 * moment / std::pow(shell.thickness[0], 2);
+    CoupledBending bending(shell, test::patch_mirrors(shell));
+    bending.let_yield({yield});
+    EXPECT_GT(bending.taken_by_yielding(x), 0.5 * bending.value(x));
+    EXPECT_GT(bending.kept_curvatures(x).colwise().norm().minCoeff(), 0);
+    test::expect_derivatives(bending, x, 1e-5, 1e-5);
+    bending.keep(x);
+    EXPECT_EQ(bending.taken_by_yielding(x), 0);
+    EXPECT_GT(bending.value(x), 0);
+    EXPECT_LT((bending.curvatures(x) + bending.kept_curvatures(x) - bent).norm(), 1e-9 * bent.norm());
+}
+
 // Sheets must neither move nor spin by their own bending, and must stay as they are made.
 TEST(CoupledBending, RestIsEquilibriumAndRigidMotionCostsNothing) {
     Shell shell = test::curved_patch();

@@ -90,6 +90,18 @@ TEST_F(HingeMeasuresOfASquare, TakeTheStretchThatTheyAreGiven) {
     EXPECT_LT((given.stress - own.stress).norm(), 1e-9 * own.stress.norm());
 }
 
+// Metal that has been bent for good is strained, and has no stress from it.
+TEST_F(HingeMeasuresOfASquare, WhatFacesKeepIsStrainWithoutStress) {
+    const auto faces = static_cast<Eigen::Index>(sheet->mechanics().triangles.size());
+    const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, faces),
+                           bent = Vector3d(0.3, -0.2, 0.1).replicate(1, faces);
+    const HingeMeasures elastic = hinge_measures(*sheet, flat, bent),
+                        kept = hinge_measures(*sheet, flat, none, {}, bent);
+    EXPECT_GT(kept.strain.minCoeff(), 0);
+    EXPECT_EQ(kept.strain, elastic.strain);
+    EXPECT_LT(kept.stress.norm(), 1e-9 * elastic.stress.norm());
+}
+
 // Bending and stretch add up at the surface; a stretch that undoes the bending's leaves nothing.
 TEST_F(HingeMeasuresOfASquare, AddBendingAndStretch) {
     Positions both = rolled(flat, 0.5);

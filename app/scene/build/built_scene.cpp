@@ -18,6 +18,7 @@
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/winds.h"
+#include "app/scene/build/yield_words.h"
 #include "core/time/stability.h"
 #include "meshops/error.h"
 
@@ -56,6 +57,7 @@ SimulationOptions plain_options(const Scene& scene) {
     options.stepper.shell.bending = scene.solver.bending;
     options.stepper.shell.membrane = scene.solver.membrane;
     options.stepper.shell.damping = scene.solver.damping;
+    options.stepper.shell.yields = kept_yields(scene);
     options.stepper.contact.sheets = scene.contact.sheets;
     options.stepper.contact.friction = scene.contact.friction;
     options.max_iterations = scene.solver.max_iterations;

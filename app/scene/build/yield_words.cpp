@@ -3,9 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/words/place_words.h"
 
 namespace sherd {
+
+bool keeps_bends(const Scene& scene, const SheetSpec& sheet) {
+    const SolverSpec& solver = scene.solver;
+    const bool to_the_end = solver.scheme == Scheme::implicit_euler || solver.scheme == Scheme::bdf2 ||
+                            solver.scheme == Scheme::statics;
+    return sheet.material.yield > 0 && to_the_end && !solver.alternates &&
+           solver.bending.model == BendingModel::coupled &&
+           !(sheet.fracture && sheet.fracture->has_toughness());
+}
+
+std::vector<double> kept_yields(const Scene& scene) {
+    std::vector<double> yields;
+    for (const SheetSpec& sheet : scene.sheets)
+        yields.push_back(keeps_bends(scene, sheet) ? sheet.material.yield : 0);
+    if (std::ranges::all_of(yields, [](double yield) { return yield == 0; })) yields.clear();
+    return yields;
+}
 
 std::string yield_words(double ratio, const YieldPlace& place, const Scene& scene) {
     return fmt::format("{:.3g} times the yield stress, in sheet.{} at {} at rest", ratio,

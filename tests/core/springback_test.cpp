@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A strip that was bent far beyond yield and is let go: it must keep what metal keeps, and account for it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/time/stepper.h"
+#include "tests/support/small_sheet.h"
+#include "tests/support/yielding_layers.h"
+
+namespace sherd {
+namespace {
+
+constexpr double length = 0.2, width = 0.02;  // m
+using namespace test::yielding;
+const Material steel{
+    .density = 7850, .thickness = thickness, .young = young, .poisson = poisson, .yield = yield};
+
+/// A strip along x of 30 by 3 squares, bent to this curvature.
+Shell bent_strip(double curvature) {
+    constexpr int columns = 30, rows = 3;
+    Positions rest(3, (columns + 1) * (rows + 1));
+    std::vector<std::array<Index, 3>> triangles;
+    for (int i = 0; i <= columns; ++i)
+        for (int j = 0; j <= rows; ++j) {
+            const Index v = i * (rows + 1) + j, next = v + rows + 1;
+            rest.col(v) << length * i / columns - length / 2, width * j / rows, 0;
+            if (i == columns || j == rows) continue;
+            triangles.push_back({v, next, next + 1});
+            triangles.push_back({v, next + 1, v + 1});
+        }
+    Shell shell = test::small_sheet(rest, triangles, steel);
+    shell.face_sheet.assign(shell.triangles.size(), 0);
+    for (Index v = 0; v < rest.cols(); ++v)
+        shell.position.col(v) << std::sin(curvature * rest(0, v)) / curvature, rest(1, v),
+            (1 - std::cos(curvature * rest(0, v))) / curvature;
+    return shell;
+}
+
+/// Of the circle through the middle and the quarters of the strip's middle line, 1/m.
+double curvature(const Shell& shell) {
+    const auto at = [&](int column) {
+        return Vector3d((shell.position.col(4 * column + 1) + shell.position.col(4 * column + 2)) / 2);
+    };
+    const Vector3d a = at(7) - at(15), b = at(23) - at(15);
+    return 2 * a.cross(b).norm() / (a.norm() * b.norm() * (a - b).norm());
+}
+
+/// Lets it go and makes so many steps, s.
+std::unique_ptr<Stepper> released(Shell& shell, double step, int count) {
+    StepperOptions options;
+    options.step = step;
+    options.gravity.setZero();
+    options.tolerance = 1e-10;
+    options.shell.yields = {yield};
+    std::unique_ptr<Stepper> stepper = make_stepper(shell, options);
+    for (int i = 0; i < count; ++i) {
+        EXPECT_TRUE(stepper->begin());
+        EXPECT_TRUE(stepper->solve(100).converged);
+        stepper->finish();
+    }
+    return stepper;
+}
+
+// In steps far longer than it vibrates, so that no wave of curvature bends it further.
+TEST(Springback, AStripOfSteelKeepsWhatLayersDo) {
+    for (const double ratio : {2.0, 4.0}) {
+        Shell shell = bent_strip(ratio * first);
+        released(shell, 0.1, 20);
+        Layers layers;  // bent as it was, and free in both directions then
+        const Vector3d bent(ratio * first, 0, 0);
+        EXPECT_NEAR(curvature(shell), Layers::kept(bent, layers.bend(bent))[0], 0.03 * first) << ratio;
+    }
+}
+
+TEST(Springback, WithinYieldAStripSpringsBackWholly) {
+    Shell shell = bent_strip(0.8 * first);
+    EXPECT_EQ(released(shell, 0.1, 20)->balance().lost_to_yield, 0);
+    EXPECT_LT(curvature(shell), 1e-3 * first);
+}
+
+// Where it is let go a wave of curvature runs in from its ends, which bends it further than it was.
+TEST(Springback, WhatYieldingTakesIsInTheBalance) {
+    Shell shell = bent_strip(4 * first);
+    const auto stepper = released(shell, 1e-4, 50);
+    const EnergyBalance& balance = stepper->balance();
+    EXPECT_GT(balance.lost_to_yield, 0);
+    EXPECT_NEAR(balance.unexplained, 0, 1e-8 * balance.lost_to_yield);
+}
+
+}  // namespace
+}  // namespace sherd
