@@ -112,11 +112,7 @@ class Case:
     def once(self):
         """Frames are numbered otherwise there: only the steps, and what the last frame holds, are compared."""
         self.end(self.start("once", "--threads", "1", "--set", "output.every=1e9", *self.until), 0)
-        with h5py.File(self.recording) as first, h5py.File(self.folder / "once.h5") as other:
-            one, same = ({**recording_content.content(file["steps"]),
-                          **{f"last{path.removeprefix(last.name)}": what
-                             for path, what in recording_content.content(last).items()}}
-                         for file in (first, other) for last in [file["frames"][sorted(file["frames"])[-1]]])
+        one, same = (at_the_end(self.folder / f"{name}.h5") for name in ("first", "once"))
         return [path for path in sorted({*one, *same}) if one.get(path) != same.get(path)]
 
     def killed(self):
@@ -134,6 +130,16 @@ class Case:
         """Steps, and edges that broke."""
         with h5py.File(self.recording) as recording:
             return len(recording["steps/time"]), len(recording["events/failure/time"])
+
+
+def at_the_end(recording):
+    """What its steps and its last frame hold; its mesh at rest, which may be another frame's, too."""
+    with h5py.File(recording) as file:
+        last = file["frames"][sorted(file["frames"])[-1]]
+        parts = {"steps": file["steps"], "last": last} | ({"rest": last["rest"]} if "rest" in last else {})
+        return {name + path.removeprefix(group.name): what for name, group in parts.items()
+                for path, what in recording_content.content(group).items()
+                if name != "last" or not path.startswith(f"{last.name}/rest")}
 
 
 def drained(terminal):
