@@ -175,6 +175,33 @@ TEST(BodyContact, BodiesRestOnObstacles) {
     }
 }
 
+// A box that is given as any solid, by its volume, its inertia and its vertices, falls, hits a floor with an
+// edge, and comes to rest, as `box` does.
+TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
+    const Vector3d size(0.04, 0.03, 0.02);
+    const auto fallen = [&](RigidBody body) {
+        Shell shell = lone_vertex(Vector3d(5, 5, 5));
+        StepperOptions options;
+        options.step = 1e-3;
+        options.contact.obstacles = {floor()};
+        body.centre = Vector3d(0, 0, 0.04);
+        body.rotation = Eigen::AngleAxisd(0.4, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+        body.angular_momentum = body.inertia_in_space() * Vector3d(3, 0, 2);
+        options.contact.bodies = {body};
+        ImplicitStepper time_step(shell, options);
+        step(time_step, 400);
+        return time_step.bodies()[0];
+    };
+    const RigidBody box = rigid_box(size, 2000);
+    RigidBody solid =
+        rigid_solid(size.prod(), box.inertia / 2000, box_surface(Vector3d::Zero(), 0.5 * size)->points, 2000);
+    solid.shape = box.shape;
+    const RigidBody one = fallen(box), other = fallen(solid);
+    EXPECT_NEAR(other.centre.z(), 0.01, 1e-6);
+    EXPECT_LT((other.centre - one.centre).norm(), 1e-9);
+    EXPECT_LT((other.rotation - one.rotation).norm(), 1e-9);
+}
+
 // A ball laid on a soft sheet that is held at its rim sinks in and is carried.
 TEST(BodyContact, ASheetCarriesABody) {
     Shell shell = stacked_plates(1, 8, 0, elastic());
