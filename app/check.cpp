@@ -19,6 +19,7 @@
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/yield_words.h"
 #include "app/scene/read/variant_remarks.h"
+#include "app/words/place_words.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -101,6 +102,16 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     return input;
 }
 
+void print_bodies(const Scene& scene, const std::vector<RigidBody>& bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const RigidBody& body = bodies[b];
+        fmt::print(
+            "free obstacle {}\n  mass {:.6g} kg, centre of mass {}, inertia {:.4g}, {:.4g}, {:.4g} kg m^2\n",
+            scene.bodies[b].name, body.mass, place_words(body.centre), body.inertia.x(), body.inertia.y(),
+            body.inertia.z());
+    }
+}
+
 void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& options,
                 std::vector<std::string>& warnings) {
     RunCost cost = run_cost(scene, built);
@@ -144,6 +155,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
     fmt::print("{}", bending_words(built));
+    print_bodies(scene, built.options.stepper.contact.bodies);
     if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())
         fmt::print("cracks run {}\n", words);
     warn_of_implausible(scene, built.inputs, built.options, warnings);

@@ -142,6 +142,8 @@ void Simulation::give_up(const StepReport& report) const {
                     [](const Obstacle& obstacle) { return obstacle.moves(); });
     if (obstacle_moves || !breakable.mechanics().motions.empty())
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
+    if (!options.stepper.contact.bodies.empty())
+        text << "; or a free obstacle moves so fast that it would be beyond a sheet";
     throw Error(text.str(), Fault::run);
 }
 

@@ -12,6 +12,7 @@
 
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/solid_moments.h"
 #include "meshops/vdb_file.h"
 
 namespace sherd {
@@ -120,21 +121,6 @@ Polygons polygons_of(const openvdb::FloatGrid& level_set, double scale) {
     return polygons;
 }
 
-/// Volume enclosed by a closed, or nearly closed, mesh, m^3.
-double enclosed_volume(const Mesh& mesh) {
-    const MeshMeasures extent = measure(mesh);
-    const Vector3d middle = (extent.lower + extent.upper) / 2;
-    double sum = 0;
-    for (const Face face : mesh.faces()) {
-        const Halfedge h = mesh.halfedge(face);
-        const Vector3d a = position(mesh, mesh.source(h)) - middle,
-                       b = position(mesh, mesh.target(h)) - middle,
-                       c = position(mesh, mesh.target(mesh.next(h))) - middle;
-        sum += a.dot(b.cross(c)) / 6;
-    }
-    return std::abs(sum);
-}
-
 double inner_volume(const openvdb::FloatGrid& grid) {
     std::size_t inside = 0;
     for (auto voxel = grid.cbeginValueOn(); voxel; ++voxel) inside += *voxel < 0 ? voxel.getVoxelCount() : 0;
@@ -210,7 +196,7 @@ SignedDistanceGrid SignedDistanceGrid::of_mesh(const Mesh& mesh, double voxel, d
     require_few_voxels(polygons, voxel);
     SignedDistanceGrid grid(
         std::make_shared<State>(polygons, openvdb::math::Transform::createLinearTransform(voxel), reach));
-    const double expected = enclosed_volume(mesh), found = grid.volume();
+    const double expected = std::abs(solid_moments(mesh).volume), found = grid.volume();
     if (found > 0.5 * expected && found > 0) return grid;
     throw Error(
         text("encloses no solid at a voxel of ", voxel, " m (", found, " of ", expected, " m^3): ",

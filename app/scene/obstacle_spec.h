@@ -26,7 +26,8 @@ struct ObstacleLevelSet {
 
 /// What an obstacle that is free to move has besides.
 struct FreeMotion {
-    double density = 0;                    ///< kg/m^3
+    double density = 0;                    ///< kg/m^3; 0: by the mass
+    double mass = 0;                       ///< kg, of a mesh without density
     Vector3d velocity = Vector3d::Zero();  ///< m/s, at the start
     Vector3d spin = Vector3d::Zero();      ///< rad/s, at the start, about its centre
 };
@@ -37,7 +38,7 @@ struct ObstacleSpec {
     /// Before it is placed.
     std::variant<PlaneShape, SphereShape, BoxShape, CylinderShape, ObstacleMesh, ObstacleLevelSet> shape;
     Motion motion;
-    std::optional<FreeMotion> free;  ///< a sphere's or a box's; none: it moves by its keys only
+    std::optional<FreeMotion> free;  ///< a sphere's, a box's or a mesh's; none: it moves by its keys only
     double friction = 0;
     double young = 0;   ///< Pa, of what it is made of
     std::string where;  ///< "FILE:LINE: dotted.key" of its shape, for errors

@@ -41,6 +41,7 @@ void Contact::require_apart() const {
 double Contact::free_way(const Positions& motion) {
     double fraction = sheet_contact ? sheet_contact->safe_fraction_of_step(shell.position, motion) : 1;
     if (!body_contact) return fraction;
+    if (body_contact->blocked()) return 0;
     body_contact->moved_to(shell.position);
     return std::min(fraction, body_contact->safe_fraction(shell.position, motion));
 }

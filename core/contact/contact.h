@@ -38,6 +38,8 @@ class Contact {
     Positions pushed_along() const;
     /// Lets the bodies make the step that ends with the shell at x, which is not finished yet.
     void end_at(const Positions& x);
+    /// Whether the bodies can make the step that ends with the shell at x; else it is too long for them.
+    bool bodies_arrive(const Positions& x) const { return !body_contact || body_contact->arrive(x); }
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
 

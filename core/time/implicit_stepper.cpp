@@ -130,6 +130,10 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
     } catch (const IndefiniteMatrix&) {
         // Inertia of a shorter step may be what the matrix lacks.
     }
+    if (result.converged) {
+        const Stopwatch of_contact(spent, Task::contact);
+        result.converged = contact.bodies_arrive(position);
+    }
     ledger.solved(stored());
     opening.solved(position);
     unbalanced.resize(3, 0);

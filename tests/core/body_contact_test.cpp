@@ -94,6 +94,46 @@ TEST(BodyContact, NoBodyPassesThroughAFace) {
     }
 }
 
+// A small body that meets a sheet far faster than its size in a step must not be beyond it: around its rim,
+// by a search that went astray, or through a face. A step that cannot be solved is halved, as in a run, which
+// ends with an error if that does not help.
+TEST(BodyContact, NoBodyIsBeyondASheetHoweverFast) {
+    struct Shot {
+        double speed;  // m/s
+        int squares, fineness;
+    };
+    for (const auto& [speed, squares, fineness] : {Shot{1e3, 4, 1}, {2e3, 4, 1}, {5e3, 8, 3}}) {
+        Shell shell = stacked_plates(1, squares, 0, elastic());
+        RigidBody body = rigid_sphere(0.0025, 7850);
+        body.surface = sphere_surface(0.0025, fineness);
+        body.centre = Vector3d(0.003, 0.001, 0.05);
+        body.velocity = Vector3d(0, 0, -speed);
+        StepperOptions options;
+        options.step = 1e-4;
+        options.gravity.setZero();
+        options.contact.bodies = {body};
+        const double before = momentum(shell, body).z();
+        ImplicitStepper time_step(shell, options);
+        bool touched = false;
+        int steps = 0;
+        for (double length = options.step; length > 5e-6 && steps < 30; ++steps) {
+            if (!time_step.begin(length) || !time_step.solve(8).converged) {
+                length /= 2;
+                continue;
+            }
+            touched |= !time_step.touch().vertices.empty();
+            time_step.finish();
+            const RigidBody& now = time_step.bodies()[0];
+            ASSERT_NEAR(momentum(shell, now).z(), before, 1e-6 * std::abs(before));
+            // The plate, which nothing breaks, goes down where it is pushed, and the ball with it.
+            const double below = shell.position.row(2).minCoeff();
+            ASSERT_GT(now.centre.z(), below) << speed << " m/s, step " << steps;
+            if (touched && now.velocity.z() > -0.5 * speed) break;
+        }
+        EXPECT_TRUE(touched || steps > 0) << speed << " m/s";
+    }
+}
+
 void step(ImplicitStepper& time_step, int count) {
     for (int i = 0; i < count; ++i) {
         time_step.begin();
@@ -173,6 +213,33 @@ TEST(BodyContact, BodiesRestOnObstacles) {
         EXPECT_NEAR(body.centre.z(), 0.02, 1e-6);
         EXPECT_LT(body.velocity.norm(), 1e-3);
     }
+}
+
+// A box that is given as any solid, by its volume, its inertia and its vertices, falls, hits a floor with an
+// edge, and comes to rest, as `box` does.
+TEST(BodyContact, ASolidOfABoxFallsLikeABox) {
+    const Vector3d size(0.04, 0.03, 0.02);
+    const auto fallen = [&](RigidBody body) {
+        Shell shell = lone_vertex(Vector3d(5, 5, 5));
+        StepperOptions options;
+        options.step = 1e-3;
+        options.contact.obstacles = {floor()};
+        body.centre = Vector3d(0, 0, 0.04);
+        body.rotation = Eigen::AngleAxisd(0.4, Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+        body.angular_momentum = body.inertia_in_space() * Vector3d(3, 0, 2);
+        options.contact.bodies = {body};
+        ImplicitStepper time_step(shell, options);
+        step(time_step, 400);
+        return time_step.bodies()[0];
+    };
+    const RigidBody box = rigid_box(size, 2000);
+    RigidBody solid =
+        rigid_solid(size.prod(), box.inertia / 2000, box_surface(Vector3d::Zero(), 0.5 * size)->points, 2000);
+    solid.shape = box.shape;
+    const RigidBody one = fallen(box), other = fallen(solid);
+    EXPECT_NEAR(other.centre.z(), 0.01, 1e-6);
+    EXPECT_LT((other.centre - one.centre).norm(), 1e-9);
+    EXPECT_LT((other.rotation - one.rotation).norm(), 1e-9);
 }
 
 // A ball laid on a soft sheet that is held at its rim sinks in and is carried.

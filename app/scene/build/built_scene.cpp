@@ -72,7 +72,7 @@ SimulationOptions plain_options(const Scene& scene) {
 void add_obstacles(const Scene& scene, BuiltScene& built, std::vector<std::string>& warnings) {
     ContactOptions& contact = built.options.stepper.contact;
     const ThicknessRange sheets = thickness_range(built.inputs);
-    contact.obstacles = make_obstacles(scene.obstacles, sheets, warnings);
+    contact.obstacles = make_obstacles(scene.obstacles, sheets, warnings, scene.bodies);
     contact.bodies = make_bodies(scene, sheets);
     require_free_bodies(scene, contact.obstacles, contact.bodies);
     const std::vector<Obstacle> bodies = make_obstacles(scene.bodies, sheets, warnings);

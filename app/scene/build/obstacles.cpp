@@ -3,17 +3,37 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
 #include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
+#include "meshops/solid_moments.h"
 
 namespace sherd {
 namespace {
 
 constexpr double voxels_along = 100;  // the diagonal of a mesh: half a million voxels or less
+/// Of the box around a mesh, which a solid fills at least: less is a flat mesh, and round-off.
+constexpr double least_filled = 1e-9;
 constexpr double sagitta = 0.05;  // of the thinnest sheet's thickness: what facets lie inside round shapes
+
+/// What sheets and balls need of shapes, m: how far inside round ones their facets may lie, and how far from
+/// the surface distances are asked for.
+struct Need {
+    double sagitta, reach;
+};
+
+Need need_of(const ThicknessRange& sheets, const std::vector<ObstacleSpec>& bodies) {
+    Need need{sagitta * sheets.thinnest, 0.5 * sheets.thickest};
+    for (const ObstacleSpec& body : bodies)
+        if (const auto* ball = std::get_if<SphereShape>(&body.shape))
+            need.reach = std::max(need.reach, ball->radius);
+    return need;
+}
 
 /// An obstacle's shape, with what follows from it.
 struct Made {
@@ -22,26 +42,31 @@ struct Made {
 };
 
 template <class Solid>
-Made make(const Solid& solid, const ThicknessRange& sheets, std::vector<std::string>&) {
-    return {std::make_shared<Solid>(solid), facets(solid, sagitta * sheets.thinnest)};
+Made make(const Solid& solid, const Need& need, std::vector<std::string>&) {
+    return {std::make_shared<Solid>(solid), facets(solid, need.sagitta)};
 }
 
-Made make(const ObstacleMesh& spec, const ThicknessRange& sheets, std::vector<std::string>& warnings) {
+double voxel_of(const ObstacleMesh& spec, const MeshMeasures& extent) {
+    return spec.voxel > 0 ? spec.voxel : (extent.upper - extent.lower).norm() / voxels_along;
+}
+
+Made solid(const Mesh& mesh, double voxel, const Need& need) {
+    return {std::make_shared<GridShape>(SignedDistanceGrid::of_mesh(mesh, voxel, need.reach)), facets(mesh)};
+}
+
+Made make(const ObstacleMesh& spec, const Need& need, std::vector<std::string>& warnings) {
     const Mesh mesh = read_mesh(spec.file, warnings);
     const MeshMeasures extent = measure(mesh);
-    const double voxel = spec.voxel > 0 ? spec.voxel : (extent.upper - extent.lower).norm() / voxels_along;
+    const double voxel = voxel_of(spec, extent);
     if (extent.boundary_loops > 0)
         warnings.push_back(fmt::format("{} has {} holes; those of up to about a voxel, {:.3g} m, are closed",
                                        spec.file.path.string(), extent.boundary_loops, voxel));
-    return with_context(spec.file.path.string(), [&]() -> Made {
-        return {std::make_shared<GridShape>(SignedDistanceGrid::of_mesh(mesh, voxel, 0.5 * sheets.thickest)),
-                facets(mesh)};
-    });
+    return with_context(spec.file.path.string(), [&] { return solid(mesh, voxel, need); });
 }
 
-Made make(const ObstacleLevelSet& spec, const ThicknessRange& sheets, std::vector<std::string>&) {
+Made make(const ObstacleLevelSet& spec, const Need& need, std::vector<std::string>&) {
     const auto shape = std::make_shared<GridShape>(
-        SignedDistanceGrid::of_level_set(spec.path, spec.name, spec.scale, 0.5 * sheets.thickest));
+        SignedDistanceGrid::of_level_set(spec.path, spec.name, spec.scale, need.reach));
     return {shape, facets(shape->grid.surface())};
 }
 
@@ -49,15 +74,86 @@ std::shared_ptr<const ColliderSurface> shared(ColliderSurface surface) {
     return surface.size() == 0 ? nullptr : std::make_shared<ColliderSurface>(std::move(surface));
 }
 
+/// How a mesh lies in the frame of its body, whose origin is the centre of mass and whose axes are principal.
+struct MeshFrame {
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< from the body's frame to the mesh's
+    double volume = 0;
+    Vector3d inertia;  ///< m^5, for each unit of density
+};
+
+/// Throws Error if the mesh is not the closed surface of a solid.
+MeshFrame frame_of(const Mesh& mesh) {
+    const MeshMeasures extent = measure(mesh);
+    if (extent.boundary_loops > 0)
+        throw Error(fmt::format("a free body needs a closed mesh, and this one has {} holes: close them",
+                                extent.boundary_loops));
+    const SolidMoments solid = solid_moments(mesh);
+    if (!(solid.volume > least_filled * (extent.upper - extent.lower).prod()))
+        throw Error(
+            fmt::format("a free body needs a solid, and this mesh encloses {:.3g} m^3: {}", solid.volume,
+                        solid.volume < 0 ? "its faces are turned inside out (repair = true turns them)"
+                                         : "it is flat, or its parts are turned against each other"));
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(solid.inertia());
+    MeshFrame frame;
+    frame.volume = solid.volume;
+    frame.inertia = principal.eigenvalues();
+    Matrix3d axes = principal.eigenvectors();
+    if (axes.determinant() < 0) axes.col(2) *= -1;
+    frame.place.linear() = axes;
+    frame.place.translation() = solid.centre;
+    return frame;
+}
+
+/// A body of a mesh, where the mesh has it.
+RigidBody make_body(const ObstacleMesh& spec, const FreeMotion& free, const Need& need) {
+    std::vector<std::string> told;  // by who makes the obstacle that the body is without being free
+    Mesh mesh = read_mesh(spec.file, told);
+    return with_context(spec.file.path.string(), [&] {
+        const MeshFrame frame = frame_of(mesh);
+        const Eigen::Isometry3d to_body = frame.place.inverse();
+        for (const Vertex v : mesh.vertices()) mesh.point(v) = point_at(to_body * position(mesh, v));
+        const Made made = solid(mesh, voxel_of(spec, measure(mesh)), need);
+        RigidBody body = rigid_solid(frame.volume, frame.inertia, made.surface.points,
+                                     free.density > 0 ? free.density : free.mass / frame.volume);
+        body.shape = made.shape;
+        body.surface = shared(made.surface);
+        body.centre = frame.place.translation();
+        body.rotation = frame.place.linear();
+        return body;
+    });
+}
+
+RigidBody make_body(const SphereShape& sphere, const FreeMotion& free, const Need& need) {
+    RigidBody body = rigid_sphere(sphere.radius, free.density);
+    body.surface = shared(facets(SphereShape(Vector3d::Zero(), sphere.radius), need.sagitta));
+    body.centre = sphere.centre;
+    return body;
+}
+
+RigidBody make_body(const BoxShape& box, const FreeMotion& free, const Need&) {
+    RigidBody body = rigid_box(2 * box.half, free.density);
+    body.surface = shared(facets(BoxShape(Vector3d::Zero(), box.half), 0));
+    body.centre = box.centre;
+    return body;
+}
+
+/// No other kind is free (read_obstacle()).
+template <class Other>
+RigidBody make_body(const Other&, const FreeMotion&, const Need&) {
+    return {};
+}
+
 }  // namespace
 
 std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, const ThicknessRange& sheets,
-                                     std::vector<std::string>& warnings) {
+                                     std::vector<std::string>& warnings,
+                                     const std::vector<ObstacleSpec>& bodies) {
+    const Need need = need_of(sheets, bodies);
     std::vector<Obstacle> obstacles;
     for (const ObstacleSpec& spec : specs) {
         std::vector<std::string> found;
         Made made = with_context(spec.where, [&] {
-            return std::visit([&](const auto& kind) { return make(kind, sheets, found); }, spec.shape);
+            return std::visit([&](const auto& kind) { return make(kind, need, found); }, spec.shape);
         });
         for (const std::string& warning : found)
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
@@ -70,18 +166,16 @@ std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, con
 
 std::vector<RigidBody> make_bodies(const Scene& scene, const ThicknessRange& sheets) {
     std::vector<RigidBody> bodies;
+    const Need need = need_of(sheets, scene.bodies);
     for (const ObstacleSpec& spec : scene.bodies) {
-        const auto* sphere = std::get_if<SphereShape>(&spec.shape);
-        RigidBody body = sphere ? rigid_sphere(sphere->radius, spec.free->density)
-                                : rigid_box(2 * std::get<BoxShape>(spec.shape).half, spec.free->density);
-        // Like the shape, about the centre of mass and along the principal axes.
-        body.surface =
-            shared(sphere ? facets(SphereShape(Vector3d::Zero(), sphere->radius), sagitta * sheets.thinnest)
-                          : facets(BoxShape(Vector3d::Zero(), std::get<BoxShape>(spec.shape).half), 0));
+        RigidBody body = with_context(spec.where, [&] {
+            return std::visit([&](const auto& kind) { return make_body(kind, *spec.free, need); },
+                              spec.shape);
+        });
         body.young = spec.young;
         body.friction = spec.friction;
-        body.centre = spec.motion.pivot;
-        body.rotation = spec.motion.place.linear();
+        body.centre = spec.motion.place * body.centre;
+        body.rotation = spec.motion.place.linear() * body.rotation;
         body.velocity = spec.free->velocity;
         body.angular_momentum = body.inertia_in_space() * spec.free->spin;
         bodies.push_back(body);

@@ -106,11 +106,14 @@ void read_free_motion(TomlTable& table, ObstacleSpec& obstacle) {
     }
     const char* key = has_mass ? "mass" : "density";
     if (has_mass && has_density) table.report("density", "conflicts with mass: give one of them");
-    if (volume(obstacle) == 0) table.report(key, "makes a free body of a sphere or a box only");
+    const bool is_mesh = std::holds_alternative<ObstacleMesh>(obstacle.shape);
+    if (!is_mesh && volume(obstacle) == 0)
+        table.report(key, "makes a free body of a sphere, a box or a mesh only");
     if (!obstacle.motion.keys.empty()) table.report(key, "conflicts with keys: a free body moves by itself");
     FreeMotion& free = obstacle.free.emplace();
-    free.density = has_mass ? table.number("mass", "kg", positive) / volume(obstacle)
-                            : table.number("density", "kg/m^3", positive);
+    if (has_mass) free.mass = table.number("mass", "kg", positive);
+    if (has_density) free.density = table.number("density", "kg/m^3", positive);
+    if (has_mass && !is_mesh) free.density = free.mass / volume(obstacle);
     free.velocity = table.vector("velocity", "m/s", Vector3d::Zero());
     free.spin = table.vector("spin", "rad/s", Vector3d::Zero());
 }

@@ -2,18 +2,21 @@
 #include "core/contact/bodies/body_contact.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
-#include <set>
 
 namespace sherd {
 namespace {
 
 constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
 constexpr double round_off_of_value = 1e-12;
+/// rad; a correction that turns a body farther knows nothing of what forces do to it on the way, as they turn
+/// round what they push.
+constexpr double large_turn = 0.1;
+/// How many of its widths a body may be predicted to be beyond a sheet.
+constexpr double most_widths = 8;
+/// Share of the potential that another step of Newton's method may still take from where poses are the best.
+constexpr double still_to_gain = 1e-9;
 
 }  // namespace
 
@@ -38,6 +41,10 @@ void BodyContact::begin(const StepContext& step) {
     started = finished;
     base = VectorXd::Zero(static_cast<Eigen::Index>(6 * started.size()));
     make_steps(step);
+    const Positions ahead = shell.position + step.length * shell.velocity;
+    is_blocked = std::ranges::any_of(steps, [&](const BodyStep& body) {
+        return !body.has_straight_way(ahead, body.prediction(), most_widths);
+    });
 }
 
 void BodyContact::topology_changed(const ShellChange& change, const StepContext& step) {
@@ -109,9 +116,14 @@ void BodyContact::add_between(const std::vector<BodyPose>& poses, std::size_t bo
         return poses[b].point_motion(point - poses[b].place.translation());
     };
     const Matrix36d here = motion(body, x);
+    const auto turn = [&](std::size_t b, const Vector3d& point) {
+        sum.turning[b] += force.gradient.norm() * (point - poses[b].place.translation()).norm();
+    };
+    turn(body, x);
     sum.gradient.segment<6>(6 * body) += here.transpose() * force.gradient;
     sum.hessian.block<6, 6>(6 * body, 6 * body) += here.transpose() * force.hessian * here;
     if (!is_free(other)) return;
+    turn(other, anchor);
     const Matrix36d there = -motion(other, anchor);
     sum.gradient.segment<6>(6 * other) += there.transpose() * force.gradient;
     sum.hessian.block<6, 6>(6 * other, 6 * other) += there.transpose() * force.hessian * there;
@@ -156,6 +168,7 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
     const auto size = static_cast<Eigen::Index>(6 * steps.size());
     sum.gradient = VectorXd::Zero(size);
     sum.hessian = Eigen::MatrixXd::Zero(size, size);
+    sum.turning.assign(steps.size(), 0);
     add_point_contacts(q, sum);
     sum.value += sum.stored;
     for (std::size_t b = 0; b < steps.size(); ++b) {
@@ -163,29 +176,11 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
         const BodyPotential& own = sum.bodies.back();
         sum.value += own.value;
         sum.stored += own.stored;
+        sum.turning[b] += own.turning;
         sum.gradient.segment<6>(6 * b) += own.gradient;
         sum.hessian.block<6, 6>(6 * b, 6 * b) += own.hessian;
     }
     return sum;
-}
-
-std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) const {
-    std::vector<std::size_t> group(steps.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto join = [&](std::size_t one, std::size_t other) {
-        const auto [kept, gone] = std::minmax(group[one], group[other]);
-        std::replace(group.begin(), group.end(), std::size_t{gone}, std::size_t{kept});
-    };
-    const std::vector<BodyPose> at_q = poses(q);
-    for (const PointContact& contact : points) {
-        if (!is_free(contact.other)) continue;
-        const double size = started[contact.other].shape->bounds().diagonal().norm();
-        if (overlap_of(contact, at_q, ahead ? ahead_of_contact * size : 0).depth > 0)
-            join(contact.body, contact.other);
-    }
-    for (const SlidingContact& contact : sliding)
-        if (is_free(contact.other)) join(contact.body, contact.other);
-    return group;
 }
 
 double BodyContact::free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const {
@@ -208,8 +203,19 @@ double BodyContact::safe_fraction(const Positions& x, const Positions& motion) c
     return fraction;
 }
 
+VectorXd BodyContact::correction() const {
+    const VectorXd newton = -at_best.hessian.ldlt().solve(at_best.gradient);
+    double most = 0;
+    for (std::size_t b = 0; b < steps.size(); ++b) most = std::max(most, part(newton, b).tail<3>().norm());
+    if (most <= large_turn) return newton;
+    Eigen::MatrixXd stiffer = at_best.hessian;
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        stiffer.diagonal().segment<3>(6 * b + 3).array() += at_best.turning[b];
+    return -stiffer.ldlt().solve(at_best.gradient);
+}
+
 bool BodyContact::improve(const Positions& x) const {
-    VectorXd direction = -at_best.hessian.ldlt().solve(at_best.gradient);
+    VectorXd direction = correction();
     const double slope = direction.dot(at_best.gradient);
     for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
         if (best + direction == best) return false;
@@ -244,6 +250,15 @@ const BodyContact::Potential& BodyContact::solve(const Positions& x) const {
     return at_best;
 }
 
+bool BodyContact::arrive(const Positions& x) const {
+    const Potential& here = solve(x);
+    const double gain = here.gradient.dot(here.hessian.ldlt().solve(here.gradient));
+    if (!(gain <= still_to_gain * std::abs(here.value))) return false;
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        if (!steps[b].has_straight_way(x, part(best, b))) return false;
+    return true;
+}
+
 double BodyContact::value(const Positions& x) const {
     return solve(x).value;
 }
@@ -251,52 +266,6 @@ double BodyContact::value(const Positions& x) const {
 void BodyContact::add_gradient(const Positions& x, Positions& gradient) const {
     for (const BodyPotential& body : solve(x).bodies)
         for (const auto& [vertex, terms] : body.vertex_terms) gradient.col(vertex) += terms.gradient;
-}
-
-void BodyContact::add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const {
-    const Potential& here = solve(x);
-    const Eigen::MatrixXd inverse = here.hessian.inverse();
-    const std::vector<std::size_t> group = groups(best, false);
-    for (std::size_t one = 0; one < steps.size(); ++one) {
-        for (std::size_t other = 0; other < steps.size(); ++other) {
-            if (group[one] != group[other]) continue;
-            const Matrix6d block = inverse.block<6, 6>(6 * one, 6 * other);
-            for (const auto& [a, terms] : here.bodies[one].vertex_terms) {
-                const Matrix36d eliminated = terms.mixed * block;
-                for (const auto& [b, others] : here.bodies[other].vertex_terms) {
-                    if (b > a) break;
-                    const Matrix3d part = -eliminated * others.mixed.transpose();
-                    if (a != b)
-                        hessian.add(a, b, part);
-                    else
-                        hessian.add(a, a, 0.5 * (part + part.transpose()));
-                }
-            }
-        }
-        for (const auto& [vertex, terms] : here.bodies[one].vertex_terms)
-            hessian.add(vertex, vertex, terms.hessian);
-        for (const auto& [vertices, part] : here.bodies[one].couplings)
-            hessian.add(vertices[0], vertices[1], part);
-    }
-}
-
-void BodyContact::add_contacts(const Positions& x, bool ahead,
-                               std::vector<std::pair<Index, Index>>& pairs) const {
-    const Potential& here = solve(x);
-    // Bodies in contact transmit forces of the shell to each other.
-    const std::vector<std::size_t> group = groups(best, ahead);
-    std::map<std::size_t, std::set<Index>> vertices;
-    for (std::size_t b = 0; b < steps.size(); ++b) {
-        std::set<Index>& all = vertices[group[b]];
-        for (const auto& [vertex, terms] : here.bodies[b].vertex_terms) all.insert(vertex);
-        if (ahead) steps[b].add_near_vertices(x, part(best, b), all);
-    }
-    for (const auto& [first, all] : vertices)
-        for (const Index a : all)
-            for (const Index b : all) {
-                if (b == a) break;
-                pairs.emplace_back(a, b);
-            }
 }
 
 void BodyContact::end_at(const Positions& x) {

@@ -30,8 +30,15 @@ class BodyContact : public Energy {
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
+    /// Whether the step is too long for the bodies to begin it: without contact, one would be some of its own
+    /// widths beyond a sheet. Poses that are the best in such a step are not what a blow leads to, and are
+    /// hard to find.
+    bool blocked() const { return is_blocked; }
     /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
     void end_at(const Positions& x);
+    /// Whether the poses for the shell at x are the best, and no body came there around a sheet. Else the
+    /// step is too long for the bodies.
+    bool arrive(const Positions& x) const;
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
@@ -60,7 +67,8 @@ class BodyContact : public Energy {
     /// The rest is made by begin() and topology_changed().
     void visit_state(StateVisitor& visit) override {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, steps, obstacle_places, points,
-               sliding, held_by_shell, held_by_points, start_stored, base, last, best, at_best] = *this;
+               sliding, held_by_shell, held_by_points, start_stored, is_blocked, base, last, best, at_best] =
+            *this;
         visit(started, finished, pairs, held_by_shell, held_by_points, base);
     }
 
@@ -71,6 +79,7 @@ class BodyContact : public Energy {
         VectorXd gradient;             ///< [6 B]
         Eigen::MatrixXd hessian;
         std::vector<BodyPotential> bodies;
+        std::vector<double> turning;  ///< N m, of each body, see BodyPotential
     };
     /// A contact point that touched another collider at the beginning of the step.
     struct SlidingContact {
@@ -108,6 +117,8 @@ class BodyContact : public Energy {
     /// others. `ahead` also counts contacts that may occur soon.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
     double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
+    /// The correction of Newton's method at the best q so far.
+    VectorXd correction() const;
     /// Takes one step of Newton's method on q. Returns false when the potential cannot be lowered further.
     bool improve(const Positions& x) const;
     /// The potential at the optimal poses for x, which are kept until x changes.
@@ -128,7 +139,8 @@ class BodyContact : public Energy {
     std::vector<BodySticks> held_by_shell;
     StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
-    VectorXd base;            ///< [6 B] poses free of overlap with the shell, where solve() starts
+    bool is_blocked = false;
+    VectorXd base;  ///< [6 B] poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

@@ -32,6 +32,7 @@ void BodyPotential::add_vertex(const BodyPose& pose, Index vertex, const Vector3
     terms.gradient += by_x;
     terms.hessian += twice;
     terms.mixed += twice * relative;
+    turning += by_x.norm() * arm.norm();
     gradient += relative.transpose() * by_x;
     hessian += relative.transpose() * twice * relative;
 }
@@ -41,8 +42,11 @@ void BodyPotential::add_element(const BodyPose& pose, const std::array<Index, 4>
                                 const PairHessian& twice) {
     Eigen::Matrix<double, 12, 6> motion = Eigen::Matrix<double, 12, 6>::Zero();
     for (int i = 0; i < 4; ++i)
-        if (vertices[i] < first)
-            motion.middleRows<3>(3 * i) = pose.point_motion(pose.place.linear() * points.col(vertices[i]));
+        if (vertices[i] < first) {
+            const Vector3d arm = pose.place.linear() * points.col(vertices[i]);
+            motion.middleRows<3>(3 * i) = pose.point_motion(arm);
+            turning += by_x.col(i).norm() * arm.norm();
+        }
     gradient += motion.transpose() * by_x.reshaped();
     hessian += motion.transpose() * twice * motion;
     for (int i = 0; i < 4; ++i) {

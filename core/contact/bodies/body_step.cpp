@@ -165,9 +165,9 @@ BodyPotential BodyStep::potential(const Positions& x, const Vector6d& q) const {
 double BodyStep::free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const {
     if (!near) return 1;
     const BodyPose before = pose(from), after = pose(to);
-    const double angle = Eigen::AngleAxisd(before.place.linear().transpose() * after.place.linear()).angle();
     // In the body's frame, the straight motion takes the shell through images of itself that are not folded
-    // over as long as the angle is less than pi.
+    // over as long as the angle is less than pi. Whole turns count: a way that is not looked at may be long.
+    const double angle = (to - from).tail<3>().norm();
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
     const Positions start = seen_from(before, x);
     return near->safe_fraction(start, seen_from(after, x) - start);
@@ -178,6 +178,15 @@ double BodyStep::free_motion(const Positions& x, const Positions& motion, const 
     const BodyPose here = pose(q);
     const Positions start = seen_from(here, x);
     return near->safe_fraction(start, seen_from(here, x + motion) - start);
+}
+
+bool BodyStep::has_straight_way(const Positions& x, const Vector6d& q, double widths) const {
+    const double width = widths * body.shape->bounds().sizes().minCoeff(), way = q.head<3>().norm();
+    if (!near || way <= width) return true;
+    BodyPose start = pose(Vector6d::Zero()), end = start;
+    end.place.translation() += q.head<3>();
+    const Positions before = seen_from(start, shell.position);
+    return (1 - near->safe_fraction(before, seen_from(end, x) - before)) * way <= width;
 }
 
 void BodyStep::add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const {

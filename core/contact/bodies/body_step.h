@@ -43,6 +43,8 @@ class BodyStep {
 
     BodyPotential potential(const Positions& x, const Vector6d& q) const;
     BodyPose pose(const Vector6d& q) const;
+    /// q without contact: the inertial prediction.
+    const Vector6d& prediction() const { return predicted; }
     const RigidBody& start() const { return body; }
     RigidBody moved(const Vector6d& q) const;
     /// Rates of the linear and of the angular momentum, N and N m, when the body ends the step as `end`.
@@ -56,6 +58,10 @@ class BodyStep {
     double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
     /// Fraction, 0 to 1, of the shell's motion from x on which it does not reach the body at q.
     double free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const;
+    /// Whether the step, in which the shell gets to x and the body to q, can be made straight: the body gets
+    /// no farther than some of its own widths beyond where the shell meets it on that way. A search for the
+    /// best pose may have taken it around the rim of a sheet.
+    bool has_straight_way(const Positions& x, const Vector6d& q, double widths = 1) const;
     /// Adds the vertices that may touch the body at q soon.
     void add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const;
     /// The vertices of the shell that touch the body at q, with their depth.

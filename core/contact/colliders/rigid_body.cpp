@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/colliders/rigid_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,18 @@ RigidBody rigid_box(const Vector3d& size, double density) {
         body.contact_points.push_back(
             0.5 * size.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
     body.contact_length = 0.25 * std::cbrt(size.prod());
+    return body;
+}
+
+RigidBody rigid_solid(double volume, const Vector3d& inertia, const Positions& points, double density) {
+    RigidBody body;
+    body.young = steel_young;
+    body.mass = volume * density;
+    body.inertia = inertia * density;
+    for (const auto& point : points.colwise()) body.contact_points.push_back(point);
+    // Of a fine mesh many lie on a floor: together they are as stiff as the corners of a box there.
+    const double count = std::max<double>(1, static_cast<double>(points.cols()));
+    body.contact_length = std::cbrt(volume) * std::min(0.25, 6 / count);
     return body;
 }
 

@@ -38,6 +38,11 @@ struct RigidBody : Collider {
         pose.translation() = centre;
         return pose;
     }
+    /// How many of its contact points may push at once, on the safe side: of a box one on either side of its
+    /// centre.
+    double points_at_once() const {
+        return contact_points.size() <= 8 ? 2 : static_cast<double>(contact_points.size());
+    }
     /// Stiffness of a contact point against another collider, N/m.
     double point_stiffness(const Collider& other) const {
         return contact_length / (1 / young + 1 / other.young);
@@ -54,5 +59,9 @@ struct RigidBody : Collider {
 /// The body of a homogeneous sphere or box, as stiff as steel, at rest. density: kg/m^3; radius, size: m.
 RigidBody rigid_sphere(double radius, double density);
 RigidBody rigid_box(const Vector3d& size, double density);
+/// The same of any solid, without a shape and a surface, which the caller gives it. volume: m^3; inertia:
+/// m^5, about the principal axes, for each unit of density; points: [3, P] m, of its surface, in its frame.
+/// They are its contact points, and together as stiff as six boxes' corners of this volume.
+RigidBody rigid_solid(double volume, const Vector3d& inertia, const Positions& points, double density);
 
 }  // namespace sherd

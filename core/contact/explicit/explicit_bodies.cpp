@@ -234,7 +234,7 @@ double ExplicitBodies::largest_rate(const Positions& x, double margin) const {
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
         const double stiffness = all[body].point_stiffness(collider(other));
-        largest = std::max(largest, 2 * stiffness / all[body].mass * (1 + turning));
+        largest = std::max(largest, all[body].points_at_once() * stiffness / all[body].mass * (1 + turning));
     }
     return largest;
 }

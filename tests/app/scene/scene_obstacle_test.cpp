@@ -208,7 +208,7 @@ TEST(SceneObstacle, WhatCannotBeIsToldWithItsLine) {
     expect_error("vdb = { file = \"a.vdb\", scale = 0 }", {"vdb.scale: must be a positive"});
     expect_error("sphere = { radius = 1 }\nvelocity = [1, 0, 0]", {"thing.velocity: needs density or mass"});
     expect_error("sphere = { radius = 1 }\nmass = 1\ndensity = 1", {"thing.density: conflicts with mass"});
-    expect_error("plane = {}\nmass = 1", {"thing.mass: makes a free body of a sphere or a box only"});
+    expect_error("plane = {}\nmass = 1", {"thing.mass: makes a free body of a sphere, a box or a mesh only"});
     expect_error("box = { size = [1, 1, 1] }\nmass = 1\nkeys = { time = 1 }",
                  {"thing.mass: conflicts with keys"});
     expect_error("sphere = { radius = 1 }\ndensity = -1",
