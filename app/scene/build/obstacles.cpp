@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/scene/build/deforming_mesh.h"
 #include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
@@ -19,6 +20,7 @@ constexpr double sagitta = 0.05;  // of the thinnest sheet's thickness: what fac
 struct Made {
     std::shared_ptr<const Shape> shape;
     ColliderSurface surface;
+    std::shared_ptr<const Deformation> deformation = nullptr;
 };
 
 template <class Solid>
@@ -27,6 +29,11 @@ Made make(const Solid& solid, const ThicknessRange& sheets, std::vector<std::str
 }
 
 Made make(const ObstacleMesh& spec, const ThicknessRange& sheets, std::vector<std::string>& warnings) {
+    if (spec.cache) {
+        DeformingMesh made = make_deforming_mesh(spec, warnings);
+        return {std::make_shared<BareSurface>(), std::move(made.surface),
+                std::make_shared<Deformation>(std::move(made.deformation))};
+    }
     const Mesh mesh = read_mesh(spec.file, warnings);
     const MeshMeasures extent = measure(mesh);
     const double voxel = spec.voxel > 0 ? spec.voxel : (extent.upper - extent.lower).norm() / voxels_along;
@@ -63,7 +70,8 @@ std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, con
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
         obstacles.push_back(
             {{std::move(made.shape), shared(std::move(made.surface)), spec.young, spec.friction},
-             spec.motion});
+             spec.motion,
+             std::move(made.deformation)});
     }
     return obstacles;
 }
