@@ -143,8 +143,9 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
     if (moments.size() > 1) progress.show(0, fmt::format("picture 0 of {}", moments.size()));
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const Snapshot frame = sheets.at(moments[i]);
-        std::optional<Image> image = render_picture(stage.scene(frame, obstacles.at(moments[i])),
-                                                    stage.camera(), picture, interrupted);
+        std::optional<Image> image =
+            render_picture(stage.scene(frame, obstacles.at(moments[i]), obstacles.shapes(moments[i])),
+                           stage.camera(), picture, interrupted);
         if (!image) {
             result.interrupted = true;
             break;

@@ -55,6 +55,7 @@ std::string filled(std::string_view page, std::initializer_list<Filling> filling
 
 // About what a vertex takes in the page: in each frame, and its two faces once, in base64.
 constexpr double frame_bytes = (3 * 2 + 1 + 1) * 4 / 3.0, face_bytes = 2 * (3 + 1 + 1) * 4 * 4 / 3.0;
+constexpr double point_bytes = 3 * 4 * 4 / 3.0;  // in a frame, of an obstacle that deforms
 // Rather than leave out more frames, the mesh is thinned.
 constexpr std::size_t enough_frames = 20;
 
@@ -93,6 +94,14 @@ std::optional<PageLook> look_for(const Recording& recording, const Snapshot& las
     return std::nullopt;
 }
 
+/// Of the obstacles that have other ones in each frame.
+double deforming_points(const Recording& recording) {
+    double sum = 0;
+    for (const RecordedObstacle& obstacle : recording.obstacles())
+        if (obstacle.deforms) sum += static_cast<double>(obstacle.surface.points.size());
+    return sum;
+}
+
 /// The frames that fit, all of them thinned where they have to be; warnings say what is not as recorded.
 PageJson fitting_data(const Recording& recording, const RenderStage& stage, double megabytes,
                       std::vector<std::string>& warnings) {
@@ -114,8 +123,9 @@ PageJson fitting_data(const Recording& recording, const RenderStage& stage, doub
     const std::size_t look_room =
         look ? look_bytes(recording.header().rest_look, last.faces.size()) + look->pictures().bytes() : 0;
     const double room = std::max(0.0, most_bytes - vertices * face_bytes - static_cast<double>(look_room));
+    const double shapes = point_bytes * deforming_points(recording);
     const std::vector<std::size_t> frames =
-        shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes),
+        shown_frames(recording.frame_count(), static_cast<std::size_t>(vertices * frame_bytes + shapes),
                      static_cast<std::size_t>(room));
     if (frames.size() < recording.frame_count())
         warnings.push_back(

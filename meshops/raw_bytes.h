@@ -17,6 +17,14 @@ Number number_at(const char* bytes, std::endian order) {
     return std::bit_cast<Number>(raw);
 }
 
+/// Appends the bytes of a number in the given byte order.
+template <class Number>
+void append_number(std::string& bytes, Number number, std::endian order) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
+
 /// Appends the bytes of a number in the order that STL and the headers of our PLY files promise.
 template <class Number>
 void append_little_endian(std::string& bytes, Number number) {

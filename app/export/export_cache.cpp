@@ -3,27 +3,18 @@
 // each obstacle that moves.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstring>
 #include <functional>
 #include <memory>
 
 #include "app/export/export_clip.h"
 #include "app/export/export_formats.h"
+#include "app/files/point_cache.h"
 #include "meshops/material_library.h"
+#include "meshops/raw_bytes.h"
 
 namespace sherd {
 
 namespace {
-
-template <class T>
-void append(std::string& bytes, T value, std::endian order) {
-    char part[sizeof value];
-    std::memcpy(part, &value, sizeof value);
-    if (order != std::endian::native) std::reverse(part, part + sizeof value);
-    bytes.append(part, sizeof value);
-}
 
 /// What a cache holds: the places of the same points at several moments.
 struct PointTrack {
@@ -32,33 +23,19 @@ struct PointTrack {
     std::function<std::vector<Vector3d>(std::size_t)> points;  ///< [P] m, of a sample
 };
 
-void append_points(std::string& bytes, const std::vector<Vector3d>& points, std::endian order) {
-    for (const Vector3d& point : points)
-        for (const double coordinate : point) append(bytes, static_cast<float>(coordinate), order);
+std::string with_points(std::string head, const PointTrack& track, std::endian order) {
+    for (std::size_t i = 0; i < track.times.size(); ++i)
+        for (const Vector3d& point : track.points(i))
+            for (const double coordinate : point) append_number(head, static_cast<float>(coordinate), order);
+    return head;
 }
 
-/// A head of name, version, points, start, frames a sample and samples; little endian.
 std::string pc2_bytes(const PointTrack& track) {
-    std::string bytes("POINTCACHE2\0", 12);
-    append(bytes, std::int32_t{1}, std::endian::little);
-    append(bytes, static_cast<std::int32_t>(track.points(0).size()), std::endian::little);
-    append(bytes, 0.0F, std::endian::little);
-    append(bytes, 1.0F, std::endian::little);
-    append(bytes, static_cast<std::int32_t>(track.times.size()), std::endian::little);
-    for (std::size_t i = 0; i < track.times.size(); ++i)
-        append_points(bytes, track.points(i), std::endian::little);
-    return bytes;
+    return with_points(pc2_head(track.points(0).size(), track.times.size()), track, pc2_order);
 }
 
-/// A head of samples, points and the samples' times in s, as they are shown; big endian.
 std::string mdd_bytes(const PointTrack& track) {
-    std::string bytes;
-    append(bytes, static_cast<std::int32_t>(track.times.size()), std::endian::big);
-    append(bytes, static_cast<std::int32_t>(track.points(0).size()), std::endian::big);
-    for (const double time : track.times) append(bytes, static_cast<float>(time), std::endian::big);
-    for (std::size_t i = 0; i < track.times.size(); ++i)
-        append_points(bytes, track.points(i), std::endian::big);
-    return bytes;
+    return with_points(mdd_head(track.points(0).size(), track.times), track, mdd_order);
 }
 
 /// The mesh that the cache goes with, in the shape of the first sample.
@@ -100,12 +77,10 @@ PointTrack sheet_track(const std::shared_ptr<Clip>& clip, const std::vector<doub
 
 PointTrack obstacle_track(const ExportSource& source, std::size_t number, const std::vector<Moment>& moments,
                           const std::vector<double>& times) {
-    const GridSurface& surface = source.obstacles()[number].surface;
     TriangleSheet mesh;
-    mesh.triangles = surface.triangles;
-    return {mesh, times, [&source, &surface, number, moments](std::size_t i) {
-                return placed(surface, source.poses(moments[i])[number]).points;
-            }};
+    mesh.triangles = source.obstacles()[number].surface.triangles;
+    return {mesh, times,
+            [&source, number, moments](std::size_t i) { return source.obstacle(number, moments[i]).points; }};
 }
 
 std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,

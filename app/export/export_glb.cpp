@@ -170,23 +170,35 @@ void Animation::add_shapes(GlbScene& scene) {
     }
 }
 
-/// Each is a node about its middle, about which it turns between frames.
+/// Each is a node about its middle, about which it turns between frames; one that deforms has a shape of
+/// each.
 void Animation::add_obstacles(GlbScene& scene) {
     const std::vector<ExportObstacle>& obstacles = source.obstacles();
     const std::size_t first = scene.nodes.size();
+    std::vector<CreasedSurface> surfaces;
     for (const ExportObstacle& obstacle : obstacles) {
-        const CreasedSurface surface = creased(obstacle.surface);
+        surfaces.push_back(creased(obstacle.surface));
+        const CreasedSurface& surface = surfaces.back();
         const Eigen::Isometry3d to_middle(Eigen::Translation3d(-middle(obstacle.surface)));
         GlbNode node{.name = obstacle.name, .obstacle = true, .triangles = surface.triangles};
-        node.shapes = {{moved(surface.points, to_middle), surface.normals}};
+        if (obstacle.deforms)
+            node.motions = {Eigen::Isometry3d::Identity()};
+        else
+            node.shapes = {{moved(surface.points, to_middle), surface.normals}};
         scene.nodes.push_back(node);
     }
     for (std::size_t k = 0; k < clip.size(); ++k) {
         const std::vector<Eigen::Isometry3d> poses = source.poses(source.frames()[k]);
-        for (std::size_t i = 0; i < obstacles.size(); ++i)
-            if (k == 0 || obstacles[i].moves)
-                scene.nodes[first + i].motions.push_back(poses[i] *
-                                                         Eigen::Translation3d(middle(obstacles[i].surface)));
+        const ObstacleShapes shapes = source.shapes(source.frames()[k]);
+        for (std::size_t i = 0; i < obstacles.size(); ++i) {
+            GlbNode& node = scene.nodes[first + i];
+            if (obstacles[i].deforms) {
+                const CreasedSurface shape = reshaped(surfaces[i], shapes[i]);
+                node.shapes.push_back({shape.points, shape.normals});
+            } else if (k == 0 || obstacles[i].moves) {
+                node.motions.push_back(poses[i] * Eigen::Translation3d(middle(obstacles[i].surface)));
+            }
+        }
     }
 }
 

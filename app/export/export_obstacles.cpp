@@ -34,8 +34,8 @@ std::vector<ExportObstacle> export_obstacles(const Recording& recording,
     std::vector<RecordedObstacle> recorded = recording.obstacles();
     std::set<std::string> used;
     for (RecordedObstacle& obstacle : recorded)
-        obstacles.push_back(
-            {unused("obstacle_" + plain(obstacle.name), used), std::move(obstacle.surface), obstacle.plane});
+        obstacles.push_back({unused("obstacle_" + plain(obstacle.name), used), std::move(obstacle.surface),
+                             obstacle.plane, obstacle.deforms && frames.size() > 1, obstacle.deforms});
     if (obstacles.empty()) return obstacles;
     const std::vector<Eigen::Isometry3d> first = recording.poses(frames.front());
     for (const std::size_t number : frames) {

@@ -13,7 +13,8 @@ struct ExportObstacle {
     std::string name;     ///< obstacle_ram: of files and objects; no other one has it
     GridSurface surface;  ///< in its own frame
     bool plane = false;   ///< infinite; the surface is a square of it
-    bool moves = false;   ///< in the chosen frames
+    bool moves = false;   ///< in the chosen frames; or it deforms
+    bool deforms = false;
 };
 
 /// Those of a recording, in its order. frames: that are chosen, at least one.

@@ -107,8 +107,18 @@ std::vector<Eigen::Isometry3d> ExportSource::poses(std::size_t frame) const {
     return poses(Moment{frame, frame, 0, recording.time(frame)});
 }
 
+ObstacleShapes ExportSource::shapes(std::size_t frame) const {
+    return recording.shapes(frame);
+}
+
 TriangleSheet ExportSource::obstacle(std::size_t i, std::size_t frame) const {
-    return placed(obstacles()[i].surface, poses(frame)[i]);
+    return obstacle(i, Moment{frame, frame, 0, recording.time(frame)});
+}
+
+TriangleSheet ExportSource::obstacle(std::size_t i, const Moment& moment) const {
+    const ExportObstacle& solid = obstacles()[i];
+    if (!solid.deforms) return placed(solid.surface, poses(moment)[i]);
+    return placed(reshaped(solid.surface, playback.shapes(moment)[i]), poses(moment)[i]);
 }
 
 std::string ExportSource::obstacle_suffix(std::size_t i, const std::string& extension) const {

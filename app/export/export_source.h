@@ -49,8 +49,11 @@ class ExportSource {
     /// Error (run) when interrupted().
     std::vector<Eigen::Isometry3d> poses(const Moment& moment) const;
     std::vector<Eigen::Isometry3d> poses(std::size_t frame) const;
-    /// Returns one of obstacles() as it stands in a frame.
+    /// Returns the points of those that deform.
+    ObstacleShapes shapes(std::size_t frame) const;
+    /// Returns one of obstacles() as it stands in a frame or between two.
     TriangleSheet obstacle(std::size_t i, std::size_t frame) const;
+    TriangleSheet obstacle(std::size_t i, const Moment& moment) const;
     /// Returns the end of the name of its files: "_obstacle_ram.ply".
     std::string obstacle_suffix(std::size_t i, const std::string& extension) const;
 

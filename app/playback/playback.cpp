@@ -43,4 +43,14 @@ std::vector<Eigen::Isometry3d> ObstaclePlayback::at(const Moment& moment) const 
     return poses;
 }
 
+ObstacleShapes ObstaclePlayback::shapes(const Moment& moment) const {
+    ObstacleShapes shapes = recording.shapes(moment.earlier);
+    if (!(moment.share > 0)) return shapes;
+    const ObstacleShapes later = recording.shapes(moment.later);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        for (std::size_t p = 0; p < shapes[i].size(); ++p)
+            shapes[i][p] += moment.share * (later[i][p] - shapes[i][p]);
+    return shapes;
+}
+
 }  // namespace sherd

@@ -39,6 +39,8 @@ class ObstaclePlayback {
 
     /// From the frame of each to space, as recorded or interpolated() about its middle.
     std::vector<Eigen::Isometry3d> at(const Moment& moment) const;
+    /// As recorded, or with each point on the straight way between two frames.
+    ObstacleShapes shapes(const Moment& moment) const;
 
   private:
     const Recording& recording;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/state_visitor.h"
+#include "core/vector.h"
 #include "meshops/signed_distance_grid.h"
 
 namespace sherd {
@@ -15,7 +16,17 @@ struct RecordedObstacle {
     std::string name;
     GridSurface surface;  ///< in the obstacle's own frame
     bool plane = false;   ///< infinite; the surface is a square of it, which faces to the side of the sheets
+    /// Whether each frame has points of its own (ObstacleShapes), where its pose is none.
+    bool deforms = false;
 };
+
+/// In a frame, or between two, the points in space of each obstacle that deforms, m; empty of others.
+using ObstacleShapes = std::vector<std::vector<Vector3d>>;
+
+/// A surface with these points, or as it is if there are none.
+inline GridSurface reshaped(const GridSurface& surface, const std::vector<Vector3d>& points) {
+    return points.empty() ? surface : GridSurface{points, surface.triangles};
+}
 
 /// Where a frame of a recording shows its obstacles.
 struct ObstaclePlaces {

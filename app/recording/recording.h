@@ -90,10 +90,10 @@ class RecordingWriter {
                     std::span<const RecordedObstacle> obstacles = {});
 
     /// Adds a frame, the steps since the last append, and the events since then. The poses are those of each
-    /// obstacle, from its frame to space. Throws Error (run) when the disk is full or the file cannot be
-    /// written; the file is then as it was before.
+    /// obstacle, from its frame to space, the shapes those of obstacles that deform. Throws Error (run) when
+    /// the disk is full or the file cannot be written; the file is then as it was before.
     void append(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
-                std::span<const Eigen::Isometry3d> poses = {});
+                std::span<const Eigen::Isometry3d> poses = {}, const ObstacleShapes& shapes = {});
 
     /// Adds the modes that the frames show, whose times then are none of physics: `times` says what they are.
     /// Frames of the first mode have the step 1, and so on. Throws Error (run) as append() does.
@@ -143,6 +143,7 @@ class Recording {
     double time(std::size_t number) const;            ///< s, of a frame
     std::vector<RecordedObstacle> obstacles() const;  ///< none in recordings of earlier versions
     std::vector<Eigen::Isometry3d> poses(std::size_t number) const;  ///< of obstacles(), in a frame
+    ObstacleShapes shapes(std::size_t number) const;                 ///< likewise
     std::vector<StepReport> steps() const;  ///< with reactions and gauges as header() has them
     bool has_balance() const;               ///< whether steps() have a balance: not of before there was one
     CrackEvents events() const;

@@ -183,6 +183,10 @@ std::string obstacle_points(std::size_t number) {
     return obstacle_group(number) + "/position";
 }
 
+std::string obstacle_points(std::size_t frame, std::size_t number) {
+    return fmt::format("{}/obstacle/{}/position", frame_group(frame), number);
+}
+
 std::string obstacle_faces(std::size_t number) {
     return obstacle_group(number) + "/face";
 }

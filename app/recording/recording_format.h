@@ -359,11 +359,15 @@ std::string frame_group(std::size_t number);
 
 /// What has RecordedObstacle::plane; recordings of before planes were in them lack it.
 inline constexpr const char* obstacle_planes = "obstacles/plane";
+/// What has RecordedObstacle::deforms; without it none does.
+inline constexpr const char* obstacle_deforms = "obstacles/deforms";
 
 /// Returns the name of the group of an obstacle's surface.
 std::string obstacle_group(std::size_t number);
 /// Returns the names of its points and its triangles there.
 std::string obstacle_points(std::size_t number);
+std::string obstacle_points(std::size_t frame,
+                            std::size_t number);  ///< in a frame, if it has moved or deforms
 std::string obstacle_faces(std::size_t number);
 
 /// An obstacle's pose as it is stored: the three rows of rotation | translation.

@@ -32,6 +32,15 @@ void read_array(hid_t where, const std::string& name, std::vector<T>& values) {
     values = hdf5::read<T>(where, name);
 }
 
+/// Of each obstacle; none is set in recordings of before there were such.
+std::vector<std::uint8_t> flags(hid_t file, const char* name, std::size_t obstacles) {
+    if (!hdf5::contains(file, name)) return std::vector<std::uint8_t>(obstacles, 0);
+    std::vector<std::uint8_t> flags = hdf5::read<std::uint8_t>(file, name);
+    if (flags.size() != obstacles)
+        throw Error(fmt::format("{} has {} rows of {} obstacles", name, flags.size(), obstacles));
+    return flags;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream stream(text);
     std::vector<std::string> lines;
@@ -238,17 +247,32 @@ std::vector<RecordedObstacle> Recording::obstacles() const {
             read_array(group, "face", obstacles.back().surface.triangles);
             if (const std::string what = inconsistency(obstacles.back()); !what.empty()) throw Error(what);
         }
-        if (!hdf5::contains(opened, obstacle_planes)) return obstacles;
-        const auto planes = hdf5::read<std::uint8_t>(opened, obstacle_planes);
-        if (planes.size() != obstacles.size())
-            throw Error(fmt::format("{} has {} rows of {} obstacles", obstacle_planes, planes.size(),
-                                    obstacles.size()));
-        for (std::size_t i = 0; i < planes.size(); ++i) {
+        const auto planes = flags(opened, obstacle_planes, obstacles.size());
+        const auto deforms = flags(opened, obstacle_deforms, obstacles.size());
+        for (std::size_t i = 0; i < obstacles.size(); ++i) {
             obstacles[i].plane = planes[i] != 0;
+            obstacles[i].deforms = deforms[i] != 0;
             if (obstacles[i].plane && obstacles[i].surface.triangles.empty())
                 throw Error(fmt::format("the plane '{}' has no face", obstacles[i].name));
         }
         return obstacles;
+    });
+}
+
+ObstacleShapes Recording::shapes(std::size_t number) const {
+    return read_with([number](hid_t opened) {
+        if (!hdf5::contains(opened, "obstacles")) return ObstacleShapes();
+        ObstacleShapes shapes(hdf5::read_texts(opened, "obstacles/names").size());
+        const std::vector<std::uint8_t> deforms = flags(opened, obstacle_deforms, shapes.size());
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            if (deforms[i] == 0) continue;
+            read_array(opened, obstacle_points(number, i), shapes[i]);
+            const hsize_t points = hdf5::row_count(opened, obstacle_points(i), 3);
+            if (shapes[i].size() != points)
+                throw Error(fmt::format("frame {} has {} points of the obstacle {}, which has {}", number,
+                                        shapes[i].size(), i, points));
+        }
+        return shapes;
     });
 }
 

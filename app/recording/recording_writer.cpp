@@ -167,7 +167,8 @@ void write_frame(hid_t file, std::size_t number, const Snapshot& snapshot, const
 
 void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::string& same_rest,
          std::span<const StepReport> steps, const CrackEvents& events,
-         std::span<const RecordedObstacle> obstacles, const ObstaclePlaces& places) {
+         std::span<const RecordedObstacle> obstacles, const ObstaclePlaces& places,
+         const ObstacleShapes& shapes) {
     append_table<StepReport>(file, steps);
     visit_lists([&]<class Row>(std::vector<Row> StepReport::*list, const std::string& group) {
         const std::vector<std::string> tables = numbered_groups(file, group);
@@ -180,7 +181,7 @@ void add(hid_t file, std::size_t frame, const Snapshot& snapshot, const std::str
     visit_kinds(
         [&]<class Event>(std::vector<Event> CrackEvents::*kind) { append_table<Event>(file, events.*kind); });
     write_frame(file, frame, snapshot, same_rest);
-    write_places(file, frame, obstacles, places);
+    write_places(file, frame, obstacles, places, shapes);
 }
 
 template <class T>
@@ -265,7 +266,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Record
     : RecordingWriter(RecordingOutput(file, force), header, obstacles) {}
 
 void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepReport> steps,
-                             const CrackEvents& events, std::span<const Eigen::Isometry3d> poses) try {
+                             const CrackEvents& events, std::span<const Eigen::Isometry3d> poses,
+                             const ObstacleShapes& shapes) try {
     if (const std::string what = inconsistency(snapshot, unbroken_vertices); !what.empty())
         throw Error(what, Fault::run);
     if (!same_bits(snapshot.rest.unbroken_faces, rest.unbroken_faces))
@@ -276,7 +278,7 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
                                     step.reactions.size(), step.gauges.size(), supports, gauges),
                         Fault::run);
     const bool new_rest = !same_bits(snapshot.rest, rest);
-    ObstaclePlaces next = next_places(places, frames.size(), poses);
+    ObstaclePlaces next = next_places(places, frames.size(), obstacles, poses, shapes);
     std::vector<XdmfFrame> longer = frames;
     longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
                       snapshot.faces.size(), snapshot.edges.size(), next.points});
@@ -288,7 +290,8 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
     PendingFile index(output.index, Fault::run);
     index.write(xdmf_text(file().filename().string(), longer, xdmf_obstacles(obstacles)));
     hdf5::change(recording, [&](hid_t opened) {
-        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next);
+        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next,
+            shapes);
         longer_rows = extent(opened);
     });
     rows = std::move(longer_rows);

@@ -20,6 +20,7 @@ CreasedSurface creased(const GridSurface& surface) {
         for (const std::int32_t corner : face) mean[corner] += face_normal(surface, face);
     const auto add = [&](std::int32_t point, const Eigen::Vector3d& normal) {
         result.points.push_back(surface.points[point]);
+        result.point_of.push_back(point);
         result.normals.push_back(normal.isZero(0) ? Eigen::Vector3d::UnitZ() : normal);
         return static_cast<std::int32_t>(result.points.size()) - 1;
     };
@@ -35,6 +36,17 @@ CreasedSurface creased(const GridSurface& surface) {
         }
     }
     return result;
+}
+
+CreasedSurface reshaped(CreasedSurface creased, const std::vector<Eigen::Vector3d>& points) {
+    for (std::size_t i = 0; i < creased.points.size(); ++i) creased.points[i] = points[creased.point_of[i]];
+    std::vector<Eigen::Vector3d> sums(creased.points.size(), Eigen::Vector3d::Zero());
+    const GridSurface surface{creased.points, creased.triangles};
+    for (const auto& face : creased.triangles)
+        for (const std::int32_t corner : face) sums[corner] += face_normal(surface, face);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        creased.normals[i] = sums[i].isZero(0) ? Eigen::Vector3d::UnitZ() : sums[i].stableNormalized();
+    return creased;
 }
 
 }  // namespace sherd

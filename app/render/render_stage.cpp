@@ -143,9 +143,10 @@ void RenderStage::measure_obstacles(const Recording& recording) {
     std::vector<Eigen::AlignedBox3d> around(obstacles.size());
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         const std::vector<Eigen::Isometry3d> poses = recording.poses(i);
+        const ObstacleShapes shapes = recording.shapes(i);
         for (std::size_t k = 0; k < obstacles.size(); ++k)
             if (!obstacles[k].plane && poses[k].matrix().allFinite())
-                around[k].extend(box_of(obstacles[k].surface, poses[k]));
+                around[k].extend(box_of(reshaped(obstacles[k].surface, shapes[k]), poses[k]));
     }
     for (const Eigen::AlignedBox3d& obstacle : around) {
         // One that would make the sheets small is cut off by the picture instead.
@@ -207,12 +208,14 @@ std::vector<double> RenderStage::thickness_of(const Snapshot& frame) const {
     return std::vector<double>(frame.faces.size(), *guessed_thickness);
 }
 
-RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const {
+RenderScene RenderStage::scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses,
+                               const ObstacleShapes& shapes) const {
     RenderScene scene;
     scene.meshes.push_back(sheet_solid(frame, thickness_of(frame), paint(frame), centre()));
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (!obstacles[i].plane && poses[i].matrix().allFinite())
-            scene.meshes.push_back(obstacle_solid(obstacles[i].surface, poses[i], centre()));
+            scene.meshes.push_back(
+                obstacle_solid(reshaped(obstacles[i].surface, shapes[i]), poses[i], centre()));
     if (tips) scene.meshes.push_back(tips_of(frame));
     scene.planes = ground(poses);
     scene.centre = Eigen::Vector3f::Zero();

@@ -34,8 +34,9 @@ class RenderStage {
     /// axes are wanted that the scene has not, or tips of cracks that the recording has not.
     RenderStage(const Recording& recording, const StageOptions& options, std::vector<std::string>& warnings);
 
-    /// poses: of the recording's obstacles in that frame.
-    RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses) const;
+    /// poses, shapes: of the recording's obstacles in that frame.
+    RenderScene scene(const Snapshot& frame, std::span<const Eigen::Isometry3d> poses,
+                      const ObstacleShapes& shapes) const;
     Vector3d centre() const { return focus.center(); }  ///< m, of the action, from which the rest is seen
     const Camera& camera() const { return placed; }
     /// Planes, from poses of the recording's obstacles; one below everything when the scene has none.

@@ -13,6 +13,11 @@ GridSurface recorded_surface(const ColliderSurface& whole) {
     return surface;
 }
 
+std::vector<Vector3d> points_of(const Obstacle& obstacle, double time) {
+    const Positions points = obstacle.points_at(time);
+    return {points.colwise().begin(), points.colwise().end()};
+}
+
 void extend(Eigen::AlignedBox3d& box, const ColliderSurface& surface, const Eigen::Isometry3d& pose) {
     for (const auto& point : surface.points.colwise()) box.extend(pose * Vector3d(point));
 }
@@ -22,7 +27,10 @@ Eigen::AlignedBox3d box_of(const Simulation& simulation) {
     const Positions& sheets = simulation.shell().mechanics().position;
     Eigen::AlignedBox3d box(sheets.rowwise().minCoeff(), sheets.rowwise().maxCoeff());
     for (const Obstacle& obstacle : simulation.obstacles())
-        if (obstacle.surface) extend(box, *obstacle.surface, obstacle.motion.at(simulation.time()));
+        if (obstacle.deformation != nullptr)
+            for (const Vector3d& point : points_of(obstacle, simulation.time())) box.extend(point);
+        else if (obstacle.surface)
+            extend(box, *obstacle.surface, obstacle.motion.at(simulation.time()));
     for (const RigidBody& body : simulation.bodies()) extend(box, *body.surface, body.pose());
     return box;
 }
@@ -43,13 +51,17 @@ ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
         const std::string& name = scene.obstacles[i].name;
         const Motion& motion = obstacles[i].motion;
-        if (obstacles[i].surface)
+        if (obstacles[i].deformation != nullptr) {
+            GridSurface surface = recorded_surface(*obstacles[i].surface);
+            surface.points = points_of(obstacles[i], simulation.time());
+            recorded.push_back({.name = name, .surface = std::move(surface), .deforms = true});
+        } else if (obstacles[i].surface)
             recorded.push_back({name, recorded_surface(*obstacles[i].surface)});
         else if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacles[i].shape.get()))
             recorded.push_back({name, square(*plane, motion.at(simulation.time()), box), true});
         else
             continue;
-        motions.push_back(motion);
+        numbers.push_back(i);
     }
     const std::vector<RigidBody>& bodies = simulation.bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -58,9 +70,21 @@ ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
 
 std::vector<Eigen::Isometry3d> ObstacleTrack::poses(const Simulation& simulation) const {
     std::vector<Eigen::Isometry3d> poses;
-    for (const Motion& motion : motions) poses.push_back(motion.at(simulation.time()));
+    for (const std::size_t number : numbers) {
+        const Obstacle& obstacle = simulation.obstacles()[number];
+        poses.push_back(obstacle.deformation != nullptr ? Eigen::Isometry3d::Identity()
+                                                        : obstacle.motion.at(simulation.time()));
+    }
     for (const RigidBody& body : simulation.bodies()) poses.push_back(body.pose());
     return poses;
+}
+
+ObstacleShapes ObstacleTrack::shapes(const Simulation& simulation) const {
+    ObstacleShapes shapes(recorded.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (const Obstacle& obstacle = simulation.obstacles()[numbers[i]]; obstacle.deformation != nullptr)
+            shapes[i] = points_of(obstacle, simulation.time());
+    return shapes;
 }
 
 }  // namespace sherd

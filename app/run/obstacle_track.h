@@ -17,10 +17,11 @@ class ObstacleTrack {
     const std::vector<RecordedObstacle>& obstacles() const { return recorded; }
     /// Returns the motions from the frame of each to space, as the simulation stands.
     std::vector<Eigen::Isometry3d> poses(const Simulation& simulation) const;
+    ObstacleShapes shapes(const Simulation& simulation) const;
 
   private:
     std::vector<RecordedObstacle> recorded;
-    std::vector<Motion> motions;  ///< of those that are not free
+    std::vector<std::size_t> numbers;  ///< in the simulation, of those that are not free
 };
 
 }  // namespace sherd

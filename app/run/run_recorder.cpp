@@ -22,7 +22,8 @@ void RunRecorder::stepped(const StepReport& report, const CrackEvents& events) {
 void RunRecorder::frame_due(const Simulation& simulation) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation));
+    writer.append(simulation.snapshot(), unrecorded, unrecorded_events, obstacles.poses(simulation),
+                  obstacles.shapes(simulation));
     unrecorded.clear();
     unrecorded_events = {};
     spent += std::chrono::duration<double>(Clock::now() - start).count();

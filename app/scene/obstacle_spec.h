@@ -11,10 +11,21 @@
 
 namespace sherd {
 
-/// `mesh = "anvil.obj"` of an obstacle: a closed mesh, which a grid is made of.
+/// `cache = "hand.pc2"`: where the vertices of a mesh go.
+struct ObstacleCache {
+    std::filesystem::path path;             ///< as seen from the working directory
+    double start = 0;                       ///< s, when its first sample is
+    std::optional<double> frame_rate = {};  ///< 1/s; none: as the file says, or 24
+    bool smooth = true;                     ///< as of Deformation
+    std::string where = {};                 ///< "FILE:LINE: dotted.key", for errors
+};
+
+/// `mesh = "anvil.obj"` of an obstacle: a closed mesh, which a grid is made of, or with a cache any mesh,
+/// that deforms.
 struct ObstacleMesh {
     MeshFile file;
     double voxel = 0;  ///< m; 0: a part of the mesh's size
+    std::optional<ObstacleCache> cache = {};
 };
 
 /// `vdb = "anvil.vdb"`: a level set.
@@ -43,5 +54,11 @@ struct ObstacleSpec {
     double young = 0;   ///< Pa, of what it is made of
     std::string where;  ///< "FILE:LINE: dotted.key" of its shape, for errors
 };
+
+/// The cache that an obstacle deforms by; null: it is rigid.
+inline const ObstacleCache* cache_of(const ObstacleSpec& obstacle) {
+    const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
+    return mesh != nullptr && mesh->cache ? &*mesh->cache : nullptr;
+}
 
 }  // namespace sherd

@@ -18,8 +18,10 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
     std::vector<std::filesystem::path> files;
     for (const SheetSpec& sheet : scene.sheets)
         if (const auto* mesh = std::get_if<MeshFile>(&sheet.mesh)) files.push_back(mesh->path);
-    for (const ObstacleSpec& obstacle : scene.obstacles)
+    for (const ObstacleSpec& obstacle : scene.obstacles) {
         if (const auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape)) files.push_back(mesh->file.path);
+        if (const ObstacleCache* cache = cache_of(obstacle)) files.push_back(cache->path);
+    }
     return files;
 }
 

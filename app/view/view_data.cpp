@@ -216,6 +216,19 @@ std::string packed_poses(const std::vector<RecordedObstacle>& obstacles, std::ve
     return base64_of(numbers);
 }
 
+/// Of each of these the points that it has in this frame, m; none of one that is rigid.
+PageJson packed_shapes(const std::vector<RecordedObstacle>& obstacles, const ObstacleShapes& shapes) {
+    PageJson list = PageJson::array();
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (obstacles[i].plane) continue;
+        std::vector<float> points;
+        for (const Vector3d& point : shapes[i])
+            for (const double x : point) points.push_back(static_cast<float>(x));
+        list.push_back(base64_of(points));
+    }
+    return list;
+}
+
 /// Of each tip: its number, place (m) seen from `origin`, direction, speed, G / G_c, K_I, K_II, k_1 and k_2.
 std::string packed_tips(std::span<const TipRecord> tips, const Vector3d& origin) {
     std::vector<float> numbers;
@@ -278,6 +291,7 @@ PageJson view_data(const Recording& recording, const RenderStage& stage,
             thinning ? thinning->thinned(recording.frame(number)) : recording.frame(number);
         packed.push_back(packer.frame(snapshot));
         packed.back()["poses"] = packed_poses(obstacles, recording.poses(number), stage.centre());
+        packed.back()["shapes"] = packed_shapes(obstacles, recording.shapes(number));
         if (!tips.empty())
             packed.back()["tips"] = packed_tips(tips.at(snapshot.step, snapshot.time), stage.centre());
         times.push_back(snapshot.time);

@@ -85,6 +85,7 @@ class Playback {
             const packed = this.recording.frames[number], whole = decoded(packed.position, Uint16Array);
             const place = Float32Array.from(whole, (x, i) => this.recording.low[i % 3] + x * this.recording.step[i % 3]);
             this.unpacked.set(number, { place, lines: decoded(packed.lines, Uint32Array), poses: decoded(packed.poses, Float32Array),
+                                        shapes: packed.shapes.map(points => decoded(points, Float32Array)),
                                         scalar: decoded(packed.scalar, Uint8Array), state: decoded(packed.state, Uint8Array),
                                         born: decoded(packed.born, Uint32Array), shares: decoded(packed.shares, Float32Array),
                                         parts: decoded(packed.parts, Uint32Array),
@@ -94,7 +95,7 @@ class Playback {
     }
 
     // frame: the one before; faces, fragments and their look (or null); of vertices place (m), scalar and state; lines;
-    // poses of obstacles; tips of cracks.
+    // poses of obstacles, and points (m) of those that deform; tips of cracks.
     at(position) {
         const number = Math.min(this.last, Math.max(0, Math.floor(position))), share = position - number;
         for (const known of this.unpacked.keys()) if (known < number || known > number + 1) this.unpacked.delete(known);
@@ -110,8 +111,10 @@ class Playback {
         const owners = Uint32Array.from({ length: later.length / 3 }, (_, f) => fragments[f]);
         for (let i = 0; i < to.parts.length; i += 2) owners[to.parts[i]] = fragments[to.parts[i + 1]];
         const poses = this.middles.flatMap((middle, i) => Playback.poseBetween(from.poses, to.poses, i, share, middle));
+        const shapes = from.shapes.map((points, i) => points.map((x, k) => x + share * (to.shapes[i][k] - x)));
         const tips = Playback.tipsBetween(from.tips, to.tips, share);
-        return { frame: number, share, faces: later, fragments: owners, look: paint, place, scalar, state, lines: to.lines, poses, tips };
+        return { frame: number, share, faces: later, fragments: owners, look: paint, place, scalar, state, lines: to.lines, poses, shapes,
+                 tips };
     }
 
     // SI units; share: G / G_c.

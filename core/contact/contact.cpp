@@ -97,8 +97,10 @@ double Contact::obstacle_work(const StepContext& step, const Positions& x) const
     const std::vector<Reaction> all = reactions(x);
     double sum = 0;
     for (std::size_t o = 0; o < all.size(); ++o)
-        if (obstacles[o].moves())
+        if (obstacles[o].moves() && obstacles[o].deformation == nullptr)
             sum += work(all[o], obstacles[o].motion.at(step.begin), obstacles[o].motion.at(step.end()));
+    if (sheet_contact) sum += sheet_contact->work_of_deforming(x);
+    if (sheet_friction) sum += sheet_friction->work_of_deforming(x);
     return sum;
 }
 

@@ -106,7 +106,7 @@ void ExplicitStepper::choose_substep() {
     // With the fall in the step: what lies at rest, just touching, is in contact in a moment.
     Positions motion = step.length * shell.velocity;
     motion.colwise() += step.length * step.length * options.gravity;
-    const double of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(shell.position, motion));
+    const double of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
     const double highest = std::hypot(of_shell, of_contact);
     const double stable = stable_substep(highest, options.shell.damping, step.length);
     substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
@@ -301,9 +301,12 @@ void ExplicitStepper::enter(const Work& of_substep) {
     for (std::size_t i = 0; i < before.outer.size(); ++i)
         balance.take(forces.outer()[i].part, taken(before.outer[i], forces_now.outer[i]));
     const ContactForces &then = before.contact, &now = forces_now.contact;
-    const double of_obstacles = contact.obstacle_work(means(then.obstacles, now.obstacles));
-    const double of_friction = of_substep.lost_to_friction +
-                               contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction));
+    const double of_obstacles =
+        contact.obstacle_work(means(then.obstacles, now.obstacles), 0.5 * (then.deforming + now.deforming));
+    const double of_friction =
+        of_substep.lost_to_friction +
+        contact.obstacle_work(means(then.obstacle_friction, now.obstacle_friction),
+                              0.5 * (then.deforming_friction + now.deforming_friction));
     balance.work_of_obstacles += of_obstacles;
     balance.lost_to_friction += of_friction;
     work.against_stored += of_substep.against_stored + of_obstacles - of_friction;

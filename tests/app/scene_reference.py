@@ -32,6 +32,7 @@ PLACES = {
     "`axis`": "sheet.NAME.material.axis",
     "`[obstacle.NAME]`: what sheets cannot pass through": "obstacle.NAME",
     "`keys`": "obstacle.NAME.keys",
+    "`cache`": "obstacle.NAME.cache",
     "`[contact]`: of sheets and fragments with each other and with themselves": "contact",
     "`[[force.load]]`: what pushes and pulls": "force.load",
     "`[[gauge]]`: what is measured, where": "gauge",
@@ -69,6 +70,7 @@ def scene():
                   f"pin = {pin}", f"clamp = {pin}", "symmetry = { KEYS }"]
     for i, solid in enumerate(SOLIDS):
         lines += [f"[obstacle.o{i}]", "KEYS", f"{solid} = {{ KEYS }}", "place = { rotate = { KEYS }, KEYS }"]
+        lines += ["cache = { KEYS }"] if solid == "mesh" else []
         lines += ["mass = 1"] if solid in ("sphere", "box") else [f"keys = [{keys}]"]
     return "\n".join(lines)
 

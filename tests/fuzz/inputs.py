@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The sources whose words an input is made of.
 SOURCES = {"obj": ["meshops/parse_obj.cpp", "meshops/material_library.cpp"], "off": ["meshops/parse_off.cpp"],
            "ply": ["meshops/parse_ply.cpp", "meshops/ply_header.cpp"], "stl": ["meshops/parse_stl.cpp"],
-           "scene": ["app/scene/read", "app/scene/toml"], "edges": [], "png": []}
+           "scene": ["app/scene/read", "app/scene/toml"], "cache": ["app/files/point_cache.cpp"], "edges": [], "png": []}
 NUMBERS = ["0", "1", "-1", "4", "0.5", "1e999", "1e-320", "nan", "inf", "4294967295", "4294967296", "99999999999",
            "18446744073709551615", "\n", " ", "#"]
 
@@ -55,6 +55,13 @@ def stl():
         + "endloop\nendfacet\n" for face in corners) + "endsolid a\n").encode()
     yield b"\0" * 80 + struct.pack("<I", 2) + b"".join(
         struct.pack("<12fH", 0, 0, 1, *sum(face, ()), 0) for face in corners)
+
+
+def cache():
+    """Two points in two samples."""
+    points = [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1]
+    yield b"POINTCACHE2\0" + struct.pack("<iiffi12f", 1, 2, 1, 1, 2, *points)
+    yield struct.pack(">ii2f12f", 2, 2, 0, 0.5, *points)
 
 
 def edges():

@@ -25,7 +25,7 @@ from bpy_extras.io_utils import ImportHelper
 from mathutils import Matrix
 
 from .looks import add_materials, set_look
-from .playback import NEAR, default_slowdown, frame_names, poses_at, position_at, run_times, state_at
+from .playback import NEAR, default_slowdown, frame_names, points_at, poses_at, position_at, run_times, state_at
 
 bl_info = {
     "name": "Sherd recording",
@@ -102,8 +102,13 @@ def place_obstacles(target, file, names, position):
         return
     middles = [file[f"obstacles/{i}/position"][:].mean(axis=0) for i in range(len(file["obstacles/names"]))]
     poses = poses_at(file["frames"], names, position, middles)
+    deforms = file["obstacles/deforms"][:] if "deforms" in file["obstacles"] else np.zeros(len(poses))
     for solid in (child for child in target.children if OBSTACLE in child):
         solid.matrix_basis = Matrix([*poses[solid[OBSTACLE]], [0, 0, 0, 1]])
+        if deforms[solid[OBSTACLE]]:
+            points = points_at(file["frames"], names, position, solid[OBSTACLE])
+            solid.data.vertices.foreach_set("co", np.ravel(points))
+            solid.data.update()
 
 
 @persistent

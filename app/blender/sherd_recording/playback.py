@@ -252,3 +252,9 @@ def poses_at(frames, names, position, middles):
     if share == 0:
         return earlier
     return np.array([between_poses(*both, share, middle) for *both, middle in zip(earlier, later, middles)])
+
+
+def points_at(frames, names, position, number):
+    """Of an obstacle that deforms, in space, [P, 3]."""
+    earlier, later = (frames[names[i]][f"obstacle/{number}/position"][:] for i in (int(position), math.ceil(position)))
+    return earlier + position % 1 * (later - earlier)

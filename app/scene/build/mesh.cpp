@@ -91,24 +91,16 @@ Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings
     return std::move(result.mesh);
 }
 
-/// What is hardly a shell in metres was modelled in other units.
-void warn_of_size(const Mesh& mesh, std::vector<std::string>& warnings) {
-    constexpr double smallest = 1e-3, largest = 20;  // m
+/// m, the largest extent.
+double size_of(const Mesh& mesh) {
     const MeshMeasures measures = measure(mesh);
-    const double size = (measures.upper - measures.lower).maxCoeff();
-    if (size >= smallest && size <= largest) return;
-    warnings.push_back(fmt::format(
-        "the mesh is {:.4g} m large, as its numbers are taken for metres: say how large it is with size = "
-        "0.2 "
-        "(m, the largest extent), or scale = 0.001 (m per unit of the file) where it is in millimetres",
-        size));
+    return (measures.upper - measures.lower).maxCoeff();
 }
 
 /// What a double still tells apart, and no shell is beyond.
 void require_size(const Mesh& mesh) {
     constexpr double smallest = 1e-9, largest = 1e9;  // m
-    const MeshMeasures measures = measure(mesh);
-    const double size = (measures.upper - measures.lower).maxCoeff();
+    const double size = size_of(mesh);
     if (size >= smallest && size <= largest) return;
     throw Error(
         fmt::format("the mesh is {:.4g} m large, and can be from {:g} to {:g} m: lengths are in m; the "
@@ -131,11 +123,21 @@ void require_near(const Mesh& mesh, const SheetSpec& sheet) {
 
 }  // namespace
 
+void warn_of_size(double size, std::vector<std::string>& warnings) {
+    constexpr double smallest = 1e-3, largest = 20;  // m
+    if (size >= smallest && size <= largest) return;
+    warnings.push_back(fmt::format(
+        "the mesh is {:.4g} m large, as its numbers are taken for metres: say how large it is with size = "
+        "0.2 "
+        "(m, the largest extent), or scale = 0.001 (m per unit of the file) where it is in millimetres",
+        size));
+}
+
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
     const ReadMeshOptions options{.join_duplicate_points = spec.join,
                                   .repair = spec.repair ? Repair::all : Repair::none};
     Mesh mesh = read_mesh(spec.path, options, warnings);
-    if (!spec.has_size) warn_of_size(mesh, warnings);
+    if (!spec.has_size) warn_of_size(size_of(mesh), warnings);
     if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));
     return mesh;
 }

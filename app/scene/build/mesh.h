@@ -13,6 +13,9 @@ namespace sherd {
 /// file.
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings);
 
+/// Warns of what is hardly meant in metres; size: m, the largest extent.
+void warn_of_size(double size, std::vector<std::string>& warnings);
+
 /// Makes the mesh of a sheet before it is placed: it is generated (with the scene's seed), or read, scaled
 /// and remeshed. Throws Error naming the scene's line and key. Warnings are sentences that name the sheet's
 /// mesh. `remeshed` gets words of how far the remeshed surface is from the file's; none otherwise.

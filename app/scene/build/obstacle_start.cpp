@@ -88,9 +88,8 @@ Face face_of(const Mesh& mesh, const ContactPair& pair, Index collider_vertices)
 
 std::vector<Face> faces_through(const Mesh& mesh, const Obstacle& obstacle,
                                 const std::vector<Index>& around) {
-    std::vector<Vector3d> points;
-    for (const auto& point : obstacle.surface->points.colwise())
-        points.push_back(obstacle.motion.at(0) * Vector3d(point));
+    const Positions placed = obstacle.points_at(0);
+    const std::vector<Vector3d> points(placed.colwise().begin(), placed.colwise().end());
     std::vector<Face> crossing = surface_crossings(mesh, points, obstacle.surface->triangles);
     std::erase_if(crossing, [&](Face face) {
         const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
@@ -116,13 +115,16 @@ std::vector<SurfaceMeeting> surface_meetings(const BreakableShell& all, std::siz
     const SheetContact contact(mechanics, {obstacle}, false);
     for (const ContactPair& pair : contact.active_pairs(x)) {
         const PairPositions local = columns(contact.at_end(x), pair.vertices);
+        const double touching = contact.surface().thickness(pair.kind, pair.vertices);
+        const double apart = distance(pair, local);
+        if (apart >= (1 - 2 * deepest_start) * touching) continue;  // a surface that deforms pushes it off
         const Face face = face_of(all.mesh(), pair, contact.surface().collider_vertices());
         const StartFault fault = start_fault(FaultKind::near_obstacle, face, all);
         SurfaceMeeting& met = found[fault.sheet];
         met.near.push_back(fault);
-        if (const double apart = distance(pair, local); apart < met.distance) {
+        if (apart < met.distance) {
             met.distance = apart;
-            met.touching = contact.surface().thickness(pair.kind, pair.vertices);
+            met.touching = touching;
             met.at = local.rowwise().mean();
         }
     }

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "app/scene/build/deforming_mesh.h"
 #include "app/scene/build/grid_shape.h"
 #include "app/scene/build/mesh.h"
 #include "app/scene/build/obstacle_facets.h"
@@ -39,6 +40,7 @@ Need need_of(const ThicknessRange& sheets, const std::vector<ObstacleSpec>& bodi
 struct Made {
     std::shared_ptr<const Shape> shape;
     ColliderSurface surface;
+    std::shared_ptr<const Deformation> deformation = nullptr;
 };
 
 template <class Solid>
@@ -55,6 +57,11 @@ Made solid(const Mesh& mesh, double voxel, const Need& need) {
 }
 
 Made make(const ObstacleMesh& spec, const Need& need, std::vector<std::string>& warnings) {
+    if (spec.cache) {
+        DeformingMesh made = make_deforming_mesh(spec, warnings);
+        return {std::make_shared<BareSurface>(), std::move(made.surface),
+                std::make_shared<Deformation>(std::move(made.deformation))};
+    }
     const Mesh mesh = read_mesh(spec.file, warnings);
     const MeshMeasures extent = measure(mesh);
     const double voxel = voxel_of(spec, extent);
@@ -159,7 +166,8 @@ std::vector<Obstacle> make_obstacles(const std::vector<ObstacleSpec>& specs, con
             warnings.push_back(fmt::format("{}: {}", spec.where, warning));
         obstacles.push_back(
             {{std::move(made.shape), shared(std::move(made.surface)), spec.young, spec.friction},
-             spec.motion});
+             spec.motion,
+             std::move(made.deformation)});
     }
     return obstacles;
 }

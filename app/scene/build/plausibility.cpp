@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/scene/build/deforming_mesh.h"
 #include "app/scene/build/reach.h"
 #include "app/scene/build/round_step.h"
 #include "app/scene/build/thickness.h"
@@ -226,6 +227,21 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
     }
 }
 
+/// Of the caches of what deforms, and of free bodies, which do not meet it.
+void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
+                       std::vector<std::string>& warnings) {
+    for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
+        const Obstacle& obstacle = options.stepper.contact.obstacles[o];
+        if (obstacle.deformation == nullptr) continue;
+        warn_of_cache(scene.obstacles[o], *obstacle.deformation, scene.duration, warnings);
+        if (!scene.bodies.empty())
+            warnings.push_back(
+                fmt::format("{}: obstacle.{} passes through obstacle.{}: free bodies do not "
+                            "meet what deforms",
+                            scene.obstacles[o].where, scene.obstacles[o].name, scene.bodies[0].name));
+    }
+}
+
 }  // namespace
 
 void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
@@ -240,6 +256,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
         warn_of_threshold(inputs[s], scene.sheets[s], warnings);
     }
     warn_of_long_ways(scene, inputs, options, warnings);
+    warn_of_deforming(scene, options, warnings);
     warn_of_unreachable(scene, inputs, options, warnings);
 }
 

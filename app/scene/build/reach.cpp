@@ -72,8 +72,19 @@ Box reach(const Mover& mover, const Flight& flight, double from, double to) {
         .merged(box.translated(flown(mover, flight.gravity, to)));
 }
 
-/// m, less than nought or nought where they may meet.
-double gap(const Box& box, const Obstacle& obstacle, double from, double to) {
+Box box_at(const Obstacle& obstacle, double time) {
+    if (obstacle.deformation == nullptr) return moved(obstacle.shape->bounds(), obstacle.motion.at(time));
+    const Positions points = obstacle.points_at(time);
+    return {points.rowwise().minCoeff(), points.rowwise().maxCoeff()};
+}
+
+/// Around an obstacle in an interval.
+Box swept(const Obstacle& obstacle, double from, double to) {
+    return box_at(obstacle, from).merged(box_at(obstacle, to));
+}
+
+/// m, less than nought or nought where they may meet; around: the obstacle in this interval.
+double gap(const Box& box, const Obstacle& obstacle, const Box& around, double from, double to) {
     if (const auto* plane = dynamic_cast<const PlaneShape*>(obstacle.shape.get())) {
         double least = any_gap;
         for (const double time : {from, to}) {
@@ -84,9 +95,7 @@ double gap(const Box& box, const Obstacle& obstacle, double from, double to) {
         }
         return least;
     }
-    const Box bounds = obstacle.shape->bounds();
-    return box.exteriorDistance(
-        moved(bounds, obstacle.motion.at(from)).merged(moved(bounds, obstacle.motion.at(to))));
+    return box.exteriorDistance(around);
 }
 
 /// m/s, of the fastest corner of a box that a motion carries.
@@ -100,6 +109,19 @@ double top_speed(const Motion& motion, const Box& box, double duration) {
             const Vector3d way = motion.at((i + 1) * interval) * at - motion.at(i * interval) * at;
             fastest = std::max(fastest, way.norm() / interval);
         }
+    return fastest;
+}
+
+/// m/s, of the fastest point of what deforms.
+double top_speed(const Obstacle& obstacle, double duration) {
+    double fastest = 0;
+    const double interval = duration / moments;
+    Positions before = obstacle.points_at(0);
+    for (int i = 1; i <= moments; ++i) {
+        const Positions now = obstacle.points_at(i * interval);
+        fastest = std::max(fastest, (now - before).colwise().norm().maxCoeff() / interval);
+        before = now;
+    }
     return fastest;
 }
 
@@ -138,6 +160,10 @@ double fastest_of(const Scene& scene, const std::vector<SheetInput>& inputs, con
         fastest = std::max(
             fastest, body.velocity.norm() + body.spin().norm() * body.shape->bounds().diagonal().norm());
     for (const Obstacle& obstacle : options.stepper.contact.obstacles) {
+        if (obstacle.deformation != nullptr) {
+            fastest = std::max(fastest, top_speed(obstacle, scene.duration));
+            continue;
+        }
         const Box bounds = obstacle.shape->bounds();
         const Box box = bounds.diagonal().allFinite() ? bounds : movers.front().box;
         fastest = std::max(fastest, top_speed(obstacle.motion, box, scene.duration));
@@ -153,12 +179,13 @@ std::vector<double> gaps(const std::vector<Obstacle>& obstacles, std::size_t she
     std::vector<double> of_obstacles(obstacles.size(), any_gap), of_movers(movers.size(), any_gap);
     for (int i = 0; i < moments; ++i) {
         const double from = duration * i / moments, to = duration * (i + 1) / moments;
-        std::vector<Box> boxes;
+        std::vector<Box> boxes, around;
+        for (const Obstacle& obstacle : obstacles) around.push_back(swept(obstacle, from, to));
         for (const Mover& mover : movers) boxes.push_back(reach(mover, flight, from, to));
         std::vector<char> meets(movers.size(), 0);
         for (std::size_t m = 0; m < movers.size(); ++m) {
             for (std::size_t o = 0; o < obstacles.size(); ++o) {
-                const double apart = gap(boxes[m], obstacles[o], from, to);
+                const double apart = gap(boxes[m], obstacles[o], around[o], from, to);
                 of_obstacles[o] = std::min(of_obstacles[o], apart);
                 if (apart <= 0) meets[m] = 1;
             }

@@ -89,6 +89,42 @@ void read_shape(TomlTable& table, std::string_view kind, const std::filesystem::
     geometry->finish();
 }
 
+/// `cache = "hand.pc2"` or `cache = { file = "hand.pc2", start = 0, fps = 24, interpolation = "cardinal" }`.
+ObstacleCache read_cache(TomlTable& table, const std::filesystem::path& directory) {
+    ObstacleCache cache{.path = {}, .where = table.where("cache")};
+    constexpr const char* what = "the name of a .pc2 or .mdd file";
+    if (table.is_string("cache")) {
+        cache.path = directory / table.string("cache", what);
+        return cache;
+    }
+    auto keys = table.table("cache");
+    if (!keys) return cache;  // reported as no table
+    cache.path = directory / keys->string("file", what);
+    cache.start = keys->number("start", "s", any_number, 0);
+    if (keys->has("fps")) cache.frame_rate = keys->number("fps", "1/s", positive);
+    if (keys->has("interpolation")) {
+        constexpr std::array<std::string_view, 2> kinds{"cardinal", "linear"};
+        cache.smooth = keys->choice("interpolation", kinds) != "linear";
+    }
+    keys->finish();
+    return cache;
+}
+
+/// Reads `cache`, and what does not go with it.
+void read_deformation(TomlTable& table, const std::filesystem::path& directory, ObstacleSpec& obstacle) {
+    if (!table.has("cache")) return;
+    auto* mesh = std::get_if<ObstacleMesh>(&obstacle.shape);
+    if (mesh == nullptr) return table.report("cache", "is for a mesh, whose vertices it moves");
+    for (const char* key : {"density", "mass"})
+        if (table.has(key))
+            table.report("cache", fmt::format("conflicts with {}: a free body is rigid", key));
+    if (mesh->voxel > 0 || mesh->file.join || !mesh->file.repair)
+        table.report("cache",
+                     "takes the mesh as it is in the file, whose vertices are those of the cache: "
+                     "leave out voxel, join and repair");
+    mesh->cache = read_cache(table, directory);
+}
+
 double volume(const ObstacleSpec& obstacle) {
     if (const auto* sphere = std::get_if<SphereShape>(&obstacle.shape))
         return 4.0 / 3 * std::numbers::pi * std::pow(sphere->radius, 3);
@@ -140,6 +176,7 @@ ObstacleSpec read_obstacle(const std::string& name, TomlTable& table,
     obstacle.motion.pivot =
         obstacle.motion.place * std::visit([](const auto& shape) { return pivot(shape); }, obstacle.shape);
     read_motion(table, obstacle.motion);
+    read_deformation(table, directory, obstacle);
     read_free_motion(table, obstacle);
     obstacle.friction = table.number("friction", "", not_negative, 0);
     obstacle.young = table.number("young", "Pa", positive, concrete_young);

@@ -73,12 +73,13 @@ void require_statics(TomlTable& root, const Scene& scene) {
         root.report("solver", "damping is not for statics");
     if (scene.loads.empty() && scene.gravity.isZero(0) && scene.solver.arc_length)
         root.report("solver", "arc_length needs a load");
-    const bool moves =
-        std::ranges::any_of(
-            scene.sheets,
-            [](const SheetSpec& sheet) { return has_keys(sheet.pins) || has_keys(sheet.clamps); }) ||
-        std::ranges::any_of(scene.obstacles,
-                            [](const ObstacleSpec& obstacle) { return !obstacle.motion.keys.empty(); });
+    const bool moves = std::ranges::any_of(scene.sheets,
+                                           [](const SheetSpec& sheet) {
+                                               return has_keys(sheet.pins) || has_keys(sheet.clamps);
+                                           }) ||
+                       std::ranges::any_of(scene.obstacles, [](const ObstacleSpec& obstacle) {
+                           return !obstacle.motion.keys.empty() || cache_of(obstacle) != nullptr;
+                       });
     if (moves && scene.solver.arc_length)
         root.report("solver",
                     "arc_length is for loads: pins and obstacles that move need a load factor that "

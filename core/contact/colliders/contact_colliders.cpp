@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/colliders/contact_colliders.h"
 
+#include "core/contact/detection/near_surface.h"
+
 namespace sherd {
 namespace {
 
+/// Of a surface without inside, those that touch it.
+std::vector<Index> held_at(const Shell& shell, const Obstacle& obstacle) {
+    VectorXd reach = VectorXd::Constant(shell.position.cols(), -1);
+    for (Index v = 0; v < static_cast<Index>(shell.fixed.size()); ++v)
+        if (shell.fixed[v]) reach[v] = 0.5 * shell.thickness[v];
+    return near_surface(obstacle.points_at(0), obstacle.surface->triangles, shell.position, reach);
+}
+
 std::vector<Index> held_inside(const Shell& shell, const Obstacle& obstacle) {
+    if (obstacle.deformation != nullptr) return held_at(shell, obstacle);
     std::vector<Index> held;
     const Eigen::Isometry3d pose = obstacle.motion.at(0);
     for (Index v = 0; v < static_cast<Index>(shell.fixed.size()); ++v)
@@ -20,8 +31,8 @@ std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::ve
     std::vector<ContactCollider> colliders;
     for (std::size_t o = 0; o < obstacles.size(); ++o)
         if (const Obstacle& obstacle = obstacles[o]; obstacle.surface)
-            colliders.push_back(
-                {obstacle.surface.get(), obstacle.young, obstacle.friction, held_inside(shell, obstacle), o});
+            colliders.push_back({obstacle.surface.get(), obstacle.young, obstacle.friction,
+                                 held_inside(shell, obstacle), o, obstacle.deformation != nullptr});
     return colliders;
 }
 
@@ -34,7 +45,7 @@ Positions collider_positions(const std::vector<Obstacle>& obstacles, double time
     for (const Obstacle& obstacle : obstacles) {
         if (!obstacle.surface) continue;
         const Eigen::Index size = obstacle.surface->points.cols();
-        positions.middleCols(count, size) = obstacle.motion.at(time) * obstacle.surface->points;
+        positions.middleCols(count, size) = obstacle.points_at(time);
         count += size;
     }
     return positions;

@@ -2,6 +2,9 @@
 #include "core/contact/colliders/start_depth.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/contact/detection/near_surface.h"
 
 namespace sherd {
 namespace {
@@ -40,6 +43,18 @@ bool shrink(Shell& shell, StartDepth& start, const Collider& collider, const Eig
     return any;
 }
 
+/// The same beside a surface without inside, which nothing starts deep in.
+bool shrink(Shell& shell, StartDepth& start, const Obstacle& obstacle, double time) {
+    VectorXd reach = longest_edges(shell) + 0.5 * shell.thickness;
+    for (Index v = 0; v < static_cast<Index>(start.unseen.size()); ++v)
+        if (!start.unseen[v]) reach[v] = -1;
+    const std::vector<char> before = std::exchange(start.unseen, std::vector<char>(start.unseen.size(), 0));
+    for (const Index v :
+         near_surface(obstacle.points_at(time), obstacle.surface->triangles, shell.position, reach))
+        start.unseen[v] = 1;
+    return start.unseen != before;
+}
+
 bool is_over(const StartDepth& start) {
     return start.depth.maxCoeff() <= 0 && std::ranges::find(start.unseen, char(1)) == start.unseen.end();
 }
@@ -62,6 +77,10 @@ bool shrink_start_depths(Shell& shell, const std::vector<Obstacle>& obstacles,
     bool any = false;
     for (std::size_t c = 0; c < shell.start_depths.size(); ++c) {
         const bool is_free = c >= obstacles.size();
+        if (!is_free && obstacles[c].deformation != nullptr) {
+            any |= shrink(shell, shell.start_depths[c], obstacles[c], time);
+            continue;
+        }
         const Collider& collider = is_free ? static_cast<const Collider&>(bodies[c - obstacles.size()])
                                            : static_cast<const Collider&>(obstacles[c]);
         const Eigen::Isometry3d pose =

@@ -175,7 +175,8 @@ double ContactSurface::thickness(PairKind kind, const std::array<Index, 4>& vert
 }
 
 double ContactSurface::activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const {
-    if (collider_of(kind, vertices)) return share_of_collider * thickness(kind, vertices);
+    if (const ContactCollider* met = collider_of(kind, vertices))
+        return (met->bare ? 1 : share_of_collider) * thickness(kind, vertices);
     double least = activation_distance_of_sheets(*shell, kind, shifted(vertices, -collider_vertices()));
     const int first = vertices_of_first(kind);
     for (int i = 0; i < first && !near.empty(); ++i)

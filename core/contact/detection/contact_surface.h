@@ -18,6 +18,7 @@ struct ContactCollider {
     std::vector<Index> around =
         {};  ///< ascending, vertices of sheets that are held inside it and do not collide with it
     std::size_t number = 0;  ///< in Shell::start_depths
+    bool bare = false;  ///< whether no springs act above it: its surface does from where they would begin
 };
 
 /// Half the sum of the thicknesses, and the activation distance, m, of two elements of sheets that are given
@@ -33,7 +34,8 @@ double activation_distance_of_sheets(const Shell& shell, PairKind kind, const st
 /// sheet it is at most three quarters of their distance at rest, so that the rest shape is free of contact
 /// forces (edges may be shorter than the thickness). A collider has no thickness: a sheet touches its surface
 /// at half the sheet's thickness, where the springs of ObstacleContact begin. The activation distance of
-/// pairs with it is half of that: the barrier stops what vertices and springs do not.
+/// pairs with it is half of that: the barrier stops what vertices and springs do not. With a bare one, that
+/// deforms, it is the whole.
 ///
 /// The stiffness is that of a column of sheet, half of each thickness high, of the two materials in series: k
 /// = area / (t_a / (2 Y_a) + t_b / (2 Y_b)). The area of a vertex is its footprint. The area of two edges is

@@ -11,17 +11,21 @@ namespace sherd {
 struct ContactForces {
     Positions force;                  ///< [3, V] N, on the shell
     std::vector<Reaction> obstacles;  ///< of each obstacle, on shell and bodies
+    Positions deforming;              ///< [3, S] N, on the vertices of colliders; empty: none deforms
     // What of these is friction:
     Positions friction;
     std::vector<Reaction> obstacle_friction;
+    Positions deforming_friction;
 
     void visit_state(StateVisitor& visit) {
-        auto& [force, obstacles, friction, obstacle_friction] = *this;
-        visit(force, obstacles, friction, obstacle_friction);
+        auto& [force, obstacles, deforming, friction, obstacle_friction, deforming_friction] = *this;
+        visit(force, obstacles, deforming, friction, obstacle_friction, deforming_friction);
     }
 
-    /// Makes all of it zero.
-    void clear(Eigen::Index vertices, std::size_t number_of_obstacles) {
+    /// Makes all of it zero. of_colliders: how many vertices colliders have, if any of them deforms.
+    void clear(Eigen::Index vertices, std::size_t number_of_obstacles, Eigen::Index of_colliders) {
+        deforming.setZero(3, of_colliders);
+        deforming_friction.setZero(3, of_colliders);
         force.setZero(3, vertices);
         friction.setZero(3, vertices);
         obstacles.assign(number_of_obstacles, {});
@@ -31,6 +35,14 @@ struct ContactForces {
     void rub(std::size_t obstacle, const Vector3d& at, const Vector3d& rubbed) {
         obstacles[obstacle].add(at, rubbed);
         obstacle_friction[obstacle].add(at, rubbed);
+    }
+    /// Adds a force on a vertex of colliders; rub_collider(): one of friction.
+    void press(Index vertex, const Vector3d& pressed) {
+        if (deforming.cols() > 0) deforming.col(vertex) += pressed;
+    }
+    void rub_collider(Index vertex, const Vector3d& rubbed) {
+        press(vertex, rubbed);
+        if (deforming.cols() > 0) deforming_friction.col(vertex) += rubbed;
     }
     /// Adds friction on a vertex of the shell.
     void rub(Index vertex, const Vector3d& rubbed) {

@@ -43,7 +43,10 @@ void ExplicitContact::shell_changed(const ShellChange& change) {
 }
 
 void ExplicitContact::find_forces(const Substep& at_end, ContactForces& sum) {
-    sum.clear(at_end.position.cols(), options.obstacles.size());
+    const bool any_deforms = std::ranges::any_of(
+        options.obstacles, [](const Obstacle& obstacle) { return obstacle.deformation != nullptr; });
+    sum.clear(at_end.position.cols(), options.obstacles.size(),
+              any_deforms ? sheets->surface().collider_vertices() : 0);
     add_obstacles(at_end, sum);
     bodies.add_forces(at_end, before, now, sum);
     if (sheets) add_sheets(at_end, sum);
@@ -76,7 +79,10 @@ void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) cons
         const PairPositions pressed = -gradient(pair, columns(all, pair.vertices));
         const Index least = *std::ranges::min_element(pair.vertices);
         for (int i = 0; i < 4; ++i) {
-            if (pair.vertices[i] < first) continue;
+            if (pair.vertices[i] < first) {
+                sum.press(pair.vertices[i], pressed.col(i));
+                continue;
+            }
             sum.force.col(pair.vertices[i] - first) += pressed.col(i);
             if (least < first)
                 sum.obstacles[sheets->obstacle_number(least)].add(all.col(pair.vertices[i]), pressed.col(i));
@@ -110,7 +116,10 @@ void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions&
                           collider ? collider->friction : options.friction, at_end.length, mobility);
         const Index least = *std::ranges::min_element(pair.vertices);
         for (int i = 0; i < 4; ++i) {
-            if (pair.vertices[i] < first) continue;
+            if (pair.vertices[i] < first) {
+                sum.rub_collider(pair.vertices[i], rubbed.col(i));
+                continue;
+            }
             sum.rub(pair.vertices[i] - first, rubbed.col(i));
             if (collider) sum.rub(sheets->obstacle_number(least), all.col(pair.vertices[i]), rubbed.col(i));
         }
@@ -127,17 +136,25 @@ double ExplicitContact::stored_energy(const Positions& x) const {
     return sum;
 }
 
-double ExplicitContact::largest_rate(const Positions& x, const Positions& motion) const {
+double ExplicitContact::largest_rate(const StepContext& step, const Positions& motion) {
+    const Positions& x = step.origin;
     const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
     double sum = bodies.largest_rate(x, way);
-    for (std::size_t o = 0; o < at_vertices.size(); ++o)
-        sum = std::max(sum, at_vertices[o].largest_rate(x, now[o], way));
+    for (std::size_t o = 0; o < at_vertices.size(); ++o) {
+        const Obstacle& obstacle = options.obstacles[o];
+        for (const double time : {step.begin, step.end()})
+            if (time == step.begin || obstacle.moves())
+                sum = std::max(sum, at_vertices[o].largest_rate(x, obstacle.motion.at(time), way));
+    }
     if (!sheets) return sum;
+    sheets->begin(step);
+    const std::vector<ContactPair> reached = sheets->pairs_within_reach(x, motion);
     // Gershgorin: a pair's stiffness acts on each vertex by its weight, and the weights sum to two.
     const Index first = sheets->surface().collider_vertices();
     VectorXd rate = VectorXd::Zero(shell.mass.size());
-    const Positions& all = sheets->at_end(x);
-    for (const ContactPair& pair : sheets->pairs_within_reach(x, motion)) {
+    const Positions all = sheets->at_start(x);
+    sheets->begin(substep);
+    for (const ContactPair& pair : reached) {
         const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
         for (int i = 0; i < 4; ++i)
             if (pair.vertices[i] >= first)
@@ -149,10 +166,14 @@ double ExplicitContact::largest_rate(const Positions& x, const Positions& motion
     return sum + rate.maxCoeff();
 }
 
-double ExplicitContact::obstacle_work(std::span<const Reaction> forces) const {
+double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const {
     double sum = 0;
     for (std::size_t o = 0; o < forces.size(); ++o)
-        if (options.obstacles[o].moves()) sum += work(forces[o], before[o], now[o]);
+        if (options.obstacles[o].moves() && options.obstacles[o].deformation == nullptr)
+            sum += work(forces[o], before[o], now[o]);
+    for (Index v = 0; v < static_cast<Index>(on_deforming.cols()); ++v)
+        if (options.obstacles[sheets->obstacle_number(v)].deformation != nullptr)
+            sum -= on_deforming.col(v).dot(sheets->way_of_collider(v));
     return sum;
 }
 

@@ -30,14 +30,14 @@ class ExplicitContact {
     /// Stored in all contacts with the shell at x, J.
     double stored_energy(const Positions& x) const;
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
-    /// a motion [3, V] m from x.
-    double largest_rate(const Positions& x, const Positions& motion) const;
+    /// a step in which it moves by `motion` [3, V] m.
+    double largest_rate(const StepContext& step, const Positions& motion);
     /// Throws std::runtime_error if a sheet passes through another one, or through an obstacle's surface, in
     /// the straight motion of a step, from its origin to `end` [3, V] m.
     void require_no_passage(const StepContext& step, const Positions& end);
-    /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces:
-    /// the mean over the substep.
-    double obstacle_work(std::span<const Reaction> forces) const;
+    /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces and
+    /// those on the vertices of what deforms (ContactForces): the mean over the substep.
+    double obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const;
 
     ExplicitBodies& of_bodies() { return bodies; }
     const ExplicitBodies& of_bodies() const { return bodies; }

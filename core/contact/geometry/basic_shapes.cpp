@@ -86,4 +86,12 @@ Eigen::AlignedBox3d CylinderShape::bounds() const {
     return {centre - reach, centre + reach};
 }
 
+SurfaceDistance BareSurface::distance(const Vector3d&) const {
+    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), Matrix3d::Zero()};
+}
+
+Eigen::AlignedBox3d BareSurface::bounds() const {
+    return {};
+}
+
 }  // namespace sherd

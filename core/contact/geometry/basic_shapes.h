@@ -47,4 +47,10 @@ struct CylinderShape : Shape {
     Eigen::AlignedBox3d bounds() const override;
 };
 
+/// What has no inside: an open surface, or one that deforms. Sheets meet its triangles only.
+struct BareSurface : Shape {
+    SurfaceDistance distance(const Vector3d& at) const override;  ///< infinite
+    Eigen::AlignedBox3d bounds() const override;                  ///< empty
+};
+
 }  // namespace sherd

@@ -24,7 +24,8 @@ bool in_one_plane(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles) {
+ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles,
+                                 bool deforms) {
     ColliderSurface surface;
     surface.footprint = VectorXd::Zero(points.cols());
     std::vector<Vector3d> normals;
@@ -41,8 +42,8 @@ ColliderSurface collider_surface(Positions points, std::vector<std::array<Index,
     for (const SurfaceEdge& edge : surface_edges(triangles, areas)) {
         const auto [a, b] = edge.ends;
         const double length = (points.col(a) - points.col(b)).norm();
-        const bool inner =
-            edge.triangles == 2 && in_one_plane(normals[edge.first_two[0]], normals[edge.first_two[1]]);
+        const bool inner = !deforms && edge.triangles == 2 &&
+                           in_one_plane(normals[edge.first_two[0]], normals[edge.first_two[1]]);
         if (inner || length == 0) continue;
         surface.edges.push_back(edge.ends);
         surface.width.push_back(edge.area / length);

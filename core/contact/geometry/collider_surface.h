@@ -15,14 +15,16 @@ struct ColliderSurface {
     std::vector<std::array<Index, 3>> triangles;  ///< each of three points
     // These follow from points and triangles:
     VectorXd footprint;                       ///< [P] m^2, area of the surface that is nearest to each point
-    std::vector<std::array<Index, 2>> edges;  ///< ascending, without those that coplanar triangles share
+    std::vector<std::array<Index, 2>> edges;  ///< ascending, without those that coplanar triangles share,
+                                              ///< unless they may bend
     std::vector<double> width;                ///< m, of each edge: the area nearest to it over its length
 
     Index size() const { return static_cast<Index>(points.cols()); }
 };
 
-/// The surface of triangles on points [3, P] m. Throws std::out_of_range if a triangle refers to a missing
-/// point.
-ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles);
+/// The surface of triangles on points [3, P] m. deforms: whether triangles that are coplanar here may be so
+/// no longer. Throws std::out_of_range if a triangle refers to a missing point.
+ColliderSurface collider_surface(Positions points, std::vector<std::array<Index, 3>> triangles,
+                                 bool deforms = false);
 
 }  // namespace sherd

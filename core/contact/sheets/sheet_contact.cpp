@@ -88,10 +88,14 @@ double SheetContact::safe_fraction(const Positions& x, const Positions& motion) 
     return near.safe_fraction(at_end(x), way);
 }
 
-double SheetContact::safe_fraction_of_step(const Positions& x, const Positions& motion) const {
+Positions SheetContact::with_colliders(const Positions& motion) const {
     Positions way(3, end.cols() + motion.cols());
     way << end - start, motion;
-    return near.safe_fraction(with(start, x), way);
+    return way;
+}
+
+double SheetContact::safe_fraction_of_step(const Positions& x, const Positions& motion) const {
+    return near.safe_fraction(with(start, x), with_colliders(motion));
 }
 
 Positions SheetContact::pushed_along(const Positions& x) const {

@@ -65,11 +65,9 @@ class SheetContact : public Energy {
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
     }
-    /// The pairs that may be active somewhere in a straight motion of the shell from x.
+    /// The pairs that may be active somewhere in the step, in which the shell moves straight from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const {
-        Positions way = Positions::Zero(3, end.cols() + motion.cols());
-        way.rightCols(motion.cols()) = motion;
-        return near.pairs_within_reach(at_end(x), way);
+        return near.pairs_within_reach(with(start, x), with_colliders(motion));
     }
     /// Adds the forces of the colliders' surfaces on sheets at x to the reactions, one for each obstacle.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
@@ -89,6 +87,25 @@ class SheetContact : public Energy {
                 if (vertices[v] >= 0) reaction.add(x.col(vertices[v]), -gradient.col(v));
         }
     }
+    /// Work, J, in the step, of the obstacles that deform on the shell at x: of the forces on their vertices.
+    double work_of_deforming(const Positions& x) const { return work_of_deforming(pairs_at(at_end(x)), x); }
+    /// The same of the forces of other elements on the vertices of surface().
+    template <class Elements>
+    double work_of_deforming(const Elements& elements, const Positions& x) const {
+        double sum = 0;
+        const Index first = surface().collider_vertices();
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const std::array<Index, 4> vertices = elements.vertices(i);
+            const Index least = *std::min_element(vertices.begin(), vertices.end());
+            if (least >= 0 || obstacles[obstacle_number(least + first)].deformation == nullptr) continue;
+            const PairPositions gradient = elements.gradient(i, elements.gather(i, x));
+            for (int v = 0; v < 4; ++v)
+                if (vertices[v] < 0) sum += gradient.col(v).dot(way_of_collider(vertices[v] + first));
+        }
+        return sum;
+    }
+    /// m, of a vertex of colliders in the step.
+    Vector3d way_of_collider(Index vertex) const { return end.col(vertex) - start.col(vertex); }
     /// Adds the vertices that touch colliders at x, and the surfaces of these colliders.
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const {
@@ -123,6 +140,8 @@ class SheetContact : public Energy {
         }
     };
 
+    /// The motions of colliders in the step, followed by that of the shell.
+    Positions with_colliders(const Positions& motion) const;
     Pairs pairs_at(const Positions& all) const;
     /// The two arrays joined, valid until the next call.
     const Positions& with(const Positions& collider, const Positions& x) const;

@@ -81,6 +81,8 @@ class SheetFriction : public ElementEnergy<SlidingPairs> {
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
         contact.add_reactions(elements, x, of_obstacles);
     }
+    /// Work, J, of the friction of obstacles that deform, in the step that ends at x.
+    double work_of_deforming(const Positions& x) const { return contact.work_of_deforming(elements, x); }
     void visit_state(StateVisitor& visit) override {
         static_assert(has_only<SheetFriction, ElementEnergy<SlidingPairs>, decltype(shell), decltype(contact),
                                decltype(coefficient), decltype(held)>());

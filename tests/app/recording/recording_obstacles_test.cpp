@@ -192,7 +192,8 @@ TEST(RecordedObstacles, ThatArePlanesAreTheGroundOfPictures) {
         return ground[0].point.z() + stage.centre().z();
     };
     EXPECT_NEAR(height(), -0.1, 1e-6);
-    EXPECT_EQ(stage.scene(recording.frame(2), poses).meshes.size(), 3u) << "the sheets and two tetrahedra";
+    EXPECT_EQ(stage.scene(recording.frame(2), poses, recording.shapes(2)).meshes.size(), 3u)
+        << "the sheets and two tetrahedra";
     poses[2].translation().z() = 0.3;
     EXPECT_NEAR(height(), 0.3, 1e-6);
 }

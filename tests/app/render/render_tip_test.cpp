@@ -63,7 +63,7 @@ TEST_F(RenderTips, StandWhereTheyAreInTheColourOfWhatTheyBear) {
     EXPECT_EQ(stage.legend(), "G / G_c of tips: 0 (dark violet) to 2 (yellow)");
     ASSERT_TRUE(stage.colour_bar());
     EXPECT_EQ(stage.colour_bar()->title, "G / G_c of tips");
-    const RenderMesh marks = stage.scene(recording.frame(1), {}).meshes.back();
+    const RenderMesh marks = stage.scene(recording.frame(1), {}, {}).meshes.back();
     Eigen::AlignedBox3d box;
     for (const RenderVertex& vertex : marks.vertices) box.extend(vertex.position.cast<double>());
     const Vector3d first = Vector3d(0.05, 0.01, -0.02) - stage.centre();
@@ -71,7 +71,7 @@ TEST_F(RenderTips, StandWhereTheyAreInTheColourOfWhatTheyBear) {
     EXPECT_TRUE(box.contains(first + Vector3d(0, 0.02, 0)));
     EXPECT_EQ(marks.vertices.front().colour, linear_colour(map_colour(0.25))) << "G is half of G_c";
     EXPECT_EQ(marks.vertices.back().colour, linear_colour(map_colour(0.5))) << "G is G_c";
-    EXPECT_TRUE(stage.scene(recording.frame(0), {}).meshes.back().vertices.empty()) << "none yet";
+    EXPECT_TRUE(stage.scene(recording.frame(0), {}, {}).meshes.back().vertices.empty()) << "none yet";
 }
 
 // Else a picture without tips would be taken for a run in which none moves.

@@ -14,7 +14,7 @@ namespace sherd::test {
 namespace {
 
 /// A disc that falls onto the floor, with a ball behind it, in steps of this kind.
-std::string disc_that_falls(const std::string& duration, const std::string& solver) {
+std::string stepped_disc(const std::string& duration, const std::string& solver) {
     return "duration = " + duration + R"(
 [sheet.plate]
 mesh = { generate = "disc", radius = 0.1, edge_length = 0.02 }
@@ -106,8 +106,8 @@ scheme = "explicit"
 step = 2e-6
 damping.stiffness = 2e-8
 )"},
-    {"schemes by turns", disc_that_falls("0.002", "scheme = \"auto\"\ndamping.stiffness = 1e-7\n")},
-    {"bdf two", disc_that_falls("0.006", "scheme = \"bdf2\"\nadaptive = true\n")},
+    {"schemes by turns", stepped_disc("0.002", "scheme = \"auto\"\ndamping.stiffness = 1e-7\n")},
+    {"bdf two", stepped_disc("0.006", "scheme = \"bdf2\"\nadaptive = true\n")},
     {"arcs, damping and moving clamps", R"(duration = 0.02
 [sheet.strip]
 mesh = { generate = "rectangle", width = 0.3, height = 0.1, edge_length = 0.03 }
