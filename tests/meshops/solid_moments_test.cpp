@@ -50,10 +50,11 @@ TEST(SolidMoments, OfAnEllipsoidAreThoseOfTheory) {
 
 // Faces turned inside out enclose a negative volume: so is a mesh told that no repair has turned.
 TEST(SolidMoments, OfWhatIsInsideOutAreNegative) {
+    const Mesh outward = octahedron();
     Mesh mesh;
-    for (const Vertex v : octahedron().vertices()) mesh.add_vertex(octahedron().point(v));
-    for (const auto& [a, b, c] : triangles_of(octahedron())) mesh.add_face(Vertex(a), Vertex(c), Vertex(b));
-    EXPECT_NEAR(solid_moments(octahedron()).volume, 4.0 / 3, 1e-12);
+    for (const Vertex v : outward.vertices()) mesh.add_vertex(outward.point(v));
+    for (const auto& [a, b, c] : triangles_of(outward)) mesh.add_face(Vertex(a), Vertex(c), Vertex(b));
+    EXPECT_NEAR(solid_moments(outward).volume, 4.0 / 3, 1e-12);
     EXPECT_NEAR(solid_moments(mesh).volume, -4.0 / 3, 1e-12);
 }
 
