@@ -59,28 +59,27 @@ std::string taken(char* text) {
     return value;
 }
 
-/// Link creation that makes the groups on the way.
-Handle with_parents() {
-    Handle links(checked(H5Pcreate(H5P_LINK_CREATE), "cannot prepare HDF5"));
-    checked(H5Pset_create_intermediate_group(links, 1), "cannot prepare HDF5");
-    return links;
+Handle new_group(hid_t where, const std::string& name) {
+    return Handle(
+        checked(H5Gcreate2(where, name.c_str(), H5P_DEFAULT, timeless(H5P_GROUP_CREATE), H5P_DEFAULT),
+                "cannot create group '" + name + "'"));
 }
 
-/// Properties of a dataset that keeps no time of its making: the same run is to give the same file.
-Handle timeless() {
-    Handle layout(checked(H5Pcreate(H5P_DATASET_CREATE), "cannot prepare HDF5"));
-    checked(H5Pset_obj_track_times(layout, false), "cannot prepare HDF5");
-    return layout;
+/// HDF5 would make these groups itself, but with the time of it.
+void make_groups_above(hid_t where, const std::string& name) {
+    for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1))
+        if (const std::string above = name.substr(0, end); !contains(where, above)) new_group(where, above);
 }
 
 Handle create_dataset(hid_t where, const std::string& name, hid_t type, hid_t space, hid_t layout) {
-    return Handle(checked(H5Dcreate2(where, name.c_str(), type, space, with_parents(), layout, H5P_DEFAULT),
+    make_groups_above(where, name);
+    return Handle(checked(H5Dcreate2(where, name.c_str(), type, space, H5P_DEFAULT, layout, H5P_DEFAULT),
                           "cannot create dataset '" + name + "'"));
 }
 
 void write_lines(hid_t where, const std::string& name, const Handle& space, const char* const* lines) {
     const Handle type = text_type();
-    const Handle dataset = create_dataset(where, name, type, space, timeless());
+    const Handle dataset = create_dataset(where, name, type, space, timeless(H5P_DATASET_CREATE));
     if (H5Sget_simple_extent_npoints(space) > 0)
         checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, lines),
                 "cannot write dataset '" + name + "'");
@@ -114,13 +113,19 @@ int rank_of(hsize_t width) {
 
 }  // namespace
 
+Handle timeless(hid_t kind) {
+    Handle properties(checked(H5Pcreate(kind), "cannot prepare HDF5"));
+    checked(H5Pset_obj_track_times(properties, false), "cannot prepare HDF5");
+    return properties;
+}
+
 void Handle::close(const std::string& what) {
     checked(H5Idec_ref(std::exchange(id, H5I_INVALID_HID)), "cannot close " + what);
 }
 
 Handle create_group(hid_t where, const std::string& name) {
-    return Handle(checked(H5Gcreate2(where, name.c_str(), with_parents(), H5P_DEFAULT, H5P_DEFAULT),
-                          "cannot create group '" + name + "'"));
+    make_groups_above(where, name);
+    return new_group(where, name);
 }
 
 Handle open_group(hid_t where, const std::string& name) {
@@ -229,7 +234,7 @@ void create_array(hid_t where, const std::string& name, hid_t type, std::span<co
     const std::string what = "cannot write dataset '" + name + "'";
     const int rank = static_cast<int>(shape.size());
     const Handle space(checked(H5Screate_simple(rank, shape.data(), nullptr), what));
-    const Handle layout = timeless();
+    const Handle layout = timeless(H5P_DATASET_CREATE);
     const bool empty = H5Sget_simple_extent_npoints(space) == 0;
     if (!empty) {
         // Large enough that a frame of an ordinary plate is one chunk, small enough for HDF5's chunk cache.
@@ -250,7 +255,7 @@ void create_table(hid_t where, const std::string& name, hid_t type, hsize_t widt
     const std::string what = "cannot create dataset '" + name + "'";
     const std::array<hsize_t, 2> shape{0, width}, limit{H5S_UNLIMITED, width}, chunk{128, width};
     const Handle space(checked(H5Screate_simple(rank_of(width), shape.data(), limit.data()), what));
-    const Handle layout = timeless();
+    const Handle layout = timeless(H5P_DATASET_CREATE);
     checked(H5Pset_chunk(layout, rank_of(width), chunk.data()), what);
     const Handle dataset = create_dataset(where, name, type, space, layout);
     describe(dataset, meaning);

@@ -81,6 +81,9 @@ Handle create_group(hid_t where, const std::string& name);
 Handle open_group(hid_t where, const std::string& name);
 bool contains(hid_t where, const std::string& name);
 std::size_t member_count(hid_t where, const std::string& group);
+/// Creation properties of this class for what keeps no time of its making: the same run is to give the same
+/// file.
+Handle timeless(hid_t kind);
 /// Returns the names in a group, in the order of their letters.
 std::vector<std::string> member_names(hid_t where, const std::string& group);
 void remove(hid_t where, const std::string& name);

@@ -132,7 +132,7 @@ Handle access_to(ByteFile& file, const Handle& driver) {
 
 hid_t opened_file(const std::string& name, Access access, const Handle& how) {
     if (access == Access::create)
-        return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, how),
+        return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), how),
                        "cannot create '" + name + "'");
     const unsigned flags = access == Access::write ? H5F_ACC_RDWR : H5F_ACC_RDONLY;
     return checked(H5Fopen(name.c_str(), flags, how), "cannot open '" + name + "'");

@@ -130,7 +130,7 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
     } catch (const IndefiniteMatrix&) {
         // Inertia of a shorter step may be what the matrix lacks.
     }
-    if (result.converged) {
+    if (result.converged && contact.of_bodies() != nullptr) {
         const Stopwatch of_contact(spent, Task::contact);
         result.converged = contact.bodies_arrive(position);
     }

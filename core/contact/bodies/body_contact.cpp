@@ -17,6 +17,8 @@ constexpr double large_turn = 0.1;
 constexpr double most_widths = 8;
 /// Share of the potential that another step of Newton's method may still take from where poses are the best.
 constexpr double still_to_gain = 1e-9;
+/// Of a body's size, and rad: of a body that weighs next to nothing the potential is all round-off.
+constexpr double small_way = 1e-6;
 
 }  // namespace
 
@@ -250,10 +252,20 @@ const BodyContact::Potential& BodyContact::solve(const Positions& x) const {
     return at_best;
 }
 
+bool BodyContact::is_small(const VectorXd& correction) const {
+    for (std::size_t b = 0; b < steps.size(); ++b) {
+        const Vector6d own = part(correction, b);
+        const double size = started[b].shape->bounds().diagonal().norm();
+        if (!(own.head<3>().norm() <= small_way * size && own.tail<3>().norm() <= small_way)) return false;
+    }
+    return true;
+}
+
 bool BodyContact::arrive(const Positions& x) const {
     const Potential& here = solve(x);
-    const double gain = here.gradient.dot(here.hessian.ldlt().solve(here.gradient));
-    if (!(gain <= still_to_gain * std::abs(here.value))) return false;
+    const VectorXd correction = here.hessian.ldlt().solve(here.gradient);
+    const bool is_best = here.gradient.dot(correction) <= still_to_gain * std::abs(here.value);
+    if (!is_best && !is_small(correction)) return false;
     for (std::size_t b = 0; b < steps.size(); ++b)
         if (!steps[b].has_straight_way(x, part(best, b))) return false;
     return true;

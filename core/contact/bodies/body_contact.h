@@ -117,6 +117,7 @@ class BodyContact : public Energy {
     /// others. `ahead` also counts contacts that may occur soon.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
     double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
+    bool is_small(const VectorXd& correction) const;
     /// The correction of Newton's method at the best q so far.
     VectorXd correction() const;
     /// Takes one step of Newton's method on q. Returns false when the potential cannot be lowered further.
