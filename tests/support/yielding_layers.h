@@ -50,7 +50,7 @@ class Layers {
   private:
     /// The stress within the yield surface that is nearest in energy, by halving.
     static Vector3d returned(const Vector3d& strain) {
-        if (const Vector3d trial = plane_stress() * strain; mises(trial) <= yield) return trial;
+        if (Vector3d trial = plane_stress() * strain; mises(trial) <= yield) return trial;
         const Matrix3d form{{1, -0.5, 0}, {-0.5, 1, 0}, {0, 0, 3}}, compliance = plane_stress().inverse();
         const auto with = [&](double share) {
             return Vector3d((compliance + share * form).inverse() * strain);

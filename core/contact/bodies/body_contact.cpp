@@ -206,7 +206,7 @@ double BodyContact::safe_fraction(const Positions& x, const Positions& motion) c
 }
 
 VectorXd BodyContact::correction() const {
-    const VectorXd newton = -at_best.hessian.ldlt().solve(at_best.gradient);
+    VectorXd newton = -at_best.hessian.ldlt().solve(at_best.gradient);
     double most = 0;
     for (std::size_t b = 0; b < steps.size(); ++b) most = std::max(most, part(newton, b).tail<3>().norm());
     if (most <= large_turn) return newton;
