@@ -205,7 +205,7 @@ std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
     const std::vector<Index> some = needed_for(hessian);
     folds.find_slopes(x, some, slopes);
-    const VectorXd all = changes_from(folds.angles(slopes, some));
+    const VectorXd all = yields.empty() ? VectorXd() : changes_from(folds.angles(slopes, some));
     std::vector<Matrix3d> of_face;
     for (std::size_t i = 0; i < counted.size(); ++i) {
         if (!hessian.has_all(reach_of_counted()[i].vertices)) continue;

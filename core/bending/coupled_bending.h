@@ -99,7 +99,7 @@ class CoupledBending : public Energy {
         if (yields_at(face)) return shell.triangles[face].membrane.area * yielded(face, bent).moment;
         return rigidity_factor(face) * (shell.triangles[face].membrane.elasticity * bent);
     }
-    /// The second derivative, J m^2, positive definite.
+    /// The second derivative, J m^2, positive definite. changes: of all folds; of use only where faces yield.
     Matrix3d stiffness(Index face, const VectorXd& changes) const;
     VectorXd moments(const VectorXd& changes) const;
 

@@ -80,8 +80,7 @@ double highest_frequency(const std::function<Positions(const Positions&)>& gradi
     if (solver.info() != Spectra::CompInfo::Successful)
         throw std::runtime_error(
             "explicit steps: the highest frequency, which bounds them, is not found; sherd check warns of "
-            "materials and "
-            "triangles that are hardly meant, and implicit steps do not need it");
+            "materials and triangles that are hardly meant, and implicit steps do not need it");
     mode = solver.eigenvectors().reshaped(3, x.cols()) * map.root.asDiagonal();
     return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
 }

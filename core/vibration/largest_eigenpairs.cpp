@@ -47,8 +47,7 @@ Eigenpairs lanczos(DeflatedMap map, Eigen::Index count) {
     if (solver.info() != Spectra::CompInfo::Successful)
         throw std::runtime_error(
             "vibration: Lanczos' method does not converge; sherd check warns of materials and triangles that "
-            "are "
-            "hardly meant");
+            "are hardly meant");
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

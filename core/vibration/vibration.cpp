@@ -51,13 +51,13 @@ double slow_bending(const Shell& shell) {
     return 100 * stiffness * area / (shell.mass.sum() * std::pow(size, 4));
 }
 
-/// K, and the factor of K + shift M.
 [[noreturn]] void refuse() {
     throw std::runtime_error(
         "vibration: the stiffness is not finite; sherd check warns of materials and triangles that are "
         "hardly meant");
 }
 
+/// K, and the factor of K + shift M.
 class ShiftedStiffness {
   public:
     ShiftedStiffness(const Shell& shell, ShellEnergies& energies)
