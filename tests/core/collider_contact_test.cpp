@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/contact/colliders/contact_colliders.h"
-#include "core/contact/sheets/sheet_friction.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "core/time/implicit_stepper.h"
 #include "tests/support/collider_gap.h"
+#include "tests/support/friction_of_motion.h"
 #include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
@@ -57,14 +58,7 @@ TEST(ColliderContact, ForceAndStiffnessAreDerivativesOfTheValue) {
     ASSERT_GT(contact.active_pairs(shell.position).size(), 0u);
     expect_derivatives(contact, shell.position, 1e-9, 1e-4);
 
-    const StepContext moved = test::step_of(shell, 1, 1e-3);
-    contact.begin(moved);
-    SheetFriction friction(shell, contact, 0);
-    friction.begin(moved);
-    Positions force = Positions::Zero(3, shell.position.cols());
-    friction.add_gradient(shell.position, force);
-    EXPECT_LT(force.row(0).sum(), 0) << "the energy falls where the sheet follows";
-    expect_derivatives(friction, shell.position, 1e-10, 1e-3);
+    expect_friction_along_x(shell, contact, test::step_of(shell, 1, 1e-3));
 }
 
 // Between the vertices of a coarse plate there is room for the corner of a box.

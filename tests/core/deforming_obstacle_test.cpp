@@ -5,10 +5,11 @@
 
 #include <numbers>
 
-#include "core/contact/sheets/sheet_friction.h"
+#include "core/contact/sheets/sheet_contact.h"
 #include "core/time/implicit_stepper.h"
 #include "tests/support/collider_gap.h"
 #include "tests/support/contact_pairs.h"
+#include "tests/support/friction_of_motion.h"
 #include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
@@ -133,12 +134,7 @@ TEST(DeformingObstacle, ForceAndStiffnessAreDerivativesOfTheValue) {
     contact.begin(moved);
     ASSERT_GT(contact.active_pairs(shell.position).size(), 0u);
     expect_derivatives(contact, shell.position, 1e-9, 1e-4);
-    SheetFriction friction(shell, contact, 0);
-    friction.begin(moved);
-    Positions force = Positions::Zero(3, shell.position.cols());
-    friction.add_gradient(shell.position, force);
-    EXPECT_LT(force.row(0).sum(), 0) << "the energy falls where the sheet follows";
-    expect_derivatives(friction, shell.position, 1e-10, 1e-3);
+    expect_friction_along_x(shell, contact, moved);
 }
 
 // One whose points all move as a rigid wall's do is such a wall, though the springs of the latter are softer

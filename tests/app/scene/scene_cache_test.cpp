@@ -7,20 +7,16 @@
 #include "app/scene/build/obstacles.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/read/scene.h"
+#include "tests/support/plate_and_thing.h"
 #include "tests/support/point_caches.h"
+#include "tests/support/replaced.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
 
-const std::string above_cached = R"(duration = 0.05
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
-place = { translate = [0, 0, 1] }
-material = { preset = "stoneware" }
-[obstacle.thing]
-)";
+const std::string above_cached = replaced(plate_and_thing, "0.002", "0.05");
 /// A quadrangle, a vertex that no face uses, and a triangle beside it.
 const std::string cached_mesh = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nv 2 0 0\nf 1 2 3 4\nf 2 6 3\n";
 

@@ -9,6 +9,7 @@
 #include "app/scene/build/obstacles.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
+#include "tests/support/plate_and_thing.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
 
@@ -17,17 +18,9 @@ namespace {
 
 using std::numbers::pi;
 
-const std::string resting_plate = R"(duration = 0.002
-[sheet.plate]
-mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
-place = { translate = [0, 0, 1] }
-material = { preset = "stoneware" }
-[obstacle.thing]
-)";
-
 Scene scene_around(const std::string& obstacle) {
     const TemporaryDirectory directory;
-    return read_scene(directory.write("scene.toml", resting_plate + obstacle));
+    return read_scene(directory.write("scene.toml", plate_and_thing + obstacle));
 }
 
 ThicknessRange thickness_of(const Scene& scene) {
@@ -88,7 +81,7 @@ const std::string octahedron =
 ProgramResult checked(const std::string& mesh, const std::string& obstacle) {
     const TemporaryDirectory directory;
     directory.write("solid.obj", mesh);
-    directory.write("scene.toml", resting_plate + obstacle);
+    directory.write("scene.toml", plate_and_thing + obstacle);
     return run_sherd({"check", "scene.toml"}, directory.path);
 }
 
@@ -98,7 +91,7 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     directory.write("solid.obj", octahedron + "f 1 4 6\n");
     const Scene scene = read_scene(directory.write(
         "scene.toml",
-        resting_plate +
+        plate_and_thing +
             "mesh = { file = \"solid.obj\", scale = 0.1, voxel = 0.002 }\nplace.translate = [1, 0, 0]"));
     std::vector<std::string> warnings;
     const Obstacle solid = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
@@ -236,7 +229,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, double height) {
         directory.write("scene.toml",
-                        resting_plate + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
+                        plate_and_thing + "plane = { point = [0, 0, " + std::to_string(height) + "] }\n");
         return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -258,7 +251,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideIsNamed) {
 // Unless proof is asked for, it runs, and is neither flung out nor falls through.
 TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
     const TemporaryDirectory directory;
-    directory.write("scene.toml", resting_plate + "plane = { point = [0, 0, 0.9995] }\n");
+    directory.write("scene.toml", plate_and_thing + "plane = { point = [0, 0, 0.9995] }\n");
     const ProgramResult run = run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.err.find("the deepest, 0.0015 m beyond touching"), std::string::npos) << run.err;
@@ -270,7 +263,7 @@ TEST(SceneObstacle, ASheetThatStartsInsideStaysThere) {
 TEST(SceneObstacle, AFaceThatStartsAcrossASurfaceIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](const std::string& command, const std::string& box) {
-        directory.write("scene.toml", resting_plate + "box = " + box + "\n");
+        directory.write("scene.toml", plate_and_thing + "box = " + box + "\n");
         return run_sherd({command, "scene.toml", "--set", "contact.start='error'"}, directory.path);
     };
     for (const std::string command : {"check", "run"}) {
@@ -330,7 +323,7 @@ TEST(SceneObstacle, ABodyThatStartsInAnotherOneIsNamed) {
     const TemporaryDirectory directory;
     const auto outcome = [&](double height) {
         directory.write("scene.toml",
-                        resting_plate +
+                        plate_and_thing +
                             "plane = {}\n[obstacle.ball]\nsphere = { radius = 0.1, centre = [0, 0, " +
                             std::to_string(height) +
                             "] }\ndensity = 1000\n[obstacle.brick]\n"

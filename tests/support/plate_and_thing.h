@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sherd::test {
+
+/// The scene of a plate, and far below it an obstacle `thing`, whose keys come behind it.
+inline const std::string plate_and_thing = R"(duration = 0.002
+[sheet.plate]
+mesh = { generate = "disc", radius = 0.1, edge_length = 0.03 }
+place = { translate = [0, 0, 1] }
+material = { preset = "stoneware" }
+[obstacle.thing]
+)";
+
+}  // namespace sherd::test
