@@ -48,8 +48,9 @@ class CacheFile {
     /// Throws unless the file has room for so many bytes.
     void require(double least, std::string_view what) const {
         if (static_cast<double>(bytes) < least)
-            throw Error(fmt::format("{}: ends too early (truncated?): it has {} bytes, its {} take {:.0f}",
-                                    path.string(), bytes, what, least));
+            throw Error(
+                fmt::format("{}: ends too early (truncated?): it has {} bytes of the {:.0f} of its {}",
+                            path.string(), bytes, least, what));
     }
     void require_end(double expected, std::string_view kind) const {
         require(expected, "samples");
