@@ -15,8 +15,9 @@ bool disk_is_full(int reason) {
 }
 
 void refuse_room(const std::filesystem::path& file, std::size_t bytes, int reason) {
-    throw Error(fmt::format("no room for {:.1f} MB more in '{}': {}; free some space or raise the limit",
-                            1e-6 * static_cast<double>(bytes), file.string(), std::strerror(reason)),
+    const std::string size = bytes > 0 ? fmt::format("{:.1f} MB ", 1e-6 * static_cast<double>(bytes)) : "";
+    throw Error(fmt::format("no room for {}more in '{}': {}; free some space or raise the limit", size,
+                            file.string(), std::strerror(reason)),
                 Fault::run);
 }
 

@@ -4,10 +4,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 
 #include "app/files/descriptor.h"
 #include "app/files/disk_file.h"
@@ -35,15 +37,18 @@ PendingFile::~PendingFile() {
     std::filesystem::remove(temporary, ignored);
 }
 
-void PendingFile::write(std::initializer_list<std::string_view> parts) {
+void PendingFile::write(const std::function<void(std::ostream&)>& fill, std::size_t size) {
     std::ofstream out(temporary, std::ios::binary);
-    std::size_t size = 0;
-    for (const std::string_view part : parts) {
-        out << part;
-        size += part.size();
-    }
+    fill(out);
     out.close();
     if (!out) refuse_room(target, size, errno ? errno : ENOSPC);
+}
+
+void PendingFile::write(std::initializer_list<std::string_view> parts) {
+    std::size_t size = 0;
+    for (const std::string_view part : parts) size += part.size();
+    write([&](std::ostream& out) { std::ranges::copy(parts, std::ostream_iterator<std::string_view>(out)); },
+          size);
 }
 
 void PendingFile::publish(bool replace) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +29,9 @@ class PendingFile {
     PendingFile& operator=(const PendingFile&) = delete;
 
     const std::filesystem::path& path() const { return temporary; }
-    /// Throws Error (run) when the disk is full.
+    /// Each replaces what was written before, and throws Error (run) when the disk is full. size: in bytes,
+    /// for that message; 0: it is not known.
+    void write(const std::function<void(std::ostream&)>& fill, std::size_t size = 0);
     void write(std::initializer_list<std::string_view> parts);
     void write(const std::string& text) { write({std::string_view(text)}); }
     /// Gives it its name. Throws Error (input) when that is taken and not `replace`.

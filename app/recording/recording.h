@@ -21,6 +21,8 @@
 
 namespace sherd {
 
+class PendingFile;
+
 /// A support or an obstacle, whose reaction is recorded.
 struct RecordedSupport {
     std::string name;  ///< "sheet.plate.pin", "obstacle.floor"
@@ -76,9 +78,11 @@ struct RecordingOutput {
 };
 
 /// Writes a run to an .h5 file and the .xdmf index beside it. Each append is in the .h5 as a whole or not at
-/// all (JournaledFile), and the .xdmf is replaced atomically, so both can be read while the run goes on. A
-/// mesh at rest is written when it is another one than in the frame before. The layout of the file is in
-/// app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an error like a full disk.
+/// all (JournaledFile), and the .xdmf is replaced atomically, so both can be read while the run goes on. The
+/// .xdmf, which is written as a whole, follows each of the first hundred frames, then each hundredth part
+/// more of them, and the last. A mesh at rest is written when it is another one than in the frame before. The
+/// layout of the file is in app/README.md. The program must ignore SIGXFSZ, so that a file size limit is an
+/// error like a full disk.
 class RecordingWriter {
   public:
     /// Creates the file, or, with `resumes`, takes the one that is there, whose state visit_state() and
@@ -111,11 +115,16 @@ class RecordingWriter {
 
   private:
     const std::filesystem::path& file() const { return output.recording.output(); }
+    /// Adds the last of `frames`, and what belongs to it.
+    void record(const Snapshot& snapshot, std::span<const StepReport> steps, const CrackEvents& events,
+                ObstaclePlaces next, const ObstacleShapes& shapes);
+    void write_index(PendingFile& index) const;
 
     RecordingOutput output;
     std::vector<std::size_t> rows;  ///< of each table
     JournaledFile recording;
     std::vector<XdmfFrame> frames;
+    std::size_t indexed = 0;  ///< frames in the index
     std::vector<RecordedObstacle> obstacles;
     ObstaclePlaces places;  ///< of the last frame, or their own frames
     std::size_t supports = 0, gauges = 0;

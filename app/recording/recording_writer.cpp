@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "app/files/pending_file.h"
 #include "app/recording/hdf5_file.h"
@@ -225,6 +228,20 @@ std::vector<XdmfObstacle> xdmf_obstacles(std::span<const RecordedObstacle> obsta
     return result;
 }
 
+XdmfFrame index_entry(const Snapshot& snapshot, const ObstaclePlaces& places) {
+    XdmfFrame entry{snapshot.time, static_cast<std::size_t>(snapshot.position.cols()), snapshot.faces.size(),
+                    snapshot.edges.size(), places.points};
+    visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
+        if (values.size() > 0) entry.fields.push_back(name);
+    });
+    return entry;
+}
+
+/// The index is written as a whole: with every frame, long runs would do nothing else.
+bool index_is_due(std::size_t frames, std::size_t indexed) {
+    return frames >= indexed + std::max<std::size_t>(1, indexed / 100);
+}
+
 /// Makes a recording of no frames, and returns its name. rows: gets those of its tables.
 const std::filesystem::path& create(const RecordingOutput& output, const RecordingHeader& header,
                                     std::span<const RecordedObstacle> obstacles,
@@ -277,36 +294,48 @@ void RecordingWriter::append(const Snapshot& snapshot, std::span<const StepRepor
             throw Error(fmt::format("step {} has {} reactions and {} gauges, the head {} and {}", step.step,
                                     step.reactions.size(), step.gauges.size(), supports, gauges),
                         Fault::run);
-    const bool new_rest = !same_bits(snapshot.rest, rest);
     ObstaclePlaces next = next_places(places, frames.size(), obstacles, poses, shapes);
-    std::vector<XdmfFrame> longer = frames;
-    longer.push_back({snapshot.time, static_cast<std::size_t>(snapshot.position.cols()),
-                      snapshot.faces.size(), snapshot.edges.size(), next.points});
-    visit_fields(snapshot.fields, [&](const char* name, const Eigen::Matrix3Xd& values, const FieldMeaning&) {
-        if (values.size() > 0) longer.back().fields.push_back(name);
-    });
-    std::vector<std::size_t> longer_rows;
-    // What needs space comes before the recording is changed; what follows is only a change of name.
-    PendingFile index(output.index, Fault::run);
-    index.write(xdmf_text(file().filename().string(), longer, xdmf_obstacles(obstacles)));
-    hdf5::change(recording, [&](hid_t opened) {
-        add(opened, frames.size(), snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next,
-            shapes);
-        longer_rows = extent(opened);
-    });
-    rows = std::move(longer_rows);
-    if (new_rest) {
-        rest = snapshot.rest;
-        rest_path = "/" + frame_group(frames.size()) + "/rest";
+    frames.push_back(index_entry(snapshot, next));
+    try {
+        record(snapshot, steps, events, std::move(next), shapes);
+    } catch (...) {
+        frames.pop_back();
+        throw;
     }
-    index.publish(true);
-    frames = std::move(longer);
-    places = std::move(next);
 } catch (const Error& error) {
     throw Error(
         fmt::format("cannot record frame {} (time {} s): {}; the frames before it in '{}' stay readable",
                     frames.size(), snapshot.time, error.what(), file().string()),
         Fault::run);
+}
+
+void RecordingWriter::record(const Snapshot& snapshot, std::span<const StepReport> steps,
+                             const CrackEvents& events, ObstaclePlaces next, const ObstacleShapes& shapes) {
+    const std::size_t number = frames.size() - 1;
+    const bool new_rest = !same_bits(snapshot.rest, rest);
+    std::vector<std::size_t> longer_rows;
+    // What needs space comes before the recording is changed; what follows is only a change of name.
+    std::optional<PendingFile> index;
+    if (index_is_due(frames.size(), indexed)) write_index(index.emplace(output.index, Fault::run));
+    hdf5::change(recording, [&](hid_t opened) {
+        add(opened, number, snapshot, new_rest ? "" : rest_path, steps, events, obstacles, next, shapes);
+        longer_rows = extent(opened);
+    });
+    rows = std::move(longer_rows);
+    if (new_rest) {
+        rest = snapshot.rest;
+        rest_path = "/" + frame_group(number) + "/rest";
+    }
+    places = std::move(next);
+    if (!index) return;
+    index->publish(true);
+    indexed = frames.size();
+}
+
+void RecordingWriter::write_index(PendingFile& index) const {
+    index.write([this](std::ostream& out) {
+        write_xdmf(out, file().filename().string(), frames, xdmf_obstacles(obstacles));
+    });
 }
 
 void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::string& times) try {
@@ -320,14 +349,14 @@ void RecordingWriter::add_modes(std::span<const RecordedMode> modes, const std::
 }
 
 void RecordingWriter::visit_state(StateVisitor& visit) {
-    auto& [output, rows, recording, frames, obstacles, places, supports, gauges, rest, rest_path,
+    auto& [output, rows, recording, frames, indexed, obstacles, places, supports, gauges, rest, rest_path,
            unbroken_vertices] = *this;
     visit(frames, places, rest, rest_path, rows);
 }
 
 void RecordingWriter::go_on(const std::string& scene_text) try {
     PendingFile index(output.index, Fault::run);
-    index.write(xdmf_text(file().filename().string(), frames, xdmf_obstacles(obstacles)));
+    write_index(index);
     hdf5::change(recording, [&](hid_t opened) {
         cut(opened, frames.size(), rows);
         hdf5::write_attribute(opened, "end", std::string("running"));
@@ -336,15 +365,20 @@ void RecordingWriter::go_on(const std::string& scene_text) try {
         hdf5::write_text(opened, "scene", scene_text);
     });
     index.publish(true);
+    indexed = frames.size();
 } catch (const Error& error) {
     throw Error(fmt::format("cannot go on with '{}': {}", file().string(), error.what()), Fault::run);
 }
 
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
+    PendingFile index(output.index, Fault::run);
+    write_index(index);
     hdf5::change(recording, [&](hid_t opened) {
         hdf5::write_attribute(opened, "wall_seconds", wall_seconds);
         hdf5::write_attribute(opened, "end", end);
     });
+    index.publish(true);
+    indexed = frames.size();
 }
 
 }  // namespace sherd

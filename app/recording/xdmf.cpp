@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/xdmf.h"
 
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <algorithm>
-#include <iterator>
+#include <ostream>
 #include <utility>
 
 #include "app/files/xml_text.h"
@@ -25,7 +25,7 @@ constexpr const char* bytes = "NumberType=\"UChar\" Precision=\"1\"";
 class Grid {
   public:
     /// `source` is what its datasets are named below, as XDMF names it.
-    Grid(std::string& out, const std::string& name, const std::string& source) : out(out), source(source) {
+    Grid(std::ostream& out, const std::string& name, const std::string& source) : out(out), source(source) {
         add("<Grid Name=\"{}\">\n", name);
     }
 
@@ -35,13 +35,13 @@ class Grid {
                   const std::string& dataset) {
         add("<Topology {} NumberOfElements=\"{}\">", attributes, count);
         data(integers, fmt::format("{} {}", count, corners), dataset);
-        out += "</Topology>\n";
+        out << "</Topology>\n";
     }
 
     void geometry(std::size_t points, const std::string& dataset) {
-        out += "<Geometry GeometryType=\"XYZ\">";
+        out << "<Geometry GeometryType=\"XYZ\">";
         data(reals, fmt::format("{} 3", points), dataset);
-        out += "</Geometry>\n";
+        out << "</Geometry>\n";
     }
 
     void attribute(const std::string& dataset, const std::string& kind, const std::string& center,
@@ -49,10 +49,10 @@ class Grid {
         add("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">",
             dataset.substr(dataset.find('/') + 1), kind, center);
         data(number, dimensions, dataset);
-        out += "</Attribute>\n";
+        out << "</Attribute>\n";
     }
 
-    void end() { out += "</Grid>\n"; }
+    void end() { out << "</Grid>\n"; }
 
   private:
     void data(const std::string& number, const std::string& dimensions, const std::string& dataset) {
@@ -62,10 +62,10 @@ class Grid {
 
     template <class... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+        fmt::print(out, format, std::forward<Arguments>(arguments)...);
     }
 
-    std::string& out;
+    std::ostream& out;
     std::string source;
 };
 
@@ -98,12 +98,12 @@ std::string path_in(const std::string& source, const std::string& group) {
     return fmt::format("FILE:{}:/{}", source, group);
 }
 
-void begin_collection(std::string& out, const std::string& name) {
-    out += fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
+void begin_collection(std::ostream& out, const std::string& name) {
+    fmt::print(out, "<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", name);
 }
 
 template <class AddFrame>
-void add_collection(std::string& out, const char* name, const std::string& source,
+void add_collection(std::ostream& out, const char* name, const std::string& source,
                     std::span<const XdmfFrame> frames, AddFrame add_frame) {
     begin_collection(out, name);
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -111,12 +111,12 @@ void add_collection(std::string& out, const char* name, const std::string& sourc
         grid.time(frames[i].time);
         add_frame(std::move(grid), frames[i]);
     }
-    out += "</Grid>\n";
+    out << "</Grid>\n";
 }
 
 /// The i-th obstacle, which is the same grid at all times where its points are the same dataset in all
 /// frames.
-void add_obstacle(std::string& out, const XdmfObstacle& obstacle, std::size_t i, const std::string& source,
+void add_obstacle(std::ostream& out, const XdmfObstacle& obstacle, std::size_t i, const std::string& source,
                   std::span<const XdmfFrame> frames) {
     const auto add = [&](const std::string& name, const XdmfFrame& frame, bool at_its_time) {
         Grid grid(out, name, path_in(source, ""));
@@ -131,20 +131,20 @@ void add_obstacle(std::string& out, const XdmfObstacle& obstacle, std::size_t i,
     if (rests) return add(name, frames.front(), false);
     begin_collection(out, name);
     for (std::size_t k = 0; k < frames.size(); ++k) add(fmt::format("{} {}", name, k), frames[k], true);
-    out += "</Grid>\n";
+    out << "</Grid>\n";
 }
 
 }  // namespace
 
-std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames,
-                      std::span<const XdmfObstacle> obstacles) {
-    std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
+void write_xdmf(std::ostream& out, const std::string& recording_name, std::span<const XdmfFrame> frames,
+                std::span<const XdmfObstacle> obstacles) {
+    out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
     const std::string source = xml_escaped(recording_name);
     add_collection(out, "surface", source, frames, add_surface);
     add_collection(out, "edges", source, frames, add_edges);
     for (std::size_t i = 0; i < obstacles.size() && !frames.empty(); ++i)
         add_obstacle(out, obstacles[i], i, source, frames);
-    return out + "</Domain>\n</Xdmf>\n";
+    out << "</Domain>\n</Xdmf>\n";
 }
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,12 +29,12 @@ struct XdmfObstacle {
     std::size_t points = 0, triangles = 0;
 };
 
-/// Returns the text of an .xdmf file (XDMF 2, for ParaView's XDMFReader). It shows the frames of the
+/// Writes the text of an .xdmf file (XDMF 2, for ParaView's XDMFReader). It shows the frames of the
 /// recording `recording_name`, a file name without folder, as two collections in time, whose topology may
 /// change from frame to frame: `surface` (triangles: fragment, sheet, fields and their principal values;
 /// vertices: speed, velocity) and `edges` (lines: state, strain). Each obstacle is another one, or a grid
 /// without time where it rests: `obstacle NAME`.
-std::string xdmf_text(const std::string& recording_name, std::span<const XdmfFrame> frames,
-                      std::span<const XdmfObstacle> obstacles = {});
+void write_xdmf(std::ostream& out, const std::string& recording_name, std::span<const XdmfFrame> frames,
+                std::span<const XdmfObstacle> obstacles);
 
 }  // namespace sherd

@@ -114,6 +114,28 @@ TEST(Recording, IsReadableBetweenAppends) {
     expect_recorded(folder.path / "run.h5", run, 3);
 }
 
+// It is written as a whole: with each of thousands of frames, a run would do little else.
+TEST(Recording, IsIndexedWithEachFrameAtFirstThenWithEachHundredthPartMore) {
+    const TemporaryDirectory folder;
+    const SyntheticRun run = synthetic_run();
+    RecordingWriter writer(folder.path / "run.h5", run.header, false);
+    const auto indexed = [&] {
+        const std::string text = folder.contents().at(folder.path / "run.xdmf"), grid = "<Grid Name=\"edges ";
+        std::size_t count = 0;
+        for (auto at = text.find(grid); at != text.npos; at = text.find(grid, at + 1)) ++count;
+        return count;
+    };
+    for (std::size_t frames = 1; frames <= 203; ++frames) {
+        writer.append(run.frames[0], {}, {});
+        if (frames == 1 || frames == 99 || frames == 200) {
+            EXPECT_EQ(indexed(), frames);
+        }
+    }
+    EXPECT_EQ(indexed(), 202u);
+    writer.finish(1, "complete");
+    EXPECT_EQ(indexed(), 203u);
+}
+
 TEST(Recording, DoesNotOverwriteUnlessForced) {
     const TemporaryDirectory folder;
     const SyntheticRun run = synthetic_run();
