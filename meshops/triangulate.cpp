@@ -83,9 +83,10 @@ std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
     for (std::size_t i = 0; i < corner.size(); ++i) {
         triangulation.insert_constraint(corner[i], corner[(i + 1) % corner.size()]);
     }
+    // A side that crosses another one, or passes through a corner, has a vertex there, and is no edge.
+    for (std::size_t i = 0; i < corner.size(); ++i)
+        if (!triangulation.is_edge(corner[i], corner[(i + 1) % corner.size()])) return {};
     std::vector<Corners> result;
-    // Sides that cross get an additional vertex there.
-    if (triangulation.number_of_vertices() != flat.size()) return result;
     for (const auto face : inner_faces(triangulation)) {
         Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
         std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());

@@ -109,5 +109,25 @@ TEST_F(FloatGrid, RefusesAFileCutShort) {
     }
 }
 
+// OpenVDB writes as many bytes as a file tells it to, over whatever is there.
+TEST_F(FloatGrid, RefusesLengthsThatOpenVdbBelieves) {
+    openvdb::initialize();
+    openvdb::io::File writer(file.string());
+    writer.setCompression(openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_ACTIVE_MASK);
+    writer.write(openvdb::GridPtrVec{plane_grid("plane")});
+    writer.close();
+    const std::string whole = directory.contents().at(file.string());
+    // What zlib compressed begins with this letter, behind its length in 8 bytes; less than 0: not
+    // compressed.
+    const std::string behind_length = std::string(6, '\0') + 'x';
+    int lengths = 0;
+    for (std::size_t at = 0; (at = whole.find(behind_length, at)) != std::string::npos; ++at, ++lengths) {
+        std::string damaged = whole;
+        damaged.replace(at - 2, 8, std::string("\0\0\xff\xff\xff\xff\xff\xff", 8));
+        expect_message(message_of(directory.write("a.vdb", damaged)), "damaged OpenVDB file");
+    }
+    EXPECT_GT(lengths, 20);
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -120,6 +120,9 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     EXPECT_EQ(read("bent.obj", square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
     expect_failure("bow.obj", square + "f 1 2 4 3\n", "crosses or touches itself");
     expect_failure("star.obj", "v 0 0 0\nv 4 3 0\nv 0 3 0\nv 4 0 0\nv 2 5 0\nf 1 2 3 4 5\n", "crosses");
+    // Two sides that go back on others, so that there are as many triangles between sides as a polygon has.
+    expect_failure("spikes.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n",
+                   "crosses");
 }
 
 TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
