@@ -121,7 +121,7 @@ SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_p
       core(std::move(of_one)) {
     for (const Box& point : boxes_of(second->points)) bounds.include(point);
     radius = std::sqrt(core->rest.colwise().squaredNorm().maxCoeff()) +
-             ContactCandidates::nearness * core->thickness[0];
+             ContactCandidates::nearness * core->thickness[0] / thickness_of_range;
 }
 
 const NearPairs& SurfacePairs::near() const {
