@@ -143,7 +143,7 @@ void Simulation::give_up(const StepReport& report) const {
     if (obstacle_moves || !breakable.mechanics().motions.empty())
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     if (!options.stepper.contact.bodies.empty())
-        text << "; or a free obstacle moves so fast that it would be beyond a sheet";
+        text << "; or a free obstacle moves so fast that it would be beyond what it meets";
     throw Error(text.str(), Fault::run);
 }
 

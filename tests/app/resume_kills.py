@@ -96,6 +96,44 @@ checkpoint = 0.1
     "bdf2": falling_plate(0.004, 5e-4, 'scheme = "bdf2"\nadaptive = true', ", yield = 1e6"),
     # Midpoint rule, Newton's method.
     "midpoint": falling_plate(0.004, 5e-4, 'scheme = "midpoint"\nmethod = "newton"'),
+    # Bodies that lie across edges of each other and of an obstacle, and two that press each other at the start.
+    "edges": """
+duration = 0.015
+seed = 6
+[sheet.plate]
+mesh = { generate = "plate", radius = 0.11, edge_length = 0.013 }
+place = { translate = [0.5, 0, -0.04], rotate = { axis = [1, 0, 0], degrees = 20 } }
+velocity = [0, 0, -4]
+material = { preset = "stoneware" }
+fracture = { strain = 0.2 }
+[obstacle.floor]
+plane = { point = [0, 0, -0.1] }
+[obstacle.beam]
+box = { size = [0.03, 0.3, 0.03] }
+place = { rotate = { axis = [0, 1, 0], degrees = 45 } }
+friction = 0.5
+[obstacle.low]
+box = { size = [0.12, 0.03, 0.02] }
+place = { translate = [0.01, 0, 0.03123] }
+density = 2000
+friction = 0.5
+[obstacle.top]
+box = { size = [0.02, 0.1, 0.02] }
+velocity = [0, 0, -0.2]
+place = { translate = [0.003, 0.004, 0.05534], rotate = { axis = [0, 1, 0], degrees = 40 } }
+density = 2000
+friction = 0.5
+[obstacle.one]
+box = { size = [0.1, 0.02, 0.02], centre = [0, 1, 0.3] }
+density = 2000
+[obstacle.other]
+box = { size = [0.02, 0.1, 0.02], centre = [0, 1, 0.3199] }
+density = 2000
+velocity = [0, 0, 0.01]
+[output]
+every = 1e-3
+checkpoint = 0.1
+""",
     # Statics: a flap that tears a film, load step by load step.
     "static": """
 [sheet.film]

@@ -26,6 +26,15 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
     }
     for (const SlidingContact& contact : sliding)
         if (is_free(contact.other)) join(contact.body, contact.other);
+    for (const auto& pair : surfaces) {
+        if (!is_free(pair->other)) continue;
+        const double reach = 0.5 * (started[pair->body].shape->bounds().diagonal().norm() +
+                                    started[pair->other].shape->bounds().diagonal().norm());
+        const Eigen::Isometry3d &here = at_q[pair->body].place, &there = at_q[pair->other].place;
+        const bool close =
+            ahead && (here.translation() - there.translation()).norm() < (1 + ahead_of_contact) * reach;
+        if (close || !pair->sliding().empty() || pair->touch(here, there)) join(pair->body, pair->other);
+    }
     return group;
 }
 

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact/bodies/body_contact.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 
 namespace sherd {
 namespace {
 
-constexpr int most_iterations = 100, most_halvings = 40, most_hidden_halvings = 2;
-constexpr double round_off_of_value = 1e-12;
-/// rad; a correction that turns a body farther knows nothing of what forces do to it on the way, as they turn
-/// round what they push.
-constexpr double large_turn = 0.1;
-/// How many of its widths a body may be predicted to be beyond a sheet.
-constexpr double most_widths = 8;
-/// Share of the potential that another step of Newton's method may still take from where poses are the best.
-constexpr double still_to_gain = 1e-9;
-/// Of a body's size, and rad: of a body that weighs next to nothing the potential is all round-off.
-constexpr double small_way = 1e-6;
+/// How many of its widths a body may be predicted to be beyond a sheet, and beyond another collider, which
+/// would let it out on the side that is nearest.
+constexpr double most_widths = 8, most_widths_in_collider = 0.25;
 
 }  // namespace
 
@@ -30,6 +20,7 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       started(std::move(bodies)),
       finished(started),
       ended(started),
+      surfaces(surface_pairs(started, obstacles)),
       held_by_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
@@ -43,10 +34,11 @@ void BodyContact::begin(const StepContext& step) {
     started = finished;
     base = VectorXd::Zero(static_cast<Eigen::Index>(6 * started.size()));
     make_steps(step);
-    const Positions ahead = shell.position + step.length * shell.velocity;
-    is_blocked = std::ranges::any_of(steps, [&](const BodyStep& body) {
-        return !body.has_straight_way(ahead, body.prediction(), most_widths);
-    });
+    VectorXd ahead(base.size());
+    for (std::size_t b = 0; b < steps.size(); ++b) ahead.segment<6>(6 * b) = steps[b].prediction();
+    const Positions shell_ahead = shell.position + step.length * shell.velocity;
+    is_blocked = !have_straight_ways(shell_ahead, ahead, most_widths, most_widths_in_collider);
+    go_along();
 }
 
 void BodyContact::topology_changed(const ShellChange& change, const StepContext& step) {
@@ -66,8 +58,10 @@ void BodyContact::make_steps(const StepContext& step) {
     place_obstacles(step.begin);
     start_stored =
         potential(shell.position, VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()))).stored;
+    obstacle_starts = obstacle_places;
     place_obstacles(step.end());
     find_sliding(step);
+    for (const auto& pair : surfaces) pair->begin(start_of(pair->body), start_of(pair->other), step.length);
 }
 
 void BodyContact::place_obstacles(double time) {
@@ -165,6 +159,52 @@ void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
                      });
 }
 
+template <class Add>
+void BodyContact::each_surface_force(const std::vector<BodyPose>& at_q, Add add) const {
+    for (const auto& pairs_of_two : surfaces) {
+        const SurfacePairs& two = *pairs_of_two;
+        const Eigen::Isometry3d &here = at_q[two.body].place, &there = at_q[two.other].place;
+        two.each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
+            add(two, pair.vertices, at, PairPositions(PairPositions::Zero()), gradient(pair, at),
+                hessian(pair, at, true), sherd::value(pair, at), true);
+        });
+        for (const SlidingPair& pair : two.sliding()) {
+            const PairPositions way = two.moved(pair, here, there);
+            add(two, pair.vertices, two.in_space(pair.vertices, here, there), way, pair.gradient(way),
+                pair.hessian(way), pair.value(way), false);
+        }
+    }
+}
+
+void BodyContact::add_surface_pairs(const VectorXd& q, Potential& sum) const {
+    const std::vector<BodyPose> at_q = poses(q);
+    each_surface_force(at_q, [&](const SurfacePairs& two, const std::array<Index, 4>& vertices,
+                                 const PairPositions& at, const PairPositions&, const PairPositions& force,
+                                 const PairHessian& stiffness, double value, bool elastic) {
+        (elastic ? sum.stored : sum.value) += value;
+        Eigen::Matrix<double, 12, 12> motion = Eigen::Matrix<double, 12, 12>::Zero();
+        for (int i = 0; i < 4; ++i) {
+            const bool own = vertices[i] >= two.first();
+            const std::size_t b = own ? two.body : two.other;
+            if (!is_free(b)) continue;
+            const Vector3d arm = at.col(i) - at_q[b].place.translation();
+            motion.block<3, 6>(3 * i, own ? 0 : 6) = at_q[b].point_motion(arm);
+            sum.turning[b] += force.col(i).norm() * arm.norm();
+        }
+        const Eigen::Matrix<double, 12, 1> by_q = motion.transpose() * force.reshaped();
+        const Eigen::Matrix<double, 12, 12> twice = motion.transpose() * stiffness * motion;
+        const std::array numbers{two.body, two.other};
+        for (int i = 0; i < 2; ++i) {
+            if (!is_free(numbers[i])) continue;
+            sum.gradient.segment<6>(6 * numbers[i]) += by_q.segment<6>(6 * i);
+            for (int j = 0; j < 2; ++j)
+                if (is_free(numbers[j]))
+                    sum.hessian.block<6, 6>(6 * numbers[i], 6 * numbers[j]) +=
+                        twice.block<6, 6>(6 * i, 6 * j);
+        }
+    });
+}
+
 BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd& q) const {
     Potential sum;
     const auto size = static_cast<Eigen::Index>(6 * steps.size());
@@ -172,6 +212,7 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
     sum.hessian = Eigen::MatrixXd::Zero(size, size);
     sum.turning.assign(steps.size(), 0);
     add_point_contacts(q, sum);
+    add_surface_pairs(q, sum);
     sum.value += sum.stored;
     for (std::size_t b = 0; b < steps.size(); ++b) {
         sum.bodies.push_back(steps[b].potential(x, part(q, b)));
@@ -183,92 +224,6 @@ BodyContact::Potential BodyContact::potential(const Positions& x, const VectorXd
         sum.hessian.block<6, 6>(6 * b, 6 * b) += own.hessian;
     }
     return sum;
-}
-
-double BodyContact::free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const {
-    double fraction = 1;
-    for (std::size_t b = 0; b < steps.size(); ++b)
-        fraction = std::min(fraction, steps[b].free_way(x, part(from, b), part(to, b)));
-    return fraction;
-}
-
-void BodyContact::moved_to(const Positions& x) {
-    solve(x);
-    base = best;
-}
-
-double BodyContact::safe_fraction(const Positions& x, const Positions& motion) const {
-    solve(x);
-    double fraction = 1;
-    for (std::size_t b = 0; b < steps.size(); ++b)
-        fraction = std::min(fraction, steps[b].free_motion(x, motion, part(best, b)));
-    return fraction;
-}
-
-VectorXd BodyContact::correction() const {
-    VectorXd newton = -at_best.hessian.ldlt().solve(at_best.gradient);
-    double most = 0;
-    for (std::size_t b = 0; b < steps.size(); ++b) most = std::max(most, part(newton, b).tail<3>().norm());
-    if (most <= large_turn) return newton;
-    Eigen::MatrixXd stiffer = at_best.hessian;
-    for (std::size_t b = 0; b < steps.size(); ++b)
-        stiffer.diagonal().segment<3>(6 * b + 3).array() += at_best.turning[b];
-    return -stiffer.ldlt().solve(at_best.gradient);
-}
-
-bool BodyContact::improve(const Positions& x) const {
-    VectorXd direction = correction();
-    const double slope = direction.dot(at_best.gradient);
-    for (int halving = 0; halving < most_halvings; ++halving, direction /= 2) {
-        if (best + direction == best) return false;
-        if (const double fraction = free_way(x, best, best + direction); fraction < 1) {
-            // The bodies rotate, so a pose part of the way is not on the line between the positions checked;
-            // it needs a check of its own.
-            direction *= 2 * 0.9 * fraction;
-            continue;
-        }
-        Potential trial = potential(x, best + direction);
-        const double change = trial.value - at_best.value;
-        // Where round-off hides the decrease, a step that flattens the slope is accepted, too.
-        const bool hidden = std::abs(change) <= round_off_of_value * std::abs(at_best.value);
-        const bool flatter =
-            std::abs(direction.dot(trial.gradient)) <= 0.5 * std::abs(direction.dot(at_best.gradient));
-        if (hidden && !flatter && halving >= most_hidden_halvings) return false;
-        if (hidden ? !flatter : change > 0) continue;
-        best += direction;
-        at_best = std::move(trial);
-        return slope < 0;
-    }
-    return false;
-}
-
-const BodyContact::Potential& BodyContact::solve(const Positions& x) const {
-    if (last.cols() == x.cols() && last == x) return at_best;
-    best = base;
-    at_best = potential(x, best);
-    for (int i = 0; i < most_iterations && improve(x); ++i) {
-    }
-    last = x;
-    return at_best;
-}
-
-bool BodyContact::is_small(const VectorXd& correction) const {
-    for (std::size_t b = 0; b < steps.size(); ++b) {
-        const Vector6d own = part(correction, b);
-        const double size = started[b].shape->bounds().diagonal().norm();
-        if (!(own.head<3>().norm() <= small_way * size && own.tail<3>().norm() <= small_way)) return false;
-    }
-    return true;
-}
-
-bool BodyContact::arrive(const Positions& x) const {
-    const Potential& here = solve(x);
-    const VectorXd correction = here.hessian.ldlt().solve(here.gradient);
-    const bool is_best = here.gradient.dot(correction) <= still_to_gain * std::abs(here.value);
-    if (!is_best && !is_small(correction)) return false;
-    for (std::size_t b = 0; b < steps.size(); ++b)
-        if (!steps[b].has_straight_way(x, part(best, b))) return false;
-    return true;
 }
 
 double BodyContact::value(const Positions& x) const {
@@ -294,6 +249,7 @@ void BodyContact::finish(const Positions& x) {
     for (const auto& [number, body, other, point, friction] : sliding)
         held_by_points.keep(
             number, friction.held_after(at_end[body].place * point, at_end[other].place * friction.anchor));
+    for (const auto& pair : surfaces) pair->finish(at_end[pair->body].place, at_end[pair->other].place);
 }
 
 double BodyContact::stored_energy(const Positions& x) const {
@@ -309,6 +265,10 @@ double BodyContact::friction_loss(const Positions& x) const {
                          const Vector3d& at, const Vector3d& anchor, bool elastic) {
                          if (!elastic) sum += force.gradient.dot(at - anchor);
                      });
+    each_surface_force(poses(best),
+                       [&](const SurfacePairs&, const std::array<Index, 4>&, const PairPositions&,
+                           const PairPositions& moved, const PairPositions& force, const PairHessian&, double,
+                           bool) { sum += force.cwiseProduct(moved).sum(); });
     return sum;
 }
 
@@ -341,6 +301,13 @@ void BodyContact::add_reactions(const Positions& x, std::span<Reaction> of_obsta
                                const PointForce& force, const Vector3d& at, const Vector3d&, bool) {
         if (!is_free(other)) of_obstacles[other - steps.size()].add(at, -force.gradient);
     });
+    each_surface_force(poses(best), [&](const SurfacePairs& two, const std::array<Index, 4>& vertices,
+                                        const PairPositions& at, const PairPositions&,
+                                        const PairPositions& force, const PairHessian&, double, bool) {
+        for (int i = 0; i < 4 && !is_free(two.other); ++i)
+            if (vertices[i] >= two.first())
+                of_obstacles[two.other - steps.size()].add(at.col(i), -force.col(i));
+    });
 }
 
 void BodyContact::add_touch(const Positions& x, Touch& touch) const {
@@ -351,14 +318,18 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
         touch.include(own);
     }
     const std::vector<BodyPose> at_best_poses = poses(best);
-    for (const PointContact& contact : points) {
-        if (overlap_of(contact, at_best_poses).depth <= 0) continue;
-        touch.bodies.insert(contact.body);
-        if (is_free(contact.other))
-            touch.bodies.insert(contact.other);
+    const auto include = [&](std::size_t body, std::size_t other) {
+        touch.bodies.insert(body);
+        if (is_free(other))
+            touch.bodies.insert(other);
         else
-            touch.obstacles.insert(contact.other - steps.size());
-    }
+            touch.obstacles.insert(other - steps.size());
+    };
+    for (const PointContact& contact : points)
+        if (overlap_of(contact, at_best_poses).depth > 0) include(contact.body, contact.other);
+    for (const auto& pair : surfaces)
+        if (pair->touch(at_best_poses[pair->body].place, at_best_poses[pair->other].place))
+            include(pair->body, pair->other);
 }
 
 }  // namespace sherd

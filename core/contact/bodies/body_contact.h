@@ -3,6 +3,7 @@
 
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
+#include "core/contact/bodies/surface_pairs.h"
 #include "core/contact/colliders/obstacle.h"
 #include "core/energy.h"
 #include "core/reaction.h"
@@ -19,8 +20,9 @@ namespace sherd {
 /// starts from the optimal poses for the minimiser's current iterate, which moved_to() gives.
 ///
 /// Springs act between two bodies, and between a body and an obstacle, at the body's contact points: the
-/// centre of a ball with its radius, the corners of a box. A contact is found when such a point is in the
-/// other collider's shape; two edges of boxes do not meet.
+/// centre of a ball with its radius, the corners of a box or of a mesh. A contact is found when such a point
+/// is in the other collider's shape. What they leave out, edges above all, SurfacePairs find, and nothing
+/// passes these.
 class BodyContact : public Energy {
   public:
     /// bodies: their state at the start of the run. Shell and obstacles must outlive this object. gravity:
@@ -31,8 +33,8 @@ class BodyContact : public Energy {
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
     /// Whether the step is too long for the bodies to begin it: without contact, one would be some of its own
-    /// widths beyond a sheet. Poses that are the best in such a step are not what a blow leads to, and are
-    /// hard to find.
+    /// widths beyond what it meets, or an obstacle moves into one that cannot get out of its way. Poses that
+    /// are the best in such a step are not what a blow leads to, and are hard to find.
     bool blocked() const { return is_blocked; }
     /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
     void end_at(const Positions& x);
@@ -66,10 +68,10 @@ class BodyContact : public Energy {
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
     /// The rest is made by begin() and topology_changed().
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, obstacles, gravity, started, finished, ended, pairs, steps, obstacle_places, points,
-               sliding, held_by_shell, held_by_points, start_stored, is_blocked, base, last, best, at_best] =
-            *this;
-        visit(started, finished, pairs, held_by_shell, held_by_points, base);
+        auto& [shell, obstacles, gravity, started, finished, ended, pairs, surfaces, steps, obstacle_starts,
+               obstacle_places, points, sliding, held_by_shell, held_by_points, start_stored, is_blocked,
+               base, last, best, at_best] = *this;
+        visit(started, finished, pairs, surfaces, held_by_shell, held_by_points, base);
     }
 
   private:
@@ -94,8 +96,18 @@ class BodyContact : public Energy {
     void make_steps(const StepContext& step);
     void place_obstacles(double time);
     void find_sliding(const StepContext& step);
+    /// Whether no body gets to q more than so many of its widths beyond a sheet, or another collider, that it
+    /// meets on the straight way.
+    bool have_straight_ways(const Positions& x, const VectorXd& q, double widths,
+                            double widths_in_collider) const;
+    /// Lets the bodies go along with what moves into them, in `base`.
+    void go_along();
     bool is_free(std::size_t collider) const { return collider < steps.size(); }
     const Collider& collider(std::size_t number) const;
+    /// Where a collider is at the beginning of the step.
+    Eigen::Isometry3d start_of(std::size_t number) const {
+        return is_free(number) ? started[number].pose() : obstacle_starts[number - steps.size()];
+    }
     /// Poses of all colliders when the bodies are at q.
     std::vector<BodyPose> poses(const VectorXd& q) const;
     Vector6d part(const VectorXd& q, std::size_t body) const { return q.segment<6>(6 * body); }
@@ -108,6 +120,11 @@ class BodyContact : public Energy {
     template <class Add>
     void each_point_force(const VectorXd& q, Add add) const;
     void add_point_contacts(const VectorXd& q, Potential& sum) const;
+    /// Calls add(pairs, vertices, at, moved, gradient, hessian, value, elastic) for each pair of surfaces;
+    /// at: m, [3, 4], in space; moved: m, [3, 4], in the step, zero where it is elastic.
+    template <class Add>
+    void each_surface_force(const std::vector<BodyPose>& at_q, Add add) const;
+    void add_surface_pairs(const VectorXd& q, Potential& sum) const;
     /// Adds a force on the point x of a body, and the opposite force on the point `anchor` of another
     /// collider.
     void add_between(const std::vector<BodyPose>& poses, std::size_t body, std::size_t other,
@@ -131,8 +148,10 @@ class BodyContact : public Energy {
     /// States at the beginning of the step, at the end of the last one, and at that of the open one.
     std::vector<RigidBody> started, finished, ended;
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
+    std::vector<std::unique_ptr<SurfacePairs>> surfaces;
     std::vector<BodyStep> steps;
-    std::vector<Eigen::Isometry3d> obstacle_places;  ///< at the end of the step
+    std::vector<Eigen::Isometry3d> obstacle_starts,
+        obstacle_places;  ///< at the beginning and end of the step
     std::vector<PointContact> points;
     std::vector<SlidingContact> sliding;
     /// What contacts hold since the last step that was finished: of each body with the shell, and by number

@@ -6,8 +6,6 @@
 namespace sherd {
 namespace {
 
-constexpr double largest_turn = 1;  // rad, rotation between two poses that are tried in succession
-
 /// A matrix of 4 x 4 blocks of vertices, rotated into other axes.
 PairHessian turned_blocks(const PairHessian& matrix, const Matrix3d& rotation) {
     PairHessian result;

@@ -18,6 +18,9 @@ struct BodySticks {
     void visit_state(StateVisitor& visit) { visit(vertices, pairs); }
 };
 
+/// rad, rotation between two poses that are tried in succession.
+constexpr double largest_turn = 1;
+
 /// Contact is expected soon within this share of a body's size.
 constexpr double ahead_of_contact = 0.1;
 

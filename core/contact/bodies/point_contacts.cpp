@@ -2,13 +2,6 @@
 #include "core/contact/bodies/point_contacts.h"
 
 namespace sherd {
-namespace {
-
-bool is_ball(const RigidBody& body) {
-    return body.contact_points.size() == 1;
-}
-
-}  // namespace
 
 std::vector<PointContact> point_contacts(const std::vector<RigidBody>& bodies, std::size_t obstacles) {
     std::vector<PointContact> all;

@@ -14,6 +14,11 @@ struct PointContact {
     Vector3d point;  ///< m, contact point in the body's frame
 };
 
+/// A ball has its centre alone.
+inline bool is_ball(const RigidBody& body) {
+    return body.contact_points.size() == 1;
+}
+
 /// All that may occur, each once.
 std::vector<PointContact> point_contacts(const std::vector<RigidBody>& bodies, std::size_t obstacles);
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/contact/bodies/body_step.h"
+#include "core/contact/detection/box_tree.h"
+
+namespace sherd {
+
+/// The surface of a free body against that of another collider, as barrier pairs with continuous detection:
+/// what the points of point_contacts() leave out, edges on edges, and what is faster than it is large.
+///
+/// Points push from touching on, so what makes the pairs is the body's surface moved inward, by a hundredth
+/// of its smallest extent, and they are active within that distance of the other surface: from touching on,
+/// too. Of a ball, which its centre makes exactly round, it is half of the radius, and the pairs are only
+/// what stops it there. The surface is taken as a sheet that has no mechanics, so that all of NearPairs is
+/// there.
+///
+/// Surfaces that cross or press each other, at the start or because explicit steps let them, do not see each
+/// other until they are apart: a barrier would hold them in each other, or throw them apart with energy from
+/// nowhere. Points push them meanwhile.
+class SurfacePairs {
+  public:
+    std::size_t body, other;  ///< numbers of the colliders, bodies first; the first is free
+
+    /// core: the surface of the body, moved inward.
+    SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> core, std::size_t other,
+                 const Collider& second);
+
+    /// The number, in the pairs, of the first vertex of the body; those before are the other's.
+    Index first() const { return second->size(); }
+    /// Where they are in space, m, [3, 4], at poses of the body and the other one.
+    PairPositions in_space(const std::array<Index, 4>& vertices, const Eigen::Isometry3d& here,
+                           const Eigen::Isometry3d& there) const;
+    /// Calls add(pair, at) for each active pair, at: in_space().
+    template <class Add>
+    void each_active(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, Add add) const {
+        if (!may_meet(here, there, here, there)) return;
+        for (const ContactPair& pair : near().active_pairs(seen(here, there))) {
+            ContactPair as_point = pair;
+            as_point.stiffness = stiffness;
+            add(as_point, in_space(pair.vertices, here, there));
+        }
+    }
+    bool touch(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
+        return may_meet(here, there, here, there) && !near().active_pairs(seen(here, there)).empty();
+    }
+    /// Fraction, 0 to 1, of the straight way from poses to others on which the surfaces do not meet.
+    double free_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                    const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then) const;
+    /// See BodyStep.
+    bool has_straight_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                          const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then,
+                          double widths = 1) const;
+    /// Whether the surfaces do not cross, and pairs press by next to nothing.
+    bool apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const;
+
+    /// Begins a step of `length` (s) at poses, and its friction.
+    void begin(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double length);
+    const std::vector<SlidingPair>& sliding() const { return sliding_pairs; }
+    /// Displacements, m, of a sliding pair's vertices in the step.
+    PairPositions moved(const SlidingPair& pair, const Eigen::Isometry3d& here,
+                        const Eigen::Isometry3d& there) const {
+        return in_space(pair.vertices, here, there) - in_space(pair.vertices, here_before, there_before);
+    }
+    void finish(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there);
+
+    /// The rest is given, or made by begin() or when it is needed.
+    void visit_state(StateVisitor& visit) {
+        auto& [body, other, stiffness, friction, of_body, radius, second_young, second, core, bounds, pairs,
+               here_before, there_before, sliding_pairs, crossed, held] = *this;
+        visit(crossed, held);
+    }
+
+  private:
+    /// m, of the other's vertices and the body's, in the frame of the other one.
+    Positions seen(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const;
+    /// Whether the surfaces see each other, and balls around the body come near the other one somewhere on
+    /// the straight way from poses to others.
+    bool may_meet(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                  const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then) const;
+    bool balls_meet(const Eigen::Isometry3d& before, const Eigen::Isometry3d& after, double times = 1) const;
+    bool cross(const Positions& all) const;
+    const NearPairs& near() const;
+
+    double stiffness, friction, of_body, radius;  ///< m, of a ball around the body within which pairs act
+    double second_young;                          ///< Pa
+    std::shared_ptr<const ColliderSurface> second;
+    std::shared_ptr<const Shell> core;         ///< the body's surface, moved inward
+    Box bounds;                                ///< of the other one, in its frame
+    mutable std::unique_ptr<NearPairs> pairs;  ///< made when the two come near, since most never do
+    Eigen::Isometry3d here_before = Eigen::Isometry3d::Identity(),
+                      there_before = Eigen::Isometry3d::Identity();
+    std::vector<SlidingPair> sliding_pairs;
+    bool crossed = true;  ///< as far as is known, until they are looked at
+    StickMemory<PairKey> held;
+};
+
+/// Those of all bodies with each other and with obstacles that have a surface and do not deform. Of a ball
+/// and another body the ball is the first.
+std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
+                                                         const std::vector<Obstacle>& obstacles);
+
+}  // namespace sherd
