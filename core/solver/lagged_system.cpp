@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/shell/pieces.h"
 #include "core/solver/vertex_turns.h"
 
 namespace sherd {
 namespace {
 
-/// What contact may change of a diagonal block, as a share of it in the direction that is softest beside the
-/// change, before a patch is needed.
+/// What contact may change of a diagonal block, and of what holds a loose piece, as a share of it in the
+/// direction that is softest beside the change, before a patch is needed.
 constexpr double small_change = 0.03;
 constexpr int rings_around = 3;        // of a patch around what has changed
 constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
@@ -21,6 +22,29 @@ void grow(const Shell& shell, std::vector<char>& flags) {
     for (const TriangleStencil& triangle : shell.triangles)
         if (std::ranges::any_of(triangle.vertices, [&](Index v) { return before[v] != 0; }))
             for (const Index vertex : triangle.vertices) flags[vertex] = 1;
+}
+
+/// The inertia of each vertex's piece, N/m, [V]: all that a loose piece has against a motion as a whole, and
+/// little beside its own stiffness where it is small. 0 where pins or guides hold it.
+VectorXd inertia_of_pieces(const Potential& potential) {
+    const Shell& shell = potential.of_shell();
+    const Pieces all = pieces(shell);
+    VectorXd mass = VectorXd::Zero(all.count), result(shell.mass.size());
+    for (Index v = 0; v < static_cast<Index>(result.size()); ++v) mass[all.of_vertex[v]] += shell.mass[v];
+    for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
+        if (shell.fixed[v] || shell.guide[v]) mass[all.of_vertex[v]] = 0;
+    for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
+        result[v] = potential.inertia() * mass[all.of_vertex[v]];
+    return result;
+}
+
+/// Whether a change is small beside a stiffness, whose inverse root this is.
+bool is_small(const Matrix3d& change, const Matrix3d& inverse_root) {
+    return (inverse_root * change * inverse_root.transpose()).norm() <= small_change;
+}
+
+Matrix3d inverse_root_of(const Matrix3d& stiffness) {
+    return stiffness.llt().matrixL().solve(Matrix3d::Identity());
 }
 
 }  // namespace
@@ -37,23 +61,26 @@ void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
     turns.clear();
     inverse_root.clear();
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        inverse_root.push_back(
-            system.hessian().diagonal_block(v).llt().matrixL().solve(Matrix3d::Identity()));
+        inverse_root.push_back(inverse_root_of(system.hessian().diagonal_block(v)));
+    of_piece = inertia_of_pieces(potential);
     in_factor = in_patch = potential.contact_stiffness(x);
     patch.clear();
 }
 
 void LaggedSystem::turn(const Potential& potential, const Positions& x) {
     turns = vertex_turns(potential.of_shell(), frames, x);
+    of_piece = inertia_of_pieces(potential);
     patch.clear();
     in_patch = in_factor;
 }
 
 bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known) const {
     if (stiffness == known) return false;
-    Matrix3d change = stiffness - known;
-    if (!turns.empty()) change = turns[vertex].transpose() * change * turns[vertex];
-    return !((inverse_root[vertex] * change * inverse_root[vertex].transpose()).norm() <= small_change);
+    const Matrix3d change = stiffness - known;
+    const double loose = of_piece[static_cast<Eigen::Index>(vertex)];
+    if (loose > 0 && !is_small(change, inverse_root_of(known + loose * Matrix3d::Identity()))) return true;
+    if (turns.empty()) return !is_small(change, inverse_root[vertex]);
+    return !is_small(turns[vertex].transpose() * change * turns[vertex], inverse_root[vertex]);
 }
 
 std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const {
@@ -131,8 +158,8 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
 }
 
 void LaggedSystem::visit_state(StateVisitor& visit) {
-    auto& [system, outdated, sources, cracked, frames, turns, inverse_root, in_factor, in_patch, graph,
-           patch] = *this;
+    auto& [system, outdated, sources, cracked, frames, turns, inverse_root, of_piece, in_factor, in_patch,
+           graph, patch] = *this;
     visit(system, outdated, sources, cracked, frames, inverse_root, in_factor);
     if (has_factor()) system.visit_factor(visit);
 }

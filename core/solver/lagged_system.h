@@ -49,6 +49,7 @@ class LaggedSystem {
     std::vector<Matrix3d> frames;        ///< [F] inverse, at the time of the factor
     std::vector<Matrix3d> turns;         ///< [V] since then; empty: none
     std::vector<Matrix3d> inverse_root;  ///< [V] of Cholesky factors of the diagonal blocks of the matrix
+    VectorXd of_piece;                   ///< [V] N/m, see inertia_of_pieces()
     std::vector<Matrix3d> in_factor;     ///< [V] N/m, contact's part of them
     std::vector<Matrix3d> in_patch;      ///< [V] N/m, the same with what the patch has
     VertexGraph graph;                   ///< of the shell as it is; empty: not made yet

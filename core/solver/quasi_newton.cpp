@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/shell/mean_edge_length.h"
 #include "core/solver/kept_momentum.h"
@@ -21,6 +22,8 @@ constexpr int most_trials = 30;
 /// nearly the same, or a few trials did not find better.
 constexpr double least_end = 0.5, narrow = 0.2;
 constexpr int enough_trials = 4;
+/// A slope that has changed by less from its beginning on has met nothing yet.
+constexpr double nothing_met = 0.9;
 /// Of an edge, how far a correction is followed before its slope is looked at. Contact in a motion costs the
 /// more the longer it is, and most that are longer are wrong.
 constexpr double share_of_edge = 0.1;
@@ -45,6 +48,23 @@ constexpr double may_be_left = 0.1;
 /// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
 /// long.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
+
+/// A place on the way along a correction.
+struct Place {
+    double scale = 0;  ///< share of the correction
+    double slope = 0;  ///< J
+};
+
+/// Where to look between a place that is near enough and one that is too far. farther: one beyond that, if
+/// its share is not 0.
+double between(const Place& near, const Place& far, const Place& farther, double slope) {
+    const double secant = std::isfinite(far.slope) ? near.slope / (near.slope - far.slope) : 0;
+    const double safe = near.scale + (far.scale - near.scale) * std::clamp(secant, 0.1, 0.6);
+    if (farther.scale == 0 || near.slope > nothing_met * slope) return safe;
+    // Something stiff is met on the way, and from there on the slope is nearly straight.
+    const double met = far.scale - far.slope * (farther.scale - far.scale) / (farther.slope - far.slope);
+    return met > safe && met < far.scale ? met : safe;
+}
 
 }  // namespace
 
@@ -105,40 +125,39 @@ bool QuasiNewton::advance(const Potential& potential, const Positions& direction
                           Search& search) {
     double limit = std::min(1.0, search.short_way / direction.cwiseAbs().maxCoeff());
     double whole = limit * potential.safe_fraction(x, limit * direction);
-    double scale = whole, near = 0, far = 0, slope_near = slope, slope_far = 0;
+    double scale = whole;
+    Place near{0, slope}, far, farther;
     Positions gradient;  // at near
     for (int trial = 0; trial < most_trials && scale > 0; ++trial) {
         Positions there = potential.gradient(x + scale * direction);
         const double end = there.cwiseProduct(direction).sum();
         const bool is_too_far = !(end <= -steepest_end * slope) && -slope > search.round_off;
         if (is_too_far) {
-            far = scale;
-            slope_far = end;
+            farther = std::exchange(far, {scale, end});
         } else {
-            near = scale;
-            slope_near = end;
+            near = {scale, end};
             gradient = std::move(there);
-            if (far == 0 && limit < 1 && whole == limit && end < least_end * slope) {
+            if (far.scale == 0 && limit < 1 && whole == limit && end < least_end * slope) {
                 limit = 1;
-                scale = whole = std::max(near, potential.safe_fraction(x, direction));
+                scale = whole = std::max(near.scale, potential.safe_fraction(x, direction));
                 continue;
             }
             // A contact that begins on the way is to be met, not approached in ever smaller steps.
-            if (far == 0 || end > least_end * slope || far - near < narrow * near || trial > enough_trials)
+            if (far.scale == 0 || end > least_end * slope || far.scale - near.scale < narrow * near.scale ||
+                trial > enough_trials)
                 break;
         }
-        const double secant = std::isfinite(slope_far) ? slope_near / (slope_near - slope_far) : 0;
-        scale = near + (far - near) * std::clamp(secant, 0.1, 0.6);
+        scale = between(near, far, farther, slope);
     }
-    if (near == 0) return false;
-    search.updates.add(near * direction, gradient - search.gradient);
-    x += near * direction;
+    if (near.scale == 0) return false;
+    search.updates.add(near.scale * direction, gradient - search.gradient);
+    x += near.scale * direction;
     search.gradient = std::move(gradient);
     const double wanted = whole < limit ? whole : 1;
-    search.too_long = near < far_too_long * wanted;
+    search.too_long = near.scale < far_too_long * wanted;
     if (search.too_long)
-        search.rate = std::max(search.rate, 1 - near / wanted);
-    else if (near < 1)
+        search.rate = std::max(search.rate, 1 - near.scale / wanted);
+    else if (near.scale < 1)
         search.last = 0;
     search.exact = false;
     return true;
