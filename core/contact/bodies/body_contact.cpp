@@ -161,7 +161,7 @@ void BodyContact::add_point_contacts(const VectorXd& q, Potential& sum) const {
 
 template <class Add>
 void BodyContact::each_surface_force(const std::vector<BodyPose>& at_q, Add add) const {
-    for (const auto& pairs_of_two : surfaces) {
+    for (const auto& pairs_of_two : surfaces_of_step()) {
         const SurfacePairs& two = *pairs_of_two;
         const Eigen::Isometry3d &here = at_q[two.body].place, &there = at_q[two.other].place;
         two.each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
@@ -327,7 +327,7 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
     };
     for (const PointContact& contact : points)
         if (overlap_of(contact, at_best_poses).depth > 0) include(contact.body, contact.other);
-    for (const auto& pair : surfaces)
+    for (const auto& pair : surfaces_of_step())
         if (pair->touch(at_best_poses[pair->body].place, at_best_poses[pair->other].place))
             include(pair->body, pair->other);
 }

@@ -120,6 +120,10 @@ class BodyContact : public Energy {
     template <class Add>
     void each_point_force(const VectorXd& q, Add add) const;
     void add_point_contacts(const VectorXd& q, Potential& sum) const;
+    /// None before the first step, when nothing has its place yet.
+    std::span<const std::unique_ptr<SurfacePairs>> surfaces_of_step() const {
+        return std::span(surfaces).first(steps.empty() ? 0 : surfaces.size());
+    }
     /// Calls add(pairs, vertices, at, moved, gradient, hessian, value, elastic) for each pair of surfaces;
     /// at: m, [3, 4], in space; moved: m, [3, 4], in the step, zero where it is elastic.
     template <class Add>
