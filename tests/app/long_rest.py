@@ -13,8 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
-import numpy
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import recorded_rest  # noqa: E402
 
 SIZE = 0.16  # m
 SCENE = f"""
@@ -76,14 +76,7 @@ def show(tenths):
 
 def problems(recording, tenths):
     """What is wrong with a run, in words."""
-    with h5py.File(recording) as file:
-        steps = file["steps"]
-        names = sorted(file["frames"])
-        middle, end = (file["frames"][name]["vertex/position"][()] for name in (names[len(names) // 2], names[-1]))
-        moved = numpy.linalg.norm(end - middle, axis=1).max()
-        total = sum(steps[kind][()] for kind in ("kinetic", "bending", "membrane", "contact"))
-        nowhere = numpy.abs(steps["unexplained"][()]).max() / total.max()
-        fragments = int(steps["fragments"][-1])
+    _, moved, nowhere, fragments, _ = recorded_rest.at_the_end(recording)
     grown = tenths[-1][1] - tenths[len(tenths) // 2][1]
     print(f"{fragments} fragments; from the middle to the end they move by {moved:.1e} m at most, memory grows by "
           f"{grown / 1e6:.1f} MB; {nowhere:.1e} of the largest energy is unexplained")

@@ -14,8 +14,10 @@ import subprocess
 import sys
 import tempfile
 
-import h5py
 import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import recorded_rest  # noqa: E402
 
 SIDE, PITCH, THICKNESS = 0.008, 0.010, 0.001  # m
 SCENE = f"""
@@ -62,15 +64,10 @@ def write_shards(file, count):
 
 def problems(recording, count):
     """What is wrong with a run, in words."""
-    with h5py.File(recording) as file:
-        steps, names = file["steps"], sorted(file["frames"])
-        middle, end = (file["frames"][name]["vertex/position"][()] for name in (names[len(names) // 2], names[-1]))
-        moved, highest = numpy.linalg.norm(end - middle, axis=1).max(), end[:, 2].max()
-        total = sum(steps[kind][()] for kind in ("kinetic", "bending", "membrane", "contact"))
-        nowhere = numpy.abs(steps["unexplained"][()]).max() / total.max()
-        fragments, count_of_steps = int(steps["fragments"][-1]), len(steps["step"])
+    end, moved, nowhere, fragments, steps = recorded_rest.at_the_end(recording)
+    highest = end[:, 2].max()
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    print(f"{fragments} fragments in {count_of_steps} steps, {seconds:.0f} s of processor time; in the second half they "
+    print(f"{fragments} fragments in {steps} steps, {seconds:.0f} s of processor time; in the second half they "
           f"move by {moved:.1e} m at most, the highest point is {1e3 * highest:.2f} mm above the floor; {nowhere:.1e} "
           "of the largest energy is unexplained")
     return [words for wrong, words in ((fragments != count, "fragments are lost"), (moved > STILL, "what rests moves"),
