@@ -87,7 +87,8 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       bodies_touched(options.stepper.contact.bodies.size(), 0),
       step_size(options.stepper.step,
                 options.adaptive ? StepSize::Growth::steady : StepSize::Growth::doubling),
-      pace(little_fall(breakable.mechanics(), options.stepper)) {}
+      pace(little_fall(breakable.mechanics(), options.stepper)),
+      scripts(breakable.mechanics().motions.size()) {}
 
 BreakableShell Simulation::with_cracks(BreakableShell sheets) {
     keep_loads(sheets, options.stepper.shell);
@@ -328,7 +329,7 @@ void Simulation::read_gauges(StepReport& report) const {
 void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
            hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, ends_at_crack, forbidden,
-           grown] = *this;
+           grown, scripts] = *this;
     // What is put back is that of the scheme which the stepper had.
     Scheme scheme = stepper->scheme();
     visit(scheme);
@@ -337,14 +338,14 @@ void Simulation::visit_state(StateVisitor& visit) {
           obstacles_touched, bodies_touched, step_size, pace, ends_at_crack, forbidden, grown);
 }
 
-Snapshot Simulation::snapshot() const {
+Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {
     Snapshot snapshot = take_snapshot(breakable, fragments.of_face());
     snapshot.step = steps;
     snapshot.time = time();
     snapshot.edge_held = held_shares(snapshot.edge_state, *stepper);
-    if (options.fields.any())
-        snapshot.fields = face_fields(breakable.mechanics(), stepper->face_strains(),
-                                      stepper->face_curvatures(), options.fields);
+    if (fields.any())
+        snapshot.fields =
+            face_fields(breakable.mechanics(), stepper->face_strains(), stepper->face_curvatures(), fields);
     return snapshot;
 }
 

@@ -63,7 +63,22 @@ class Simulation {
     /// smallest step cannot be solved.
     StepReport step();
 
-    Snapshot snapshot() const;
+    Snapshot snapshot() const { return snapshot(options.fields); }
+    Snapshot snapshot(const FaceFieldChoice& fields) const;
+
+    // Between two steps, from outside. A state that is put back by visit_state() knows nothing of motions.
+
+    /// From the next step on these forces, [3, V] N, act on the vertices until others are given: see
+    /// GivenForces. Throws Error without ShellEnergyOptions::given_forces, and when there are not V.
+    void give_forces(const Positions& forces);
+    /// Vertices that pins hold in all directions go, straight and at constant speed, to `positions` [3, n] m,
+    /// where they are at `then` (s) and stay. Throws Error when one is not held so, or when that is not
+    /// later.
+    void prescribe(std::span<const Index> vertices, const Positions& positions, double then);
+    /// Makes the hinges of edges fail, whatever their strength, and opens the mesh. What events there are
+    /// have the number of the last step. Throws Error as CrackMesh::fail() does, and on a hinge that is none.
+    void break_by_hand(std::span<const Edge> edges);
+
     const BreakableShell& shell() const { return breakable; }
     const std::vector<Obstacle>& obstacles() const { return options.stepper.contact.obstacles; }
     const std::vector<RigidBody>& bodies() const { return stepper->bodies(); }
@@ -123,6 +138,8 @@ class Simulation {
                                                       std::span<const CrackStep> made_before);
     /// How the edge of a crack that goes by toughness opens; has: J, that it need not take from what carries.
     std::optional<Opening> opening_of(Edge edge, double has) const;
+    /// Gives a vertex a motion of its own.
+    void set_motion(Index vertex, const Motion& motion);
     /// Lets all that refers to the shell follow a change of it.
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
@@ -154,6 +171,7 @@ class Simulation {
     Urgency urgency = Urgency::none;  ///< of the last attempt
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
+    std::size_t scripts = 0;  ///< motions of the start
 };
 
 }  // namespace sherd

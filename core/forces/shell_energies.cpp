@@ -42,6 +42,11 @@ ShellEnergies::ShellEnergies(const Shell& shell, const ShellEnergyOptions& optio
     if (!options.winds.empty())
         others.push_back(
             {&EnergyBalance::work_of_wind, std::make_unique<WindEnergy>(shell, options.winds), true});
+    if (options.given_forces) {
+        auto forces = std::make_unique<GivenForces>(shell);
+        given = forces.get();
+        others.push_back({&EnergyBalance::work_of_loads, std::move(forces), false});
+    }
     damp(options);
 }
 
@@ -58,7 +63,7 @@ void ShellEnergies::damp(const ShellEnergyOptions& options) {
 
 void ShellEnergies::visit_state(StateVisitor& visit) {
     auto& [shell, bending, coupled, yielding, membrane, arcs, mirrors, mirror_supports, mirror_scripts,
-           others] = *this;
+           others, given] = *this;
     visit(bending, membrane, mirrors);
     for (auto& [part, energy, of_velocity] : others) visit(energy);
 }

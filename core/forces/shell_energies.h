@@ -9,6 +9,7 @@
 #include "core/bending/mirror_hinge.h"
 #include "core/energy_balance.h"
 #include "core/forces/damping.h"
+#include "core/forces/given_forces.h"
 #include "core/forces/loads.h"
 #include "core/forces/wind.h"
 #include "core/membrane/membrane.h"
@@ -30,6 +31,7 @@ struct ShellEnergyOptions {
     /// Pa, of each sheet: the stress beyond which coupled hinges keep what they are bent; 0: they do not.
     /// Empty: none does.
     std::vector<double> yields = {};
+    bool given_forces = false;  ///< whether forces may be given from step to step: ShellEnergies::give()
 };
 
 /// An energy of what is not elastic, in a step.
@@ -48,6 +50,10 @@ class ShellEnergies {
 
     /// Takes the damping of other options instead, from the shell as it is now.
     void damp(const ShellEnergyOptions& options);
+
+    /// From the next step on these forces act on the vertices, [3, V] N: see GivenForces. Only with
+    /// ShellEnergyOptions::given_forces.
+    void give(const Positions& force) { given->give(force); }
 
     /// The elastic energies, in the order in which they are summed.
     std::vector<Energy*> elastic() { return {bending.get(), membrane.get(), &mirrors}; }
@@ -106,6 +112,7 @@ class ShellEnergies {
     std::vector<Index> mirror_supports;  ///< ShellEnergyOptions::mirror_supports
     std::vector<Index> mirror_scripts;   ///< MirrorHinge::script of each mirror
     std::vector<OuterEnergy> others;     ///< loads, wind and damping, as far as there are any
+    GivenForces* given = nullptr;        ///< the one of others, if there is one
 };
 
 }  // namespace sherd

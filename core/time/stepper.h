@@ -71,6 +71,8 @@ class Stepper {
     /// Must be called when the shell has other vertices, triangles, hinges or lips. New and moved vertices
     /// are placed where their parents are.
     virtual void topology_changed(const ShellChange& change) = 0;
+    /// Forces that act from the next step on: see ShellEnergies::give().
+    void give_forces(const Positions& force) { forces.give(force); }
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/energy.h"
+#include "core/shell/shell.h"
+
+namespace sherd {
+
+/// Dead forces on vertices that whoever steps the shell gives, from step to step. They are kept as
+/// accelerations: where a crack splits a vertex its copies share the force by their mass, and where vertices
+/// are born or move the force is interpolated. In statics they grow with the load factor.
+class GivenForces : public Energy {
+  public:
+    /// None act at first. The shell must outlive this object.
+    explicit GivenForces(const Shell& shell)
+        : shell(shell), acceleration(Positions::Zero(3, shell.position.cols())) {}
+
+    /// forces: [3, V] N, from the next step on.
+    void give(const Positions& forces);
+    void begin(const StepContext& step) override;
+    void topology_changed(const ShellChange& change, const StepContext& step) override;
+    double value(const Positions& x) const override;  ///< J, zero at the beginning of the step
+    void add_gradient(const Positions& x, Positions& gradient) const override;
+    void add_hessian(const Positions&, Curvature, BlockMatrix&) const override {}  // zero
+    Task task() const override { return Task::loads; }
+    void visit_state(StateVisitor& visit) override {
+        auto& [shell, acceleration, start, force] = *this;
+        visit(acceleration);
+    }
+
+  private:
+    const Shell& shell;
+    Positions acceleration;  ///< [3, V] m/s^2
+    Positions start, force;  ///< [3, V] m, N, in the open step
+};
+
+}  // namespace sherd
