@@ -72,11 +72,11 @@ Scene with_edges(Scene scene, double times) {
             generated->edge_length *= times;
             continue;
         }
-        std::optional<RemeshOptions>& remesh = std::get<MeshFile>(sheet.mesh).remesh;
-        if (!remesh)
+        auto* file = std::get_if<MeshFile>(&sheet.mesh);
+        if (file == nullptr || !file->remesh)
             throw Error(
                 fmt::format("{}: a mesh from a file has no other edges: give it a remesh", sheet.where));
-        remesh->edge_length *= times;
+        file->remesh->edge_length *= times;
     }
     return scene;
 }

@@ -23,6 +23,15 @@ StepReport Runner::step() {
     return report;
 }
 
+StepReport Runner::advance() {
+    const std::int64_t before = done();
+    StepReport report = step();
+    if (done() == before && !is_over()) return report;
+    pause();
+    if (has_frame(definition, done()) || is_over()) record();
+    return report;
+}
+
 RunEnd Runner::run() {
     started = Clock::now();
     try {
@@ -37,15 +46,17 @@ RunEnd Runner::run() {
 }
 
 void Runner::step_to_the_end() {
-    const double step_size = definition.solver.step;
-    const auto done = static_cast<std::int64_t>(std::floor(stepped.time() / step_size + rounding));
-    pause(done >= step_count(definition) || is_over());
-    if (!resumed || has_frame_now(done)) record();
-    for (std::int64_t i = done + 1; i <= step_count(definition) && !is_over(); ++i) {
-        while (stepped.time() < static_cast<double>(i) * step_size && !is_over()) step();
-        pause(i == step_count(definition) || is_over());
-        if (has_frame(definition, i) || is_over()) record();
-    }
+    pause();
+    if (!resumed || has_frame_now()) record();
+    while (!has_ended()) advance();
+}
+
+std::int64_t Runner::done() const {
+    return static_cast<std::int64_t>(std::floor(stepped.time() / definition.solver.step + rounding));
+}
+
+bool Runner::has_ended() const {
+    return done() >= step_count(definition) || is_over();
 }
 
 bool Runner::is_complete() const {
@@ -58,9 +69,9 @@ double Runner::wall_seconds() const {
     return seconds_before + std::chrono::duration<double>(Clock::now() - *started).count();
 }
 
-bool Runner::has_frame_now(std::int64_t done) const {
-    const bool between = stepped.time() != static_cast<double>(done) * definition.solver.step;
-    return stepped.arrived() || (!between && has_frame(definition, done));
+bool Runner::has_frame_now() const {
+    const bool between = stepped.time() != static_cast<double>(done()) * definition.solver.step;
+    return stepped.arrived() || (!between && has_frame(definition, done()));
 }
 
 void Runner::visit_state(StateVisitor& visit) {
@@ -72,7 +83,8 @@ void Runner::visit_state(StateVisitor& visit) {
     resumed = true;
 }
 
-void Runner::pause(bool at_end) {
+void Runner::pause() {
+    const bool at_end = has_ended();
     for (RunObserver& observer : observers) observer.paused(at_end);
 }
 

@@ -30,13 +30,18 @@ class Runner {
     /// Makes a single step, of which the observers are told, too. It is shorter than the scene's when it had
     /// to be halved. Throws Error (run) when it cannot be solved.
     StepReport step();
+    /// The same as a part of run(): observers are told, too, of the frame that may be due at its end.
+    StepReport advance();
 
+    /// Says whether no step follows: the scene's end has been reached, or an observer wants an end.
+    bool has_ended() const;
     /// Says whether the scene's end has been reached.
     bool is_complete() const;
     double wall_seconds() const;  ///< s, of run(), in the runs that this one goes on from, too
 
     const Scene& scene() const { return definition; }
     const Simulation& simulation() const { return stepped; }
+    Simulation& simulation() { return stepped; }  ///< to be changed between two steps
 
     /// Where the simulation stands. When it has been put back, run() goes on from there.
     void visit_state(StateVisitor& visit);
@@ -46,9 +51,10 @@ class Runner {
 
     void step_to_the_end();
     bool is_over() const;
-    /// Whether a frame is due where the simulation stands, at the end of the scene's step `done` or after it.
-    bool has_frame_now(std::int64_t done) const;
-    void pause(bool at_end);
+    std::int64_t done() const;  ///< how many of the scene's steps have been made
+    /// Whether a frame is due where the simulation stands, at the end of a step of the scene or after it.
+    bool has_frame_now() const;
+    void pause();
     void record();
     void end(const RunEnd& how);
 

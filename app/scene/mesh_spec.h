@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +35,19 @@ struct MeshFile {
     double scale = 1;            ///< metres per unit of the file; with `size` what makes the mesh that large
     bool has_size = false;       ///< whether the scene says `scale` or `size`
     std::optional<RemeshOptions> remesh;  ///< none: as it is
+};
+
+/// A mesh of plain arrays, from a program.
+struct GivenMesh {
+    std::vector<Vector3d> positions;                 ///< [V] m
+    std::vector<std::array<std::int32_t, 3>> faces;  ///< [F] three vertices each, counterclockwise
+};
+using GivenMeshes = std::map<std::string, GivenMesh>;  ///< by name
+
+/// One of these: `mesh = { given = "bowl" }`. Without remesh its vertices and faces keep their numbers.
+struct GivenMeshName {
+    std::string name;
+    std::optional<RemeshOptions> remesh = {};  ///< none: as it is
 };
 
 /// The most faces of a mesh that a scene may ask for. Where there are more, a mistyped edge length is more

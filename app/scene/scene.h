@@ -119,7 +119,7 @@ struct BendSpec {
 
 struct SheetSpec {
     std::string name;
-    std::variant<GeneratedMesh, MeshFile> mesh;
+    std::variant<GeneratedMesh, MeshFile, GivenMeshName> mesh;
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
     std::optional<BendSpec> bend;           ///< none: it starts at rest
     Vector3d velocity = Vector3d::Zero();   ///< m/s
@@ -172,6 +172,7 @@ struct Scene {
     double duration = 0;  ///< s; in statics, the last load factor, or the longest path
     std::int64_t seed = 1;
     std::vector<SheetSpec> sheets;
+    GivenMeshes given_meshes = {};        ///< of a program, that sheets may name
     std::vector<ObstacleSpec> obstacles;  ///< that rest, or move by keys
     std::vector<ObstacleSpec> bodies;     ///< that are free
     Vector3d gravity{0, 0, -9.81};        ///< m/s^2

@@ -50,7 +50,8 @@ SAME = {
 NAMES = ("preset", "scene")  # first columns of tables that list names, not keys
 
 SHAPES = ("rectangle", "disc", "cylinder", "sphere", "plate", "bowl", "revolution", "polygon")
-MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + ['{ file = "a.obj", KEYS }', '{ file = "a.obj", remesh = { KEYS } }']
+MESHES = [f'{{ generate = "{shape}", KEYS }}' for shape in SHAPES] + [
+    '{ file = "a.obj", KEYS }', '{ file = "a.obj", remesh = { KEYS } }', '{ given = "a", KEYS }']
 AXES = ["{ direction = [0, 0, 1], KEYS }", '{ texture = "a.png", encoding = "hue", KEYS }', "{ field = true, KEYS }"]
 MAPS = ['{ texture = "a.png", KEYS }', '{ vdb = "a.vdb", KEYS }', '{ property = "t", KEYS }']
 SCORES = ['{ edges = "a", KEYS }', "{ line = [[0, 0, 0], [1, 0, 0]], KEYS }"]
@@ -86,7 +87,7 @@ def told(sherd, keys):
     for line in output.splitlines():
         if match := re.match(r".*scene\.toml:\d+: ([\w.\[\]]*): (.*)", line):
             place = re.sub(r"\[\d+\]", "", match[1])
-            yield re.sub(r"^(sheet|obstacle)\.[so]\d\b", r"\1.NAME", place), match[2]
+            yield re.sub(r"^(sheet|obstacle)\.[so]\d+\b", r"\1.NAME", place), match[2]
 
 
 def known_keys(sherd):

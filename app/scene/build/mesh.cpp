@@ -12,6 +12,7 @@
 #include "meshops/mesh_measures.h"
 #include "meshops/read_mesh.h"
 #include "meshops/remesh/remesh.h"
+#include "meshops/triangle_mesh.h"
 
 namespace sherd {
 namespace {
@@ -74,21 +75,37 @@ void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result
                         edge_length, result.distance));
 }
 
-Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings, std::string* remeshed) {
-    Mesh mesh = read_mesh(spec, warnings);
-    if (!spec.remesh) return mesh;
-    const double edge_length = spec.remesh->edge_length;
+Mesh with_edges(Mesh mesh, const std::optional<RemeshOptions>& options, std::vector<std::string>& warnings,
+                std::string* remeshed) {
+    if (!options) return mesh;
+    const double edge_length = options->edge_length;
     const double faces = expected_faces(measure(mesh).area, edge_length);
     if (faces > most_faces)
         throw Error(
             fmt::format("remesh = {} would make about {:.2g} faces, more than {:.0g}: give a larger one",
                         edge_length, faces, most_faces));
-    Remeshed result = remesh(mesh, *spec.remesh);
+    Remeshed result = remesh(mesh, *options);
     warn_of_remesh(edge_length, mesh, result, warnings);
     if (remeshed != nullptr)
         *remeshed = fmt::format("remeshed from {} faces, at most {:.2g} m from the file's surface",
                                 mesh.number_of_faces(), result.distance);
     return std::move(result.mesh);
+}
+
+Mesh make(const MeshFile& spec, const Scene&, std::vector<std::string>& warnings, std::string* remeshed) {
+    return with_edges(read_mesh(spec, warnings), spec.remesh, warnings, remeshed);
+}
+
+Mesh make(const GivenMeshName& spec, const Scene& scene, std::vector<std::string>& warnings,
+          std::string* remeshed) {
+    const auto given = scene.given_meshes.find(spec.name);
+    if (given == scene.given_meshes.end())
+        throw Error(
+            fmt::format("no program has given a mesh of the name '{}': give a file instead, or the arrays "
+                        "beside the scene",
+                        spec.name));
+    return with_edges(triangle_mesh(given->second.positions, given->second.faces), spec.remesh, warnings,
+                      remeshed);
 }
 
 /// m, the largest extent.

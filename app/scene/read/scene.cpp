@@ -210,8 +210,10 @@ Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice) {
     return parse_scene(read_toml_text(file, "scene"), file, choice);
 }
 
-Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice) {
+Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice,
+                  GivenMeshes meshes) {
     Scene scene;
+    scene.given_meshes = std::move(meshes);
     scene.file = file;
     scene.variant = choice.variant;
     toml::table document = parse_toml(text, file);

@@ -20,7 +20,8 @@ std::vector<std::string> variant_names(const std::filesystem::path& file);
 Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice = {});
 
 /// Does the same with the text of a scene. `file` is where it comes from, for errors and for the names of
-/// files in it.
-Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {});
+/// files in it; `meshes` are those that its sheets may name as given.
+Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice = {},
+                  GivenMeshes meshes = {});
 
 }  // namespace sherd

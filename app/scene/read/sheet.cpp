@@ -28,8 +28,14 @@ RemeshOptions read_remesh(TomlTable& mesh) {
     return options;
 }
 
-std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
-                                                     const std::filesystem::path& directory) {
+GivenMeshName read_given_mesh(TomlTable& table) {
+    GivenMeshName mesh{table.string("given", "the name that a program gives the mesh by")};
+    if (table.has("remesh")) mesh.remesh = read_remesh(table);
+    table.finish();
+    return mesh;
+}
+
+decltype(SheetSpec::mesh) read_mesh_spec(TomlTable& sheet, const std::filesystem::path& directory) {
     if (sheet.is_string("mesh")) {
         MeshFile mesh;
         mesh.path = directory / sheet.string("mesh", "the name of a mesh file");
@@ -41,6 +47,7 @@ std::variant<GeneratedMesh, MeshFile> read_mesh_spec(TomlTable& sheet,
             sheet.report("mesh", "is missing: give a file name, or { generate = \"disc\", ... }");
         return GeneratedMesh{};
     }
+    if (table->has("given")) return read_given_mesh(*table);
     const bool generated = table->has("generate"), from_file = table->has("file");
     if (generated && from_file) table->report("file", "conflicts with generate: give one of them");
     if (!generated && !from_file) table->report("", "needs one of generate and file");

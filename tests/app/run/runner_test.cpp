@@ -63,6 +63,16 @@ TEST(Runner, TellsEveryStepAndTheFramesOfTheScene) {
     EXPECT_GE(totals.newton_iterations, 10);
 }
 
+// Who steps a scene by hand records it by what observers are told.
+TEST(Runner, TellsFramesOfSingleSteps) {
+    Runner runner = runner_of(falling);
+    Witness witness;
+    runner.add(witness);
+    while (!runner.has_ended()) runner.advance();
+    EXPECT_TRUE(runner.is_complete());
+    EXPECT_EQ(witness.told, " 1 2 3 4 frame 5 6 7 8 frame 9 10 frame");
+}
+
 TEST(Runner, EndsWithAFrameWhereAnObserverWantsIt) {
     Runner runner = runner_of(falling);
     Witness witness;
