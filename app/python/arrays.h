@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/recording/hdf5.h"
+#include "core/vector.h"
+#include "meshops/mesh.h"
+
+/// Here is what Python sees of Sherd.
+namespace sherd::python {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Numbers [n], or [n, width]. With an owner they are a view that nobody can write to and that keeps the
+/// owner alive; else a copy.
+template <class Scalar>
+py::array numbers(const Scalar* first, std::size_t rows, std::size_t width, py::handle owner = {}) {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows)};
+    if (width > 1) shape.push_back(static_cast<py::ssize_t>(width));
+    py::array array(py::dtype::of<Scalar>(), shape, rows == 0 ? nullptr : first, owner);
+    if (owner) array.attr("setflags")(py::arg("write") = false);
+    return array;
+}
+
+template <class T>
+py::array array_of(const std::vector<T>& rows, py::handle owner = {}) {
+    using E = hdf5::Element<T>;
+    return numbers(reinterpret_cast<const typename E::Scalar*>(rows.data()), rows.size(), E::width, owner);
+}
+
+inline py::array array_of(const VectorXd& values, py::handle owner = {}) {
+    return numbers(values.data(), static_cast<std::size_t>(values.size()), 1, owner);
+}
+
+/// [n, 3] of columns [3, n].
+inline py::array array_of(const Positions& columns, py::handle owner = {}) {
+    return numbers(columns.data(), static_cast<std::size_t>(columns.cols()), 3, owner);
+}
+
+/// Columns [3, n] of an array [n, 3]. Throws Error, naming the array, when it has another shape or a number
+/// that is not finite.
+Positions columns_of(const Numbers& array, const std::string& name);
+
+/// The same with `count` rows.
+Positions columns_of(const Numbers& array, const std::string& name, Eigen::Index count);
+
+/// The whole numbers of an array [n]. Throws Error, naming the array, when it has another shape, or one is
+/// not whole.
+std::vector<Index> indices_of(const Numbers& array, const std::string& name);
+
+/// The same in rows of an array [n, N].
+template <std::size_t N>
+std::vector<std::array<Index, N>> rows_of(const Numbers& array, const std::string& name);
+
+/// The edges between pairs of vertices [n, 2]. Throws Error, naming the pair, when there is no edge.
+std::vector<Edge> edges_of(const Mesh& mesh, const Numbers& pairs);
+
+}  // namespace sherd::python

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/bindings.h"
+#include "meshops/error.h"
+
+namespace sherd::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* description =
+    "What cannot be done, with the message that the program would print: what is wrong,\n"
+    "where, what to do.\n"
+    "\n"
+    "`fault` is \"input\" (a scene, an array or a file is wrong) or \"run\" (a step cannot be\n"
+    "solved, a disk is full).";
+
+/// The type, which lives as long as the interpreter.
+PyObject* error_type = nullptr;
+
+}  // namespace
+
+void bind_error(py::module_& module) {
+    error_type = PyErr_NewExceptionWithDoc("sherd.Error", description, nullptr, nullptr);
+    module.attr("Error") = py::handle(error_type);
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const Error& error) {
+            const py::object instance = py::handle(error_type)(error.what());
+            instance.attr("fault") = error.fault == Fault::input ? "input" : "run";
+            PyErr_SetObject(error_type, instance.ptr());
+        }
+    });
+}
+
+}  // namespace sherd::python

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "app/playback/ancestry.h"
+#include "app/python/bindings.h"
+#include "app/python/tables.h"
+#include "app/recording/recording.h"
+
+namespace sherd::python {
+namespace {
+
+/// Of a frame that may be counted from the end.
+std::size_t number_of(const Recording& recording, py::ssize_t number) {
+    const auto count = static_cast<py::ssize_t>(recording.frame_count());
+    if (number < -count || number >= count)
+        throw py::index_error(fmt::format("frame {} of {}", number, count));
+    return static_cast<std::size_t>(number < 0 ? number + count : number);
+}
+
+py::array times(const Recording& recording) {
+    std::vector<double> all(recording.frame_count());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = recording.time(i);
+    return array_of(all);
+}
+
+/// Force and moment of each support and obstacle in each step.
+py::dict recorded_reactions(const Recording& recording) {
+    const std::vector<RecordedSupport> supports = recording.header().supports;
+    const std::vector<StepReport> steps = recording.steps();
+    py::dict by_name;
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+        std::vector<Reaction> rows;
+        for (const StepReport& step : steps) rows.push_back(step.reactions[i]);
+        by_name[supports[i].name.c_str()] = columns_by_name(rows);
+    }
+    return by_name;
+}
+
+/// What each gauge shows in each step.
+py::dict recorded_gauges(const Recording& recording) {
+    const std::vector<RecordedGauge> gauges = recording.header().gauges;
+    const std::vector<StepReport> steps = recording.steps();
+    py::dict by_name;
+    for (std::size_t i = 0; i < gauges.size(); ++i) {
+        std::vector<GaugeReading> rows;
+        for (const StepReport& step : steps) rows.push_back(step.gauges[i]);
+        const py::dict all = columns_by_name(rows);
+        py::dict recorded;
+        for (const auto& [name, column] : all)
+            if (recording_format::is_recorded(gauges[i], name.cast<std::string>())) recorded[name] = column;
+        by_name[gauges[i].name.c_str()] = recorded;
+    }
+    return by_name;
+}
+
+/// The poses of each obstacle and body in a frame.
+py::dict poses(const Recording& recording, py::ssize_t frame) {
+    const std::vector<RecordedObstacle> obstacles = recording.obstacles();
+    const std::vector<Eigen::Isometry3d> places = recording.poses(number_of(recording, frame));
+    py::dict by_name;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = places[i].matrix();
+        by_name[obstacles[i].name.c_str()] = numbers(rows.data(), 4, 4);
+    }
+    return by_name;
+}
+
+py::tuple parents(const Recording& recording, py::ssize_t earlier, py::ssize_t later) {
+    const Ancestry found = ancestry(recording.frame(number_of(recording, earlier)),
+                                    recording.frame(number_of(recording, later)));
+    return py::make_tuple(array_of(found.faces), array_of(found.vertices), array_of(found.weights));
+}
+
+}  // namespace
+
+void bind_recording(py::module_& module) {
+    py::class_<Recording>(
+        module, "Recording",
+        "Recording(file): what `sherd run` or sherd.record() has written, also while it is being\n"
+        "written. Raises Error when it cannot be read. Each attribute is read from the file when\n"
+        "it is asked for.")
+        .def(py::init<const std::filesystem::path&>(), py::arg("file"))
+        .def("__len__", &Recording::frame_count)
+        .def(
+            "frame",
+            [](const Recording& recording, py::ssize_t number) {
+                return recording.frame(number_of(recording, number));
+            },
+            py::arg("number"),
+            "frame(number) -> Snapshot\n"
+            "\n"
+            "The Snapshot of a frame, from 0; -1 is the last. Raises IndexError.")
+        .def_property_readonly("times", &times, "[frames] s, of each frame.")
+        .def_property_readonly(
+            "scene_text", [](const Recording& one) { return one.header().scene_text; }, "The scene, as TOML.")
+        .def_property_readonly(
+            "sheets", [](const Recording& one) { return one.header().sheet_names; }, "Names of the sheets.")
+        .def_property_readonly("end", &Recording::end,
+                               "\"running\", \"complete\", \"interrupted\" or \"failed: ...\".")
+        .def_property_readonly("wall_seconds", &Recording::wall_seconds, "s, that the run took.")
+        .def_property_readonly(
+            "steps", [](const Recording& one) { return columns_by_name(one.steps()); },
+            "The columns of all steps as arrays [steps] or [steps, 3], by the names of StepReport.")
+        .def_property_readonly(
+            "reactions", &recorded_reactions,
+            "Of each support and obstacle, by name: \"force\" [steps, 3] N and \"moment\" [steps, 3] N m.")
+        .def_property_readonly("gauges", &recorded_gauges,
+                               "Of each gauge, by name: what it shows as arrays [steps, 3], by name.")
+        .def_property_readonly(
+            "events", [](const Recording& one) { return events_by_kind(one.events()); },
+            "What has broken, as Simulation.events has it.")
+        .def("poses", &poses, py::arg("frame"),
+             "poses(frame) -> dict\n"
+             "\n"
+             "Of each obstacle and body, by name: the matrix [4, 4] from its own frame to space, in a\n"
+             "frame.")
+        .def("ancestry", &parents, py::arg("earlier"), py::arg("later"),
+             "ancestry(earlier, later) -> (faces, vertices, weights)\n"
+             "\n"
+             "Where the mesh of a later frame was in that of an earlier one: (faces [F], vertices [V,\n"
+             "3], weights [V, 3]). Each later face was that face, or a part of it; each later vertex\n"
+             "lay between three vertices, with these shares: (weights[..., None] *\n"
+             "values[vertices]).sum(1) carries values over.");
+}
+
+}  // namespace sherd::python

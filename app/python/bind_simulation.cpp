@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "app/python/bindings.h"
+#include "app/python/live_run.h"
+#include "app/python/tables.h"
+#include "app/scene/build/supports.h"
+#include "meshops/error.h"
+
+namespace sherd::python {
+namespace {
+
+FaceFieldChoice choice_of(const std::vector<std::string>& names) {
+    FaceFieldChoice choice;
+    for (const std::string& name : names)
+        if (name == "stress")
+            choice.stress = true;
+        else if (name == "curvature")
+            choice.curvature = true;
+        else if (name == "membrane_strain")
+            choice.membrane_strain = true;
+        else
+            throw Error("fields: knows no '" + name +
+                        "'; there are \"stress\", \"curvature\" and \"membrane_strain\"");
+    return choice;
+}
+
+/// Force and moment of each support and obstacle, by its name.
+py::dict reactions(LiveRun& run) {
+    py::dict by_name;
+    const std::optional<StepReport>& report = run.report();
+    if (!report) return by_name;
+    const auto names = support_names(run.scene());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        by_name[names[i].name.c_str()] =
+            py::make_tuple(value_of(report->reactions[i].force), value_of(report->reactions[i].moment));
+    return by_name;
+}
+
+const Shell& shell_of(LiveRun& run) {
+    return run.simulation().shell().mechanics();
+}
+
+void prescribe(LiveRun& run, const Numbers& vertices, const Numbers& positions, double time) {
+    const std::vector<Index> told = indices_of(vertices, "vertices");
+    run.changed().prescribe(told, columns_of(positions, "positions", static_cast<Eigen::Index>(told.size())),
+                            time);
+}
+
+py::array faces_of(LiveRun& run) {
+    std::vector<std::array<Index, 3>> faces;
+    for (const TriangleStencil& triangle : shell_of(run).triangles) faces.push_back(triangle.vertices);
+    return array_of(faces);
+}
+
+void set_forces(LiveRun& run, const std::optional<Numbers>& forces) {
+    const Eigen::Index count = shell_of(run).position.cols();
+    run.changed().give_forces(forces ? columns_of(*forces, "forces", count) : Positions::Zero(3, count));
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+    py::class_<LiveRun>(module, "Simulation", "A scene that is stepped.")
+        .def(py::init<const Scene&, int>(), py::arg("scene"), py::arg("threads"),
+             py::call_guard<py::gil_scoped_release>())
+        .def(
+            "step",
+            [](LiveRun& run) {
+                run.step();
+                return *run.report();
+            },
+            "step() -> StepReport\n"
+            "\n"
+            "Makes one time step and returns its StepReport. Other Python threads run meanwhile. It\n"
+            "is shorter than Scene.step when it had to be halved. Raises Error when it cannot be\n"
+            "solved.")
+        .def(
+            "snapshot",
+            [](LiveRun& run, const std::vector<std::string>& fields) {
+                return run.simulation().snapshot(choice_of(fields));
+            },
+            py::arg("fields") = std::vector<std::string>(),
+            "snapshot(fields=[]) -> Snapshot\n"
+            "\n"
+            "All of the sheets as they are now, which later steps do not change. fields: which of\n"
+            "\"stress\", \"curvature\" and \"membrane_strain\" of the faces it has.")
+        .def_property_readonly("scene", &LiveRun::scene, "The Scene, as it was read.")
+        .def_property_readonly("warnings", &LiveRun::warnings, "Sentences, of the scene.")
+        .def_property_readonly("has_ended", &LiveRun::has_ended,
+                               "Whether the scene's duration, or the end of statics, has been reached.")
+        .def_property_readonly(
+            "has_arrived", [](LiveRun& run) { return run.simulation().arrived(); },
+            "Whether there is no step to do any more: the end of statics.")
+        .def_property_readonly(
+            "time", [](LiveRun& run) { return run.simulation().time(); }, "s, or see Scene.time_unit.")
+        .def_property_readonly(
+            "report", [](LiveRun& run) { return std::optional<StepReport>(run.report()); },
+            "StepReport of the last step; None before.")
+        .def_property_readonly(
+            "reactions", &reactions,
+            "Force [3] N and moment [3] N m about the origin, on the sheets, of each support and\n"
+            "obstacle at the end of the last step, by name: \"sheet.plate.pin\".")
+        .def_property_readonly(
+            "positions", [](LiveRun& run) { return array_of(shell_of(run).position); },
+            "[V, 3] m, a copy. Vertices are those of the sheets in the order of the scene; copies\n"
+            "that cracks make come behind them.")
+        .def_property_readonly(
+            "velocities", [](LiveRun& run) { return array_of(shell_of(run).velocity); },
+            "[V, 3] m/s, a copy.")
+        .def_property_readonly(
+            "masses", [](LiveRun& run) { return array_of(shell_of(run).mass); }, "[V] kg, a copy.")
+        .def_property_readonly("faces", &faces_of, "[F, 3] vertices of each face, a copy.")
+        .def_property_readonly(
+            "pinned",
+            [](LiveRun& run) {
+                const std::vector<char>& fixed = shell_of(run).fixed;
+                return array_of(std::vector<std::uint8_t>(fixed.begin(), fixed.end())).attr("astype")("bool");
+            },
+            "[V] whether a pin holds the vertex in all directions, a copy.")
+        .def("set_forces", &set_forces, py::arg("forces").none(true),
+             "set_forces(forces)\n"
+             "\n"
+             "From the next step on these forces, [V, 3] N, act on the vertices, beside the scene's\n"
+             "loads, until others are set; None: none act. Where a crack splits a vertex its copies\n"
+             "share the force by mass; in statics it grows with the load factor. Raises Error on\n"
+             "another shape, or a number that is not finite.")
+        .def("prescribe", &prescribe, py::arg("vertices"), py::arg("positions"), py::arg("time"),
+             "prescribe(vertices, positions, time)\n"
+             "\n"
+             "Pinned vertices [n] go straight and at constant speed to the positions [n, 3] m, where\n"
+             "they are at `time` (s) and stay. Raises Error when one of them is not pinned, or the\n"
+             "time is over.")
+        .def(
+            "break_edges",
+            [](LiveRun& run, const Numbers& edges) {
+                Simulation& simulation = run.changed();
+                simulation.break_by_hand(edges_of(simulation.shell().mesh(), edges));
+            },
+            py::arg("edges"),
+            "break_edges(edges)\n"
+            "\n"
+            "Makes the hinges of edges fail, each given by its two vertices, [n, 2], and opens the\n"
+            "mesh where that parts it: between two steps, whatever their strength. Its events come\n"
+            "with the next step. Raises Error when one is no edge inside a sheet, has failed, or is\n"
+            "given twice.")
+        .def_property_readonly(
+            "events", [](LiveRun& run) { return events_by_kind(run.events()); },
+            "What has broken so far: for each kind (failure, opening, split, fragment, vertex_birth,\n"
+            "face_birth, tips) its columns as arrays, by name, as in a recording.")
+        .def("_record", &LiveRun::record, py::arg("file"), py::arg("force"))
+        .def("_end_recording", &LiveRun::end_recording, py::arg("failure"));
+}
+
+}  // namespace sherd::python

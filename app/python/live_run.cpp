@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/live_run.h"
+
+#include <pybind11/pybind11.h>
+
+#include <utility>
+
+#include "app/run/checkpoint.h"
+#include "app/scene/build/built_scene.h"
+#include "meshops/error.h"
+
+namespace sherd::python {
+namespace {
+
+BuiltScene built(const Scene& scene, int threads, std::vector<std::string>& warnings) {
+    BuiltScene built = build_scene(scene, warnings);
+    built.options.stepper.threads = threads;
+    built.options.stepper.shell.given_forces = true;
+    return built;
+}
+
+}  // namespace
+
+Turn::Turn(std::atomic<bool>& taken) : taken(taken) {
+    if (taken.exchange(true))
+        throw Error(
+            "the simulation is at a step in another thread: wait for that, or give each thread a simulation "
+            "of its own",
+            Fault::run);
+}
+
+LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, threads, told)) {
+    runner.add(*this);
+}
+
+void LiveRun::step() {
+    const Turn turn(taken);  // with the lock: whoever has it may look until now
+    const pybind11::gil_scoped_release others;
+    runner.advance();
+}
+
+bool LiveRun::has_ended() {
+    const Turn turn(taken);
+    return runner.has_ended();
+}
+
+const Simulation& LiveRun::simulation() {
+    const Turn turn(taken);
+    return runner.simulation();
+}
+
+Simulation& LiveRun::changed() {
+    const Turn turn(taken);
+    return runner.simulation();
+}
+
+const std::optional<StepReport>& LiveRun::report() {
+    const Turn turn(taken);
+    return last;
+}
+
+const CrackEvents& LiveRun::events() {
+    const Turn turn(taken);
+    return all_events;
+}
+
+void LiveRun::record(const std::filesystem::path& file, bool force) {
+    const Turn turn(taken);
+    if (recording) throw Error("the simulation is being recorded: end that first");
+    if (last) throw Error("the simulation has made a step: a recording begins before the first one");
+    RecordingOutput output(file, force);
+    remove_checkpoints(file);
+    recording.reset(new LiveRecording{
+        RunRecorder(std::move(output), runner.scene(), std::as_const(runner).simulation())});
+    frame_due(runner.simulation());
+}
+
+void LiveRun::end_recording(const std::string& failure) {
+    const Turn turn(taken);
+    if (!recording) return;
+    const std::unique_ptr<LiveRecording> ending = std::move(recording);
+    const Simulation& simulation = runner.simulation();
+    if (failure.empty() && ending->last_frame != simulation.time()) ending->recorder.frame_due(simulation);
+    const double seconds = std::chrono::duration<double>(Clock::now() - ending->begin).count();
+    if (!failure.empty())
+        ending->recorder.ended({"failed: " + failure, seconds});
+    else
+        ending->recorder.ended({runner.is_complete() ? "complete" : "interrupted", seconds});
+}
+
+void LiveRun::stepped(const StepReport& report, const CrackEvents& events) {
+    last = report;
+    append(all_events, events);
+    if (recording) recording->recorder.stepped(report, events);
+}
+
+void LiveRun::frame_due(const Simulation& simulation) {
+    if (!recording) return;
+    const pybind11::gil_scoped_acquire python;
+    recording->recorder.frame_due(simulation);
+    recording->last_frame = simulation.time();
+}
+
+}  // namespace sherd::python

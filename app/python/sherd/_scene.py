@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from . import _sherd
+from ._toml import lines_of, value_of
+
+
+def _without_arrays(scene: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The scene with names instead of meshes that are arrays, and these by name."""
+    sheets, meshes = {}, {}
+    if not isinstance(scene.get("sheet"), Mapping):
+        return dict(scene), meshes
+    for name, sheet in scene["sheet"].items():
+        mesh = sheet.get("mesh") if isinstance(sheet, Mapping) else None
+        if isinstance(mesh, Mapping) and "positions" in mesh and "faces" in mesh:
+            rest = {key: value for key, value in mesh.items() if key not in ("positions", "faces")}
+            meshes[name] = (mesh["positions"], mesh["faces"])
+            sheet = {**sheet, "mesh": {"given": name, **rest}}
+        sheets[name] = sheet
+    return {**scene, "sheet": sheets}, meshes
+
+
+class Scene(_sherd.Scene):
+    """Scene(source, set={}, variant=""): a scene, read and checked.
+
+    source   the file of a scene, or its name: "plate_drop" is plate_drop.toml here, or else the scene that is
+             installed with the program, beside this Python. Or a dict as the TOML file would be, in which a sheet's
+             mesh may be arrays: "mesh": {"positions": [V, 3] m, "faces": [F, 3]}, with "remesh" if it is to have other
+             triangles. Vertices and faces of such a mesh keep their numbers, of several sheets one after the other.
+             Files in a dict are relative to the working directory.
+    set      values of keys that are to be others, by dotted names: {"solver.step": 1e-5}
+    variant  of the file
+
+    Every key is described in scenes/README.md of Sherd. Raises Error with a line for each mistake; lines of a dict
+    are those of `text`, which is in the message's scene "<dict>".
+    """
+
+    def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None,
+                 variant: str = "") -> None:
+        overrides = [f"{key}={value_of(value)}" for key, value in (set or {}).items()]
+        if isinstance(source, Mapping):
+            scene, meshes = _without_arrays(source)
+            super().__init__("\n".join(lines_of(scene)) + "\n", "<dict>", overrides, variant, meshes)
+        else:
+            super().__init__(os.fspath(source), overrides, variant)
