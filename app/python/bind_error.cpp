@@ -14,21 +14,20 @@ constexpr const char* description =
     "`fault` is \"input\" (a scene, an array or a file is wrong) or \"run\" (a step cannot be\n"
     "solved, a disk is full).";
 
-/// The type, which lives as long as the interpreter.
-PyObject* error_type = nullptr;
-
 }  // namespace
 
 void bind_error(py::module_& module) {
-    error_type = PyErr_NewExceptionWithDoc("sherd.Error", description, nullptr, nullptr);
-    module.attr("Error") = py::handle(error_type);
+    module.attr("Error") = py::reinterpret_steal<py::object>(
+        PyErr_NewExceptionWithDoc("sherd.Error", description, nullptr, nullptr));
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);
         } catch (const Error& error) {
-            const py::object instance = py::handle(error_type)(error.what());
+            const py::object type = py::module_::import("sherd._sherd").attr("Error");
+            const py::object instance = type(error.what());
             instance.attr("fault") = error.fault == Fault::input ? "input" : "run";
-            PyErr_SetObject(error_type, instance.ptr());
+            PyErr_SetObject(type.ptr(), instance.ptr());
         }
     });
 }
