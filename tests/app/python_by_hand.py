@@ -100,6 +100,9 @@ class Motions(unittest.TestCase):
         state = simulation.snapshot()
         y = state.positions[:, 1]
         row = numpy.unique(y.round(9))[2]
+        held = numpy.flatnonzero(simulation.pinned)
+        simulation.prescribe(held, simulation.positions[held], STEP)  # ways that copies inherit
+        simulation.step()
         simulation.break_edges(state.edges[(abs(y[state.edges] - row) < 1e-6).all(1)])
         held = numpy.flatnonzero(simulation.pinned)
         self.assertEqual(len(held), state.edges[(state.positions[state.edges][:, :, 0] < 0.001).all(1)].shape[0] + 2)
