@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <csignal>
@@ -16,6 +17,14 @@
 namespace {
 
 constexpr int done = 0, failed = 1, bad_input = 2;
+
+/// Arrays of whole sheets come and go in every step. Given back to the system each time, their pages would
+/// have to be cleared and mapped anew, which takes as long as what is done with them.
+void keep_freed_memory() {
+    constexpr int largest_kept = 1 << 27, most_kept = 1 << 30;  // bytes
+    ::mallopt(M_MMAP_THRESHOLD, largest_kept);
+    ::mallopt(M_TRIM_THRESHOLD, most_kept);
+}
 
 int report(std::string_view message, int exit_code) {
     while (!message.empty()) {
@@ -44,6 +53,7 @@ int run(const sherd::Command& command) {
 
 // NOLINTNEXTLINE(bugprone-exception-escape): before run() catches them, only a lack of memory could throw.
 int main(int argc, char** argv) {
+    keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
     sherd::end_on_interruption();
     CLI::App program(

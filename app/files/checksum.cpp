@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "meshops/error.h"
 
@@ -12,9 +12,11 @@ namespace sherd {
 
 std::string text_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw Error(fmt::format("cannot read '{}'", file.string()));
-    return text;
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream.is_open() || stream.bad() || !text)
+        throw Error(fmt::format("cannot read '{}'", file.string()));
+    return std::move(text).str();
 }
 
 std::uint64_t checksum_of(const std::filesystem::path& file) {

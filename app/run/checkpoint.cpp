@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
+#include <ostream>
 
 #include "app/files/checksum.h"
 #include "app/files/pending_file.h"
@@ -12,27 +14,30 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view magic = "sherd checkpoint 2\n";
+constexpr std::string_view magic = "sherd checkpoint 3\n";
 
-/// What stands in front of the rest of a file.
+/// What stands behind the rest of a file.
 struct Seal {
     std::uint64_t size = 0, sum = 0;
 };
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-    const std::string text = text_of(file);
-    Seal seal;
-    const std::size_t head = magic.size() + sizeof seal;
-    if (text.size() < head || !text.starts_with(magic))
+    std::string text = text_of(file);
+    if (!text.starts_with(magic))
         throw Error(fmt::format("'{}' is not a checkpoint of this version", file.string()));
-    std::memcpy(&seal, text.data() + magic.size(), sizeof seal);
-    const std::string_view body = std::string_view(text).substr(head);
-    if (body.size() != seal.size || checksum(body) != seal.sum)
+    Seal seal;
+    const std::size_t body_size = text.size() - std::min(text.size(), magic.size() + sizeof seal);
+    const std::string_view body = std::string_view(text).substr(magic.size(), body_size);
+    if (body_size > 0) std::memcpy(&seal, body.data() + body.size(), sizeof seal);
+    if (body_size == 0 || body.size() != seal.size || state_sum(body) != seal.sum)
         throw Error(fmt::format("the checkpoint '{}' is damaged or cut off", file.string()));
     Checkpoint checkpoint;
     StateReader reader(body);
     reader(checkpoint);
-    checkpoint.state = reader.left();
+    const std::size_t state_size = reader.left().size();
+    text.erase(0, text.size() - sizeof seal - state_size);
+    text.resize(state_size);
+    checkpoint.state = std::move(text);
     return checkpoint;
 }
 
@@ -42,13 +47,17 @@ std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::pat
     return {recording.string() + ".checkpoint-1", recording.string() + ".checkpoint-2"};
 }
 
-void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint) {
-    StateWriter head;
-    head(checkpoint);
-    const Seal seal{head.text.size() + checkpoint.state.size(),
-                    checksum(checkpoint.state, checksum(head.text))};
+void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
+                      const std::function<void(StateVisitor&)>& visit_all) {
     PendingFile file(checkpoint_files(recording.output())[checkpoint.number % 2], Fault::run, recording);
-    file.write({magic, {reinterpret_cast<const char*>(&seal), sizeof seal}, head.text, checkpoint.state});
+    file.write([&](std::ostream& out) {
+        out << magic;
+        StateWriter writer(out);
+        writer(checkpoint);
+        visit_all(writer);
+        const Seal seal{writer.size(), writer.sum()};
+        out.write(reinterpret_cast<const char*>(&seal), sizeof seal);
+    });
     file.publish_durably();
 }
 

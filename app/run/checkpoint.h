@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +19,13 @@ struct Checkpoint {
     double time = 0;            ///< s, simulated
     double frame_interval = 0;  ///< s, of the run
     RunOrigin origin;
-    std::string state;  ///< of all that takes part: StateWriter
+    bool at_start = false;  ///< no step has been made: all that is simulated follows from the scene
+    std::string state;      ///< of all that takes part: StateWriter; empty while it is written
 
     /// The state itself, most of it, stands behind this as it is.
     void visit_state(StateVisitor& visit) {
-        auto& [number, time, frame_interval, origin, state] = *this;
-        visit(number, time, frame_interval, origin);
+        auto& [number, time, frame_interval, origin, at_start, state] = *this;
+        visit(number, time, frame_interval, origin, at_start);
     }
 };
 
@@ -31,8 +33,10 @@ struct Checkpoint {
 std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::path& recording);
 
 /// Replaces the older one of the two. A reader finds a file as it was before or all of the new one, even
-/// after a power cut. Throws Error (run).
-void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint);
+/// after a power cut. visit_all: visits what becomes Checkpoint::state, which is never in memory as a whole.
+/// Throws Error (run).
+void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
+                      const std::function<void(StateVisitor&)>& visit_all);
 
 /// Returns the last one that is whole, if there is any, and adds a warning for each file that is not. What a
 /// killed writer left is removed: nobody else must write the recording.

@@ -10,6 +10,7 @@ namespace sherd {
 
 void CheckpointKeeper::put_back(const Checkpoint& checkpoint) {
     require_same_run(checkpoint);
+    parts.at_start = checkpoint.at_start;
     StateReader reader(checkpoint.state);
     reader(parts);
     reader.finish();
@@ -27,15 +28,16 @@ void CheckpointKeeper::paused(bool at_end) {
 
 void CheckpointKeeper::write() {
     const Clock::time_point start = Clock::now();
-    StateSize size;
-    size(parts);
-    StateWriter state;
-    state.text.reserve(size.count);
-    state(parts);
+    parts.at_start = number == 0;
     // What the state counts on is on the disk: each append to the recording has been committed.
     write_checkpoint(parts.recorder.lock(),
-                     {++number, parts.runner.simulation().time(), parts.runner.scene().frame_interval, origin,
-                      std::move(state.text)});
+                     {++number,
+                      parts.runner.simulation().time(),
+                      parts.runner.scene().frame_interval,
+                      origin,
+                      parts.at_start,
+                      {}},
+                     [this](StateVisitor& visit) { visit(parts); });
     last = Clock::now();
     spent += std::chrono::duration<double>(last - start).count();
 }

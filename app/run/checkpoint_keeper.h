@@ -15,10 +15,12 @@ struct RunParts {
     Runner& runner;
     RunTotals& totals;
     RunRecorder& recorder;
+    bool at_start = true;  ///< Checkpoint::at_start
 
     void visit_state(StateVisitor& visit) {
-        auto& [runner, totals, recorder] = *this;
-        visit(runner, totals, recorder);
+        auto& [runner, totals, recorder, at_start] = *this;
+        if (!at_start) visit(runner);
+        visit(totals, recorder);
     }
 };
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "app/files/checksum.h"
 #include "app/run/obstacle_track.h"
 #include "app/run/state_archive.h"
@@ -19,14 +21,15 @@ std::uint64_t checksum_of_start(const Runner& runner) {
     Shell shell = runner.simulation().shell().mechanics();
     const std::span<const Vector3d> axes = runner.simulation().shell().axes();
     std::vector<Vector3d> face_axes(axes.begin(), axes.end());
-    StateWriter writer;
+    std::ostringstream text;
+    StateWriter writer(text);
     writer(shell.rest, shell.position, shell.velocity, shell.mass, shell.thickness, shell.young,
            shell.footprint, shell.fixed, shell.script, shell.guide, shell.held, shell.vertex_sheet,
            shell.face_sheet, shell.edge_strength, shell.edge_toughness, face_axes);
     const ObstacleTrack track(runner.scene(), runner.simulation());
     for (RecordedObstacle obstacle : track.obstacles())
         writer(obstacle.surface.points, obstacle.surface.triangles);
-    return checksum(writer.text);
+    return checksum(text.view());
 }
 
 template <class T, class Words>

@@ -2,6 +2,7 @@
 #include "app/run/state_archive.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cstring>
 
@@ -9,12 +10,24 @@
 
 namespace sherd {
 
-void StateWriter::enter(const char* type) {
-    text.append(type, std::strlen(type) + 1);
+std::uint32_t state_sum(std::span<const char> text, std::uint32_t sum) {
+    return static_cast<std::uint32_t>(
+        ::crc32_z(sum, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
 }
 
-void StateSize::enter(const char* type) {
-    count += std::strlen(type) + 1;
+void StateWriter::bytes(void* data, std::size_t size) {
+    if (size == 0) return;  // there may be no data, for which zlib has a meaning of its own
+    const auto* text = static_cast<const char*>(data);
+    out.write(text, static_cast<std::streamsize>(size));
+    summed = state_sum({text, size}, summed);
+    written += size;
+}
+
+void StateWriter::enter(const char* type) {
+    const std::string_view name(type, std::strlen(type) + 1);
+    out << name;
+    summed = state_sum(name, summed);
+    written += name.size();
 }
 
 void StateReader::bytes(void* data, std::size_t size) {

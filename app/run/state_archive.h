@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <ostream>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "core/state_visitor.h"
 
 namespace sherd {
 
-/// Writes state into a text, with the name of each class in front of what it has.
+/// CRC-32 of a text, which tells whether it is damaged. sum: of what stands before it.
+std::uint32_t state_sum(std::span<const char> text, std::uint32_t sum = 0);
+
+/// Writes state into a stream, with the name of each class in front of what it has, and sums it up.
 class StateWriter : public StateVisitor {
   public:
+    /// The stream must outlive this object.
+    explicit StateWriter(std::ostream& out) : out(out) {}
     bool reads() const override { return false; }
-    void bytes(void* data, std::size_t size) override { text.append(static_cast<const char*>(data), size); }
+    void bytes(void* data, std::size_t size) override;
     void enter(const char* type) override;
 
-    std::string text;
-};
+    std::uint64_t size() const { return written; }  ///< bytes
+    std::uint32_t sum() const { return summed; }    ///< state_sum()
 
-/// How long the text of a StateWriter will be, so that it need not grow.
-class StateSize : public StateVisitor {
-  public:
-    bool reads() const override { return false; }
-    void bytes(void* /*data*/, std::size_t size) override { count += size; }
-    void enter(const char* type) override;
-
-    std::size_t count = 0;
+  private:
+    std::ostream& out;
+    std::uint64_t written = 0;
+    std::uint32_t summed = 0;
 };
 
 /// Puts state back that a StateWriter of the same program wrote. Throws Error (run) where it is of other

@@ -22,14 +22,19 @@ Vector3d invariant(const Vector3d& tensor) {
     return {tensor[0], tensor[1], std::numbers::sqrt2 * tensor[2]};
 }
 
-using AnglesOfFolds = Eigen::MatrixXd;  ///< [folds, 3]; JacobiSVD needs a dynamic number of columns, too
+/// All sides of the six triangles of a grown patch. With a bound nothing of what follows needs the heap.
+constexpr int most_folds = 18;
+/// [folds, 3]; JacobiSVD needs a dynamic number of columns, too.
+using AnglesOfFolds = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_folds, 3>;
+using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_folds, 1>;  ///< [folds]
 using Decomposition = Eigen::JacobiSVD<AnglesOfFolds>;
 
 /// The smallest change of `weights` after which their sum of the folds' angles is `target`, as far as the
 /// angles see it. svd: of the angles.
-VectorXd corrected(const VectorXd& weights, const AnglesOfFolds& angles, const Decomposition& svd,
-                   const Vector3d& target) {
-    VectorXd missing = svd.matrixV().transpose() * (target - angles.transpose() * weights);
+Weights corrected(const Weights& weights, const AnglesOfFolds& angles, const Decomposition& svd,
+                  const Vector3d& target) {
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> missing =
+        svd.matrixV().transpose() * (target - angles.transpose() * weights);
     for (Eigen::Index i = 0; i < missing.size(); ++i) {
         const double size = svd.singularValues()[i];
         missing[i] = size > sees_hardly ? missing[i] / size : 0;
@@ -223,7 +228,7 @@ std::vector<Patches::Share> Patches::shares(const TriangleEdge& side, const Vect
     }
     if (seen.empty()) return {};
 
-    VectorXd weights = VectorXd::Zero(static_cast<Eigen::Index>(seen.size()));
+    Weights weights = Weights::Zero(static_cast<Eigen::Index>(seen.size()));
     if (start) weights[std::ranges::find(seen, start->fold, &FoldAngle::fold) - seen.begin()] = start->weight;
     weights = corrected(weights, angles, svd, invariant(target) / length);
     std::vector<Share> all;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 
 #include "app/run/state_archive.h"
 #include "app/scene/build/built_scene.h"
@@ -192,10 +193,10 @@ TEST_P(PutBack, StateGoesOnBitForBit) {
     int steps = 0;
     for (; whole.time() < 0.999 * duration && !whole.arrived(); ++steps) {
         if (steps % 4 == 1) {
-            StateWriter writer;
-            writer(whole);
+            std::ostringstream text;
+            StateWriter{text}(whole);
             other = std::make_unique<Simulation>(built(GetParam()).sheets, built(GetParam()).options);
-            StateReader reader(writer.text);
+            StateReader reader(text.view());
             reader(*other);
             reader.finish();
             expect_same_snapshot(whole, *other);
@@ -229,16 +230,17 @@ INSTANTIATE_TEST_SUITE_P(BreakingScenes, PutBack, testing::ValuesIn([] {
 // A checkpoint that is cut off, or of another program, must not become a run of nonsense.
 TEST(StateArchive, RefusesWhatIsCutOffAndWhatIsOfSomethingElse) {
     Simulation whole = simulation_of("strength");
-    StateWriter writer;
-    writer(whole);
+    std::ostringstream stream;
+    StateWriter{stream}(whole);
+    const std::string state = stream.str();
     const auto read = [](Simulation into, std::string_view text) {
         StateReader reader(text);
         reader(into);
         reader.finish();
     };
-    EXPECT_THROW(read(simulation_of("strength"), std::string_view(writer.text).substr(0, 10000)), Error);
-    EXPECT_THROW(read(simulation_of("strength"), writer.text + "x"), Error);
-    EXPECT_THROW(read(simulation_of("explicit"), writer.text), std::exception);
+    EXPECT_THROW(read(simulation_of("strength"), std::string_view(state).substr(0, 10000)), Error);
+    EXPECT_THROW(read(simulation_of("strength"), state + "x"), Error);
+    EXPECT_THROW(read(simulation_of("explicit"), state), std::exception);
 }
 
 }  // namespace
