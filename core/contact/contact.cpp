@@ -9,7 +9,8 @@ Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravi
     : shell(shell), options(std::move(given)), lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     if (!options.bodies.empty())
-        body_contact = std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity);
+        body_contact =
+            std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity, options.crossed);
     for (const Obstacle& obstacle : obstacles)
         obstacle_contact.push_back(
             std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
@@ -63,6 +64,10 @@ void Contact::finish(const Positions& x) {
 
 const std::vector<RigidBody>& Contact::bodies() const {
     return body_contact ? body_contact->bodies() : options.bodies;
+}
+
+std::vector<char> Contact::crossed() const {
+    return body_contact ? body_contact->crossed() : std::vector<char>{};
 }
 
 double Contact::stored_energy(const Positions& x) const {

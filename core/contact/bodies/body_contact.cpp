@@ -13,14 +13,15 @@ constexpr double most_widths = 8, most_widths_in_collider = 0.25;
 }  // namespace
 
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
-                         const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
+                         const std::vector<Obstacle>& obstacles, const Vector3d& gravity,
+                         std::span<const char> crossed)
     : shell(shell),
       obstacles(obstacles),
       gravity(gravity),
       started(std::move(bodies)),
       finished(started),
       ended(started),
-      surfaces(surface_pairs(started, obstacles)),
+      surfaces(surface_pairs(started, obstacles, crossed)),
       held_by_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);

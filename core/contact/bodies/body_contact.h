@@ -26,9 +26,9 @@ namespace sherd {
 class BodyContact : public Energy {
   public:
     /// bodies: their state at the start of the run. Shell and obstacles must outlive this object. gravity:
-    /// m/s^2.
+    /// m/s^2. crossed: see surface_pairs().
     BodyContact(const Shell& shell, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
-                const Vector3d& gravity);
+                const Vector3d& gravity, std::span<const char> crossed = {});
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
@@ -45,6 +45,7 @@ class BodyContact : public Energy {
     void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const { return finished; }
+    std::vector<char> crossed() const { return crossed_surfaces(surfaces); }  ///< see surface_pairs()
 
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/bodies/point_contacts.h"
 
@@ -18,6 +19,9 @@ constexpr double largest_inset = 3;  // times the inset, of the point of a needl
 /// Of the range of pairs, by which surfaces that come to see each other may press: what is stored in them
 /// then comes from nowhere.
 constexpr double still_apart = 1e-3;
+/// The same where another time scheme had them see each other: a barrier that is pressed by less stores less
+/// than a spring that is pressed as far; springs give way by all of it.
+constexpr double barrier_takes_over = 2.0 / 3, springs_take_over = 1;
 /// Pairs are forgotten when the ball around a body, so many times larger, has left the other one.
 constexpr double times_of_kept = 3;
 /// A sheet meets a collider's surface at a quarter of its thickness (ContactSurface).
@@ -110,7 +114,8 @@ bool any_cuts(const Positions& all, const std::vector<std::array<Index, 2>>& edg
 }  // namespace
 
 SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> of_one,
-                           std::size_t other, const Collider& two)
+                           std::size_t other, const Collider& two, std::array<bool, 2> found_corners,
+                           bool are_springs)
     : body(body),
       other(other),
       stiffness(one.point_stiffness(two)),
@@ -118,7 +123,9 @@ SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_p
       of_body(extent_of(one)),
       second_young(two.young),
       second(two.surface),
-      core(std::move(of_one)) {
+      core(std::move(of_one)),
+      corners(found_corners),
+      springs(are_springs) {
     for (const Box& point : boxes_of(second->points)) bounds.include(point);
     radius = std::sqrt(core->rest.colwise().squaredNorm().maxCoeff()) +
              ContactCandidates::nearness * core->thickness[0] / thickness_of_range;
@@ -127,7 +134,7 @@ SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_p
 const NearPairs& SurfacePairs::near() const {
     if (!pairs)
         pairs = std::make_unique<NearPairs>(
-            ContactSurface(*core, {{second.get(), second_young, 0, {}, 0}}, false));
+            ContactSurface(*core, {{second.get(), second_young, 0, {}, 0}}, false, springs));
     return *pairs;
 }
 
@@ -190,23 +197,66 @@ bool SurfacePairs::has_straight_way(const Eigen::Isometry3d& here, const Eigen::
     return (1 - near().safe_fraction(start, motion)) * way <= width;
 }
 
-bool SurfacePairs::apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
+bool SurfacePairs::apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                         double pressed) const {
     const Eigen::Isometry3d at = there.inverse() * here;
     if (!balls_meet(at, at)) return true;
     const Positions all = seen(here, there);
     return !cross(all) && std::ranges::all_of(near().active_pairs(all), [&](const ContactPair& pair) {
-        const double pressed = pair.activation_distance - distance(pair, columns(all, pair.vertices));
-        return pressed < still_apart * pair.barrier().range;
+        const double depth = pair.activation_distance - distance(pair, columns(all, pair.vertices));
+        return is_of_points(pair) || depth < pressed * pair.barrier().range;
     });
 }
 
-void SurfacePairs::begin(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double length) {
+int SurfacePairs::count_active(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
+    int count = 0;
+    each_active(here, there, [&](const ContactPair&, const PairPositions&) { ++count; });
+    return count;
+}
+
+void SurfacePairs::look(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) {
+    if (!crossed) return;
+    const double pressed = !seen_before ? still_apart : springs ? springs_take_over : barrier_takes_over;
+    crossed = !apart(here, there, pressed);
+    seen_before = false;
+}
+
+void SurfacePairs::place(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) {
     here_before = here;
     there_before = there;
-    sliding_pairs.clear();
-    if (crossed) crossed = !apart(here, there);
     const Eigen::Isometry3d at = there.inverse() * here;
     if (!balls_meet(at, at, times_of_kept)) pairs.reset();
+}
+
+bool SurfacePairs::passes(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) {
+    const Eigen::Isometry3d before = std::exchange(here_before, here),
+                            there_then = std::exchange(there_before, there);
+    if (!may_meet(before, there_then, here, there)) return false;
+    // What has nothing within reach where it comes from must move by the whole range to get through.
+    const Eigen::Isometry3d from = there_then.inverse() * before, to = there.inverse() * here;
+    const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
+    const double way = (to.translation() - from.translation()).norm() + turn * radius;
+    if (way < core->thickness[0] / thickness_of_range && near().active_pairs(seen(here, there)).empty())
+        return false;
+    crossed = free_way(before, there_then, here, there) < 1;
+    return crossed;
+}
+
+double SurfacePairs::stiffness_within_reach(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                                            const Positions& motion) const {
+    const Positions start = seen(here, there);
+    Positions moved = Positions::Zero(3, start.cols());
+    moved.rightCols(motion.cols()) = motion;
+    double sum = 0;
+    for (const ContactPair& pair : near().pairs_within_reach(start, moved))
+        if (!is_of_points(pair)) sum += stiffness;
+    return sum;
+}
+
+void SurfacePairs::begin(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double length) {
+    sliding_pairs.clear();
+    look(here, there);
+    place(here, there);
     if (friction == 0) return;
     each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
         sliding_pairs.push_back(
@@ -222,12 +272,17 @@ void SurfacePairs::finish(const Eigen::Isometry3d& here, const Eigen::Isometry3d
 }
 
 std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
-                                                         const std::vector<Obstacle>& obstacles) {
+                                                         const std::vector<Obstacle>& obstacles,
+                                                         std::span<const char> crossed, bool springs) {
     std::vector<std::shared_ptr<const Shell>> cores;
     for (const RigidBody& body : bodies) cores.push_back(body.surface ? core_of(body) : nullptr);
     std::vector<std::unique_ptr<SurfacePairs>> all;
     const auto add = [&](std::size_t one, std::size_t two, const Collider& second) {
-        all.push_back(std::make_unique<SurfacePairs>(one, bodies[one], cores[one], two, second));
+        const bool is_of_ball = is_ball(bodies[one]);
+        all.push_back(std::make_unique<SurfacePairs>(
+            one, bodies[one], cores[one], two, second,
+            std::array{!is_of_ball, !is_of_ball && two < bodies.size()}, springs));
+        if (!crossed.empty()) all.back()->go_on(crossed[all.size() - 1]);
     };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (!bodies[b].surface) continue;
@@ -241,6 +296,12 @@ std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<Rigid
                 add(b, bodies.size() + o, obstacles[o]);
     }
     return all;
+}
+
+std::vector<char> crossed_surfaces(std::span<const std::unique_ptr<SurfacePairs>> all) {
+    std::vector<char> crossed;
+    for (const auto& two : all) crossed.push_back(two->is_crossed());
+    return crossed;
 }
 
 }  // namespace sherd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/detection/box_tree.h"
@@ -9,7 +10,8 @@
 namespace sherd {
 
 /// The surface of a free body against that of another collider, as barrier pairs with continuous detection:
-/// what the points of point_contacts() leave out, edges on edges, and what is faster than it is large.
+/// what the points of point_contacts() leave out, edges on edges, and what is faster than it is large. In
+/// explicit steps they are springs (Barrier), and what corners meet is left to the points.
 ///
 /// Points push from touching on, so what makes the pairs is the body's surface moved inward, by a hundredth
 /// of its smallest extent, and they are active within that distance of the other surface: from touching on,
@@ -19,14 +21,15 @@ namespace sherd {
 ///
 /// Surfaces that cross or press each other, at the start or because explicit steps let them, do not see each
 /// other until they are apart: a barrier would hold them in each other, or throw them apart with energy from
-/// nowhere. Points push them meanwhile.
+/// nowhere. Points push them meanwhile. So it is with what has overwhelmed springs.
 class SurfacePairs {
   public:
     std::size_t body, other;  ///< numbers of the colliders, bodies first; the first is free
 
-    /// core: the surface of the body, moved inward.
+    /// core: the surface of the body, moved inward. corners: whether points find the corners of the body, and
+    /// those of the other one. springs: see ContactSurface.
     SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> core, std::size_t other,
-                 const Collider& second);
+                 const Collider& second, std::array<bool, 2> corners, bool springs);
 
     /// The number, in the pairs, of the first vertex of the body; those before are the other's.
     Index first() const { return second->size(); }
@@ -38,13 +41,16 @@ class SurfacePairs {
     void each_active(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, Add add) const {
         if (!may_meet(here, there, here, there)) return;
         for (const ContactPair& pair : near().active_pairs(seen(here, there))) {
+            if (is_of_points(pair)) continue;
             ContactPair as_point = pair;
             as_point.stiffness = stiffness;
             add(as_point, in_space(pair.vertices, here, there));
         }
     }
+    /// How many there are.
+    int count_active(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const;
     bool touch(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
-        return may_meet(here, there, here, there) && !near().active_pairs(seen(here, there)).empty();
+        return count_active(here, there) > 0;
     }
     /// Fraction, 0 to 1, of the straight way from poses to others on which the surfaces do not meet.
     double free_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
@@ -53,8 +59,37 @@ class SurfacePairs {
     bool has_straight_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
                           const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then,
                           double widths = 1) const;
-    /// Whether the surfaces do not cross, and pairs press by next to nothing.
-    bool apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const;
+    /// Coulomb coefficient of the two.
+    double coefficient() const { return friction; }
+
+    /// Whether the surfaces do not see each other.
+    bool is_crossed() const { return crossed; }
+    void set_crossed(bool are) { crossed = are; }
+    /// Goes on as it was with another time scheme, which may have let what is not crossed press each other.
+    void go_on(bool was_crossed) {
+        crossed = true;
+        seen_before = !was_crossed;
+    }
+    /// Lets surfaces see each other that do not, once they do not cross, and pairs press by next to nothing.
+    void look(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there);
+    /// Where the two are, from which passes() goes on.
+    void place(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there);
+    /// Whether the surfaces pass through each other on the straight way from where they were placed last, and
+    /// places them. Those that do see each other no more.
+    bool passes(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there);
+    /// Whether pairs may be active when no point of the body moves by more than `way`, m.
+    bool may_reach(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double way) const {
+        const Eigen::Isometry3d at = there.inverse() * here;
+        return !crossed && balls_meet(at, at, 1 + way / radius);
+    }
+    /// N/m, of all pairs together that may be active while the body's vertices move straight by `motion` [3,
+    /// body's] m, as seen from the other one.
+    double stiffness_within_reach(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
+                                  const Positions& motion) const;
+    /// Where the vertices of the body are, [3, body's] m.
+    Positions points_of_body(const Eigen::Isometry3d& here) const { return here * core->rest; }
+    /// How far, m, they are from its centre of mass at most.
+    double radius_of_body() const { return radius; }
 
     /// Begins a step of `length` (s) at poses, and its friction.
     void begin(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double length);
@@ -68,9 +103,10 @@ class SurfacePairs {
 
     /// The rest is given, or made by begin() or when it is needed.
     void visit_state(StateVisitor& visit) {
-        auto& [body, other, stiffness, friction, of_body, radius, second_young, second, core, bounds, pairs,
-               here_before, there_before, sliding_pairs, crossed, held] = *this;
-        visit(crossed, held);
+        auto& [body, other, stiffness, friction, of_body, radius, second_young, second, core, corners,
+               springs, bounds, pairs, here_before, there_before, sliding_pairs, crossed, seen_before, held] =
+            *this;
+        visit(crossed, seen_before, held);
     }
 
   private:
@@ -82,24 +118,37 @@ class SurfacePairs {
                   const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then) const;
     bool balls_meet(const Eigen::Isometry3d& before, const Eigen::Isometry3d& after, double times = 1) const;
     bool cross(const Positions& all) const;
+    /// Whether points meet instead of a spring.
+    bool is_of_points(const ContactPair& pair) const {
+        return springs && pair.kind == PairKind::vertex_triangle && corners[pair.vertices[0] < first()];
+    }
+    /// Whether the surfaces do not cross, and no pair presses by more than this share of its range.
+    bool apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double pressed) const;
     const NearPairs& near() const;
 
     double stiffness, friction, of_body, radius;  ///< m, of a ball around the body within which pairs act
     double second_young;                          ///< Pa
     std::shared_ptr<const ColliderSurface> second;
-    std::shared_ptr<const Shell> core;         ///< the body's surface, moved inward
+    std::shared_ptr<const Shell> core;  ///< the body's surface, moved inward
+    std::array<bool, 2> corners;        ///< whether points find those of the body, of the other one
+    bool springs;
     Box bounds;                                ///< of the other one, in its frame
     mutable std::unique_ptr<NearPairs> pairs;  ///< made when the two come near, since most never do
     Eigen::Isometry3d here_before = Eigen::Isometry3d::Identity(),
                       there_before = Eigen::Isometry3d::Identity();
     std::vector<SlidingPair> sliding_pairs;
-    bool crossed = true;  ///< as far as is known, until they are looked at
+    bool crossed = true;       ///< as far as is known, until they are looked at
+    bool seen_before = false;  ///< with another time scheme, until they are looked at
     StickMemory<PairKey> held;
 };
 
 /// Those of all bodies with each other and with obstacles that have a surface and do not deform. Of a ball
-/// and another body the ball is the first.
+/// and another body the ball is the first. springs: see ContactSurface. crossed: of each of them, whether it
+/// was so with another time scheme; empty: there was none.
 std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
-                                                         const std::vector<Obstacle>& obstacles);
+                                                         const std::vector<Obstacle>& obstacles,
+                                                         std::span<const char> crossed, bool springs = false);
+/// Whether each of them is.
+std::vector<char> crossed_surfaces(std::span<const std::unique_ptr<SurfacePairs>> all);
 
 }  // namespace sherd
