@@ -104,6 +104,7 @@ double Contact::obstacle_work(const StepContext& step, const Positions& x) const
     for (std::size_t o = 0; o < all.size(); ++o)
         if (obstacles[o].moves() && obstacles[o].deformation == nullptr)
             sum += work(all[o], obstacles[o].motion.at(step.begin), obstacles[o].motion.at(step.end()));
+    if (body_contact) sum += body_contact->work_of_deforming(x);
     if (sheet_contact) sum += sheet_contact->work_of_deforming(x);
     if (sheet_friction) sum += sheet_friction->work_of_deforming(x);
     return sum;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `sherd check` says of scenes that can be run, but should not be.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

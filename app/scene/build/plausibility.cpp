@@ -215,18 +215,13 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
     }
 }
 
-/// Of the caches of what deforms, and of free bodies, which do not meet it.
+/// Of the caches of what deforms.
 void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
                        std::vector<std::string>& warnings) {
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
         const Obstacle& obstacle = options.stepper.contact.obstacles[o];
         if (obstacle.deformation == nullptr) continue;
         warn_of_cache(scene.obstacles[o], *obstacle.deformation, scene.duration, warnings);
-        if (!scene.bodies.empty())
-            warnings.push_back(
-                fmt::format("{}: obstacle.{} passes through obstacle.{}: free bodies do not "
-                            "meet what deforms",
-                            scene.obstacles[o].where, scene.obstacles[o].name, scene.bodies[0].name));
     }
 }
 

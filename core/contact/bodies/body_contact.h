@@ -65,6 +65,8 @@ class BodyContact : public Energy {
     double work_of_all() const;
     double kinetic_change() const;  ///< J, in that step
     void add_touch(const Positions& x, Touch& touch) const;
+    /// Work, J, in the step, of the obstacles that deform on bodies, when the shell is at x.
+    double work_of_deforming(const Positions& x) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
     /// The rest is made by begin() and topology_changed().
@@ -108,6 +110,12 @@ class BodyContact : public Energy {
     /// Where a collider is at the beginning of the step.
     Eigen::Isometry3d start_of(std::size_t number) const {
         return is_free(number) ? started[number].pose() : obstacle_starts[number - steps.size()];
+    }
+    PairPlaces start_of(const SurfacePairs& pair) const {
+        return {start_of(pair.body), start_of(pair.other), true};
+    }
+    static PairPlaces places_of(const SurfacePairs& pair, const std::vector<BodyPose>& at) {
+        return {at[pair.body].place, at[pair.other].place};
     }
     /// Poses of all colliders when the bodies are at q.
     std::vector<BodyPose> poses(const VectorXd& q) const;

@@ -26,9 +26,13 @@ std::vector<Eigen::Isometry3d> ExplicitBodies::with_bodies(std::span<const Eigen
     return together;
 }
 
+void ExplicitBodies::move_to(double time) {
+    for (const auto& two : surfaces) two->move_to(time);
+}
+
 void ExplicitBodies::look(std::span<const Eigen::Isometry3d> places) {
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
-    for (const auto& two : surfaces) two->look(now[two->body], now[two->other]);
+    for (const auto& two : surfaces) two->look({now[two->body], now[two->other]});
 }
 
 bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const {
@@ -40,34 +44,31 @@ bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen:
 }
 
 PairPositions ExplicitBodies::friction_of(const SurfacePairs& two, const ContactPair& pair,
-                                          const PairPositions& at, double sharing, const Substep& substep,
-                                          std::span<const Eigen::Isometry3d> places_before,
-                                          std::span<const Eigen::Isometry3d> places) const {
+                                          const PairPositions& at, const PairPlaces& places, double sharing,
+                                          double length) const {
     const bool free = two.other < all.size();
-    const auto owner = [&](int i) { return pair.vertices[i] < two.first() ? two.other : two.body; };
+    const PairPositions moved = two.moved(pair.vertices, places);
+    const auto is_own = [&](int i) { return pair.vertices[i] >= two.first(); };
     PairPositions velocity;
-    for (int i = 0; i < 4; ++i) {
-        const std::size_t obstacle = owner(i) - all.size();
-        velocity.col(i) = owner(i) < all.size() ? velocity_at(owner(i), at.col(i))
-                                                : velocity_of_point(places_before[obstacle], places[obstacle],
-                                                                    at.col(i), substep.length);
-    }
-    return pair_friction(
-        pair, at, velocity, two.coefficient(), substep.length, [&](const PairPositions& along) {
-            Force on_body, on_other;
-            for (int i = 0; i < 4; ++i)
-                if (owner(i) == two.body)
-                    on_body.add(at.col(i) - all[two.body].centre, along.col(i));
-                else if (free)
-                    on_other.add(at.col(i) - all[two.other].centre, along.col(i));
-            return sharing * (mobility(two.body, on_body) + (free ? mobility(two.other, on_other) : 0));
-        });
+    for (int i = 0; i < 4; ++i)
+        velocity.col(i) = is_own(i) || free ? velocity_at(is_own(i) ? two.body : two.other, at.col(i))
+                                            : Vector3d(moved.col(i) / length);
+    return pair_friction(pair, at, velocity, two.coefficient(), length, [&](const PairPositions& along) {
+        Force on_body, on_other;
+        for (int i = 0; i < 4; ++i)
+            if (is_own(i))
+                on_body.add(at.col(i) - all[two.body].centre, along.col(i));
+            else if (free)
+                on_other.add(at.col(i) - all[two.other].centre, along.col(i));
+        return sharing * (mobility(two.body, on_body) + (free ? mobility(two.other, on_other) : 0));
+    });
 }
 
 void ExplicitBodies::add_surface_pair(const SurfacePairs& two, const PairPositions& at,
                                       const std::array<Index, 4>& vertices, const PairPositions& pressed,
                                       const PairPositions& rubbed, ContactForces& sum) {
     const bool free = two.other < all.size();
+    const std::size_t obstacle = two.other - all.size();
     for (int i = 0; i < 4; ++i) {
         const bool own = vertices[i] >= two.first();
         if (own || free) {
@@ -75,27 +76,32 @@ void ExplicitBodies::add_surface_pair(const SurfacePairs& two, const PairPositio
             rub(own ? two.body : two.other, at.col(i), rubbed.col(i));
         }
         if (own && !free) {
-            sum.obstacles[two.other - all.size()].add(at.col(i), pressed.col(i));
-            sum.rub(two.other - all.size(), at.col(i), rubbed.col(i));
+            sum.obstacles[obstacle].add(at.col(i), pressed.col(i));
+            sum.rub(obstacle, at.col(i), rubbed.col(i));
+        }
+        if (!own && !free) {
+            sum.press(first_vertex[obstacle] + vertices[i], pressed.col(i));
+            sum.rub_collider(first_vertex[obstacle] + vertices[i], rubbed.col(i));
         }
     }
 }
 
-void ExplicitBodies::add_surfaces(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
-                                  std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
-    const std::vector<Eigen::Isometry3d> now = with_bodies(places);
+void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry3d> obstacle_places,
+                                  ContactForces& sum) {
+    const std::vector<Eigen::Isometry3d> now = with_bodies(obstacle_places);
     for (const auto& met : surfaces) {
-        const Eigen::Isometry3d &here = now[met->body], &there = now[met->other];
-        if (met->passes(here, there) && !points_hold(*met, places))
+        const PairPlaces places{now[met->body], now[met->other]};
+        if (met->passes(places) && !points_hold(*met, obstacle_places))
             throw std::runtime_error(
                 "contact: a free body passes through another one, or through an obstacle: the springs of "
                 "explicit contact are overwhelmed; a stiffer body, less speed, or implicit steps may help");
         // Each of them may take the sliding of all.
-        const double sharing = met->coefficient() > 0 ? met->count_active(here, there) : 0;
-        met->each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
+        const double sharing = met->coefficient() > 0 ? met->count_active(places) : 0;
+        met->each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
             add_surface_pair(*met, at, pair.vertices, -gradient(pair, at),
-                             friction_of(*met, pair, at, sharing, substep, places_before, places), sum);
+                             friction_of(*met, pair, at, places, sharing, length), sum);
         });
+        met->place(places);
     }
 }
 
@@ -136,10 +142,9 @@ double ExplicitBodies::rate_of_surfaces(const StepContext& step) const {
         const bool free = two->other < all.size();
         const Eigen::Isometry3d there =
             free ? all[two->other].pose() : obstacles[two->other - all.size()].motion.at(step.begin);
-        const Eigen::Isometry3d here = all[two->body].pose();
-        if (!two->may_reach(here, there, longest_way(*two, step))) continue;
-        const double stiffness =
-            two->stiffness_within_reach(here, there, motion_of(*two, step, two->points_of_body(here)));
+        const double stiffness = two->stiffness_within_reach(
+            {all[two->body].pose(), there}, step.end(), longest_way(*two, step),
+            [&](const Positions& points) { return motion_of(*two, step, points); });
         if (stiffness == 0) continue;
         double mobility = largest_mobility(all[two->body], two->radius_of_body());
         if (free) {

@@ -8,6 +8,7 @@
 #include "core/contact/bodies/body_potential.h"
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
+#include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/explicit/moving_collider.h"
 #include "core/contact/explicit/pair_friction.h"
 
@@ -21,7 +22,8 @@ ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies
       gravity(gravity),
       all(std::move(bodies)),
       started(all),
-      surfaces(surface_pairs(all, obstacles, crossed, true)) {
+      surfaces(surface_pairs(all, obstacles, crossed, true)),
+      first_vertex(first_vertices(obstacles)) {
     for (std::size_t b = 0; b < all.size(); ++b) {
         at_vertices.emplace_back(shell, all[b], obstacles.size() + b);
         pairs.push_back(all[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
@@ -53,7 +55,7 @@ void ExplicitBodies::begin(std::span<const Eigen::Isometry3d> places) {
     of_contact = of_friction = of_weight = 0;
     crossed_then = crossed();
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
-    for (const auto& two : surfaces) two->place(now[two->body], now[two->other]);
+    for (const auto& two : surfaces) two->place({now[two->body], now[two->other]});
 }
 
 void ExplicitBodies::restart() {
@@ -189,7 +191,7 @@ void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::I
         if (pairs[b]) add_pairs(b, substep, sum);
     }
     add_points(substep, places_before, places, sum);
-    add_surfaces(substep, places_before, places, sum);
+    add_surfaces(substep.length, places, sum);
     for (std::size_t b = 0; b < all.size(); ++b) {
         of_contact += work(before[b], forces[b], b);
         of_friction += work(friction_before[b], friction[b], b);
@@ -242,7 +244,7 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
     });
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
     for (const auto& two : surfaces)
-        two->each_active(now[two->body], now[two->other],
+        two->each_active({now[two->body], now[two->other]},
                          [&](const ContactPair& pair, const PairPositions& at) { sum += value(pair, at); });
     return sum;
 }
@@ -286,7 +288,7 @@ void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isomet
     });
     const std::vector<Eigen::Isometry3d> now = with_bodies(places);
     for (const auto& two : surfaces)
-        if (two->touch(now[two->body], now[two->other])) include(two->body, two->other);
+        if (two->touch({now[two->body], now[two->other]})) include(two->body, two->other);
 }
 
 double ExplicitBodies::kinetic_change() const {

@@ -30,6 +30,8 @@ class ExplicitBodies {
     /// these places.
     void begin(std::span<const Eigen::Isometry3d> places);
     void restart();
+    /// The substep goes on to `time` (s), as what deforms sees it.
+    void move_to(double time);
     /// Lets surfaces meet that have crossed, once they are apart; obstacles are at these places.
     void look(std::span<const Eigen::Isometry3d> places);
     void shell_changed(const ShellChange& change);
@@ -58,8 +60,8 @@ class ExplicitBodies {
     std::vector<char> crossed() const { return crossed_surfaces(surfaces); }  ///< see surface_pairs()
     void visit_state(StateVisitor& visit) {
         auto& [shell, obstacles, gravity, longest, all, started, at_vertices, pairs, points, surfaces,
-               crossed_then, forces, before, friction, friction_before, moved, of_contact, of_friction,
-               of_weight] = *this;
+               first_vertex, crossed_then, forces, before, friction, friction_before, moved, of_contact,
+               of_friction, of_weight] = *this;
         visit(longest, all, started, at_vertices, pairs, surfaces, crossed_then, forces, before, friction,
               friction_before, moved, of_contact, of_friction, of_weight);
     }
@@ -91,15 +93,13 @@ class ExplicitBodies {
     void add_points(const Substep& substep, std::span<const Eigen::Isometry3d> before,
                     std::span<const Eigen::Isometry3d> places, ContactForces& sum);
     /// The forces of surfaces on each other.
-    void add_surfaces(const Substep& substep, std::span<const Eigen::Isometry3d> before,
-                      std::span<const Eigen::Isometry3d> places, ContactForces& sum);
+    void add_surfaces(double length, std::span<const Eigen::Isometry3d> places, ContactForces& sum);
     void add_surface_pair(const SurfacePairs& two, const PairPositions& at,
                           const std::array<Index, 4>& vertices, const PairPositions& pressed,
                           const PairPositions& rubbed, ContactForces& sum);
+    /// sharing: how many pairs may take the same sliding; length: s, of the substep.
     PairPositions friction_of(const SurfacePairs& two, const ContactPair& pair, const PairPositions& at,
-                              double sharing, const Substep& substep,
-                              std::span<const Eigen::Isometry3d> before,
-                              std::span<const Eigen::Isometry3d> places) const;
+                              const PairPlaces& places, double sharing, double length) const;
     /// Whether points of either push the other one.
     bool points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const;
     /// The square of frequencies, 1/s^2, that surfaces may add to those of any body in the step.
@@ -126,10 +126,11 @@ class ExplicitBodies {
     std::vector<std::unique_ptr<NearPairs>> pairs;  ///< with the surface of each body; null if it has none
     std::vector<PointContact> points;
     std::vector<std::unique_ptr<SurfacePairs>> surfaces;
-    std::vector<char> crossed_then;                         ///< at the beginning of the step
-    std::vector<Force> forces, before;                      ///< on each body, at the last two evaluations
-    std::vector<Force> friction, friction_before;           ///< what of them is friction
-    std::vector<Vector6d> moved;                            ///< m, rad, of each body in the last substep
+    std::vector<Index> first_vertex;               ///< of each obstacle, see ContactForces::deforming
+    std::vector<char> crossed_then;                ///< at the beginning of the step
+    std::vector<Force> forces, before;             ///< on each body, at the last two evaluations
+    std::vector<Force> friction, friction_before;  ///< what of them is friction
+    std::vector<Vector6d> moved;                   ///< m, rad, of each body in the last substep
     double of_contact = 0, of_friction = 0, of_weight = 0;  ///< J
 };
 

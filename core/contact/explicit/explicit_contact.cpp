@@ -35,6 +35,7 @@ void ExplicitContact::place(double from, double time) {
     substep.begin = from;
     substep.length = time - from;
     if (sheets) sheets->begin(substep);
+    bodies.move_to(time);
 }
 
 void ExplicitContact::begin(double time, bool first) {
