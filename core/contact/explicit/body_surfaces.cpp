@@ -35,14 +35,6 @@ void ExplicitBodies::look(std::span<const Eigen::Isometry3d> places) {
     for (const auto& two : surfaces) two->look({now[two->body], now[two->other]});
 }
 
-bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const {
-    bool hold = false;
-    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
-        hold |= (body == two.body && other == two.other) || (body == two.other && other == two.body);
-    });
-    return hold;
-}
-
 PairPositions ExplicitBodies::friction_of(const SurfacePairs& two, const ContactPair& pair,
                                           const PairPositions& at, const PairPlaces& places, double sharing,
                                           double length) const {

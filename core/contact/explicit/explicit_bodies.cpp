@@ -182,6 +182,14 @@ void ExplicitBodies::each_point(std::span<const Eigen::Isometry3d> places, Add a
     }
 }
 
+bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const {
+    bool hold = false;
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
+        hold |= (body == two.body && other == two.other) || (body == two.other && other == two.body);
+    });
+    return hold;
+}
+
 void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
                                 std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
     before = std::exchange(forces, std::vector<Force>(all.size()));
