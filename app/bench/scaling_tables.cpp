@@ -21,7 +21,7 @@
 namespace sherd {
 namespace {
 
-constexpr double first_vertices = 400, growth = 4;
+constexpr double fewest_vertices = 400, growth = 4;
 constexpr double fitted_from = 1000;  // vertices: below, the caches hold all
 constexpr double side = 0.5;          // m
 
@@ -178,7 +178,7 @@ std::pair<Json, std::string> scaling(const std::string& only, double most_vertic
     if (print) print_head(bandwidth);
     std::vector<Quiet> all;
     Json json = Json::array();
-    for (double vertices = first_vertices; vertices <= 1.1 * most_vertices; vertices *= growth)
+    for (double vertices = fewest_vertices; vertices <= 1.1 * most_vertices; vertices *= growth)
         for (Quiet& quiet : quiet_steps(vertices, choices, bandwidth)) {
             if (print) print_quiet(quiet);
             json.push_back(quiet_json(quiet));

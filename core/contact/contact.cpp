@@ -9,7 +9,8 @@ Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravi
     : shell(shell), options(std::move(given)), lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     if (!options.bodies.empty())
-        body_contact = std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity);
+        body_contact =
+            std::make_unique<BodyContact>(shell, options.bodies, obstacles, gravity, options.crossed);
     for (const Obstacle& obstacle : obstacles)
         obstacle_contact.push_back(
             std::make_unique<ObstacleContact>(shell, obstacle, obstacle_contact.size()));
@@ -65,6 +66,10 @@ const std::vector<RigidBody>& Contact::bodies() const {
     return body_contact ? body_contact->bodies() : options.bodies;
 }
 
+std::vector<char> Contact::crossed() const {
+    return body_contact ? body_contact->crossed() : std::vector<char>{};
+}
+
 double Contact::stored_energy(const Positions& x) const {
     double sum = 0;
     for (const auto& contact : obstacle_contact) sum += contact->stored_energy(x);
@@ -99,6 +104,7 @@ double Contact::obstacle_work(const StepContext& step, const Positions& x) const
     for (std::size_t o = 0; o < all.size(); ++o)
         if (obstacles[o].moves() && obstacles[o].deformation == nullptr)
             sum += work(all[o], obstacles[o].motion.at(step.begin), obstacles[o].motion.at(step.end()));
+    if (body_contact) sum += body_contact->work_of_deforming(x);
     if (sheet_contact) sum += sheet_contact->work_of_deforming(x);
     if (sheet_friction) sum += sheet_friction->work_of_deforming(x);
     return sum;

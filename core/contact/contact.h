@@ -45,6 +45,7 @@ class Contact {
 
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const;
+    std::vector<char> crossed() const;               ///< see surface_pairs()
     double stored_energy(const Positions& x) const;  ///< elastic energy of all contacts, J
     double stored_at_start() const;                  ///< the same at the beginning of the step
     /// What friction takes in the step that ends at x, J.

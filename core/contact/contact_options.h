@@ -9,6 +9,7 @@ namespace sherd {
 struct ContactOptions {
     std::vector<Obstacle> obstacles = {};
     std::vector<RigidBody> bodies = {};  ///< at the start of the run
+    std::vector<char> crossed = {};      ///< see surface_pairs()
     bool sheets = false;                 ///< whether sheets collide with each other and with themselves
     double friction = 0;                 ///< Coulomb coefficient between sheets
 };

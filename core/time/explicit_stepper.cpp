@@ -77,8 +77,7 @@ bool ExplicitStepper::begin(double of_step) {
     position = shell.position;
     velocity = shell.velocity;
     measure_vertices();
-    contact.of_bodies().begin();
-    contact.place(time, time);
+    contact.begin(time, first);
     if (first || made) {
         energies_now.reset();
         place_clamps_at_start(step);
@@ -201,7 +200,7 @@ MinimiserResult ExplicitStepper::solve(int) {
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
     require_stable(position.allFinite());
-    contact.require_no_passage(step, position);
+    contact.end(step, position);
     ledger.solved(stored());
     return {substeps, true, 0};
 }

@@ -38,6 +38,7 @@ class ExplicitStepper : public Stepper {
     Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.of_bodies().bodies(); }
+    std::vector<char> crossed() const override { return contact.of_bodies().crossed(); }
 
     void visit_state(StateVisitor& visit) override;
     double substep() const { return length; }  ///< s, of the open step, or of the last one

@@ -39,6 +39,7 @@ class ImplicitStepper : public Stepper {
     Positions lip_forces() const override { return contact.lip_forces(position); }
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.bodies(); }
+    std::vector<char> crossed() const override { return contact.crossed(); }
     void visit_state(StateVisitor& visit) override;
 
   private:

@@ -44,6 +44,7 @@ std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme sch
     StepperOptions options = before->options;
     options.scheme = scheme;
     options.contact.bodies = before->bodies();
+    options.contact.crossed = before->crossed();
     before->forces.damp(shell_options(before->shell, options));
     before->ledger.scheme_changed();
     return stepper_of(before->shell, options,

@@ -106,6 +106,8 @@ class Stepper {
     virtual double lip_overlap() const = 0;  ///< m
     /// The bodies at the end of the last finished step.
     virtual const std::vector<RigidBody>& bodies() const = 0;
+    /// Which surfaces of bodies do not see what they meet, then: see surface_pairs().
+    virtual std::vector<char> crossed() const = 0;
 
     virtual void visit_state(StateVisitor& visit) {
         auto& [position, spent, shell, options, forces, ledger, time] = *this;

@@ -9,6 +9,7 @@
 #include "core/time/implicit_stepper.h"
 #include "tests/support/collider_gap.h"
 #include "tests/support/contact_pairs.h"
+#include "tests/support/deforming_strip.h"
 #include "tests/support/friction_of_motion.h"
 #include "tests/support/materials.h"
 #include "tests/support/obstacles.h"
@@ -17,41 +18,6 @@
 
 namespace sherd::test {
 namespace {
-
-/// A rectangle of `count` x 2 squares in the plane z = 0, about the origin.
-Positions strip_points(double length, double width, int count) {
-    Positions points(3, 3 * (count + 1));
-    for (int i = 0; i <= count; ++i)
-        for (int j = 0; j < 3; ++j)
-            points.col(3 * i + j) = Vector3d(length * (1.0 * i / count - 0.5), width * (0.5 * j - 0.5), 0);
-    return points;
-}
-
-std::vector<std::array<Index, 3>> strip_triangles(int count) {
-    std::vector<std::array<Index, 3>> triangles;
-    for (Index i = 0; i < count; ++i)
-        for (Index j = 0; j < 2; ++j) {
-            const Index a = 3 * i + j;
-            triangles.push_back({a, a + 3, a + 4});
-            triangles.push_back({a, a + 4, a + 1});
-        }
-    return triangles;
-}
-
-/// samples: [3, P] m, so many seconds apart.
-Obstacle deforming(const std::vector<Positions>& samples, const std::vector<std::array<Index, 3>>& triangles,
-                   double interval, bool smooth = false) {
-    Obstacle obstacle = test::obstacle(BareSurface{});
-    obstacle.surface = std::make_shared<ColliderSurface>(collider_surface(samples[0], triangles, true));
-    Deformation deformation;
-    for (const Positions& sample : samples) {
-        deformation.times.push_back(interval * static_cast<double>(deformation.times.size()));
-        deformation.samples.push_back(sample.cast<float>());
-    }
-    deformation.smooth = smooth;
-    obstacle.deformation = std::make_shared<Deformation>(deformation);
-    return obstacle;
-}
 
 /// A strip that closes like a book about the y axis, from flat to half a turn of either half in 1 s.
 Obstacle closing_book(double length, double width, int count) {
@@ -67,21 +33,6 @@ Obstacle closing_book(double length, double width, int count) {
         samples.push_back(sample);
     }
     return deforming(samples, strip_triangles(count), 1.0 / 40);
-}
-
-/// A belt that moves along x and is stretched meanwhile, to `stretch` times its length in 1 s.
-Obstacle belt(double speed, double stretch, double friction) {
-    std::vector<Positions> samples;
-    for (int s = 0; s <= 40; ++s) {
-        Positions sample = strip_points(0.6, 0.3, 12);
-        const double time = s / 40.0;
-        sample.row(0) *= 1 + (stretch - 1) * time;
-        sample.row(0).array() += speed * time;
-        samples.push_back(sample);
-    }
-    Obstacle obstacle = deforming(samples, strip_triangles(12), 1.0 / 40);
-    obstacle.friction = friction;
-    return obstacle;
 }
 
 StepperOptions against(const Obstacle& obstacle, double step, Scheme scheme = Scheme::implicit_euler) {

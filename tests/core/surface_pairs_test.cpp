@@ -5,10 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "core/contact/bodies/body_contact.h"
 #include "core/time/implicit_stepper.h"
+#include "tests/support/free_boxes.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/plates.h"
 #include "tests/support/steps.h"
@@ -16,34 +15,12 @@
 namespace sherd::test {
 namespace {
 
-RigidBody solid_body(const Vector3d& size, const Vector3d& centre, double density = 2000) {
-    RigidBody box = rigid_box(size, density);
-    box.surface = box_surface(Vector3d::Zero(), 0.5 * size);
-    box.centre = centre;
-    box.friction = 0.3;
-    return box;
-}
-
 RigidBody fast_ball(const Vector3d& centre, const Vector3d& velocity) {
     RigidBody ball = rigid_sphere(0.0025, 7850);
     ball.surface = sphere_surface(0.0025, 2);
     ball.centre = centre;
     ball.velocity = velocity;
     return ball;
-}
-
-/// By an eighth of a turn, which takes a box from a face down to an edge down.
-Matrix3d turn_about(const Vector3d& axis) {
-    return Eigen::AngleAxisd(std::numbers::pi / 4, axis).toRotationMatrix();
-}
-
-/// A long box, edge up: its upper edge is along y at height zero.
-Obstacle roof(double x) {
-    const double half = 0.01;
-    Obstacle roof = solid_box(Vector3d::Zero(), Vector3d(half, 0.03, half), 3e10, 0.3);
-    roof.motion.place.linear() = turn_about(Vector3d::UnitY());
-    roof.motion.place.translation() = Vector3d(x, 0, -std::sqrt(2.0) * half);
-    return roof;
 }
 
 /// Steps, halved where they cannot be made, until `duration` s are over; false if that does not help.
@@ -201,21 +178,6 @@ INSTANTIATE_TEST_SUITE_P(SurfacePairs, MeetingEdges,
                          testing::Values(Meeting{Scheme::implicit_euler, 0},
                                          Meeting{Scheme::implicit_euler, 0.3}, Meeting{Scheme::bdf2, 0},
                                          Meeting{Scheme::bdf2, 0.3}));
-
-Vector6d momenta(const std::vector<RigidBody>& bodies) {
-    Vector6d sum = Vector6d::Zero();
-    for (const RigidBody& body : bodies) {
-        sum.head<3>() += body.mass * body.velocity;
-        sum.tail<3>() += body.mass * body.centre.cross(body.velocity) + body.angular_momentum;
-    }
-    return sum;
-}
-
-double kinetic(const std::vector<RigidBody>& bodies) {
-    double sum = 0;
-    for (const RigidBody& body : bodies) sum += body.kinetic_energy();
-    return sum;
-}
 
 // Two boxes that meet in flight, edge to edge: what one loses the other gains, and no energy is made.
 TEST_P(MeetingEdges, KeepsMomentumAndMakesNoEnergy) {

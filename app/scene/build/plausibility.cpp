@@ -213,35 +213,15 @@ void warn_of_long_ways(const Scene& scene, const std::vector<SheetInput>& inputs
             "({:.3g} m): the blow is over before it is felt elsewhere; use a step of {:g} s or less",
             scene.sheets[s].where, scene.sheets[s].name, speed * step, step, edge, round_step(edge / speed)));
     }
-    // In implicit steps nothing passes a body unseen.
-    if (scene.solver.scheme != Scheme::explicit_differences && !scene.solver.alternates) return;
-    const double step_of_body = scene.solver.alternates ? std::min(step, explicit_step) : step;
-    for (std::size_t b = 0; b < options.stepper.contact.bodies.size(); ++b) {
-        const RigidBody& body = options.stepper.contact.bodies[b];
-        const double size = body.shape->bounds().sizes().minCoeff(), speed = body.velocity.norm();
-        if (speed * step_of_body <= size ||
-            (options.stepper.contact.obstacles.empty() && options.stepper.contact.bodies.size() == 1))
-            continue;
-        warnings.push_back(
-            fmt::format("{}: obstacle.{} moves {:.3g} m in one explicit step of {:g} s, more than its size "
-                        "({:.3g} m): it may pass other obstacles unseen; use a step of {:g} s or less",
-                        scene.bodies[b].where, scene.bodies[b].name, speed * step_of_body, step_of_body, size,
-                        round_step(size / speed)));
-    }
 }
 
-/// Of the caches of what deforms, and of free bodies, which do not meet it.
+/// Of the caches of what deforms.
 void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
                        std::vector<std::string>& warnings) {
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
         const Obstacle& obstacle = options.stepper.contact.obstacles[o];
         if (obstacle.deformation == nullptr) continue;
         warn_of_cache(scene.obstacles[o], *obstacle.deformation, scene.duration, warnings);
-        if (!scene.bodies.empty())
-            warnings.push_back(
-                fmt::format("{}: obstacle.{} passes through obstacle.{}: free bodies do not "
-                            "meet what deforms",
-                            scene.obstacles[o].where, scene.obstacles[o].name, scene.bodies[0].name));
     }
 }
 

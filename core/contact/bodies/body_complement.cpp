@@ -30,10 +30,10 @@ std::vector<std::size_t> BodyContact::groups(const VectorXd& q, bool ahead) cons
         if (!is_free(pair->other)) continue;
         const double reach = 0.5 * (started[pair->body].shape->bounds().diagonal().norm() +
                                     started[pair->other].shape->bounds().diagonal().norm());
-        const Eigen::Isometry3d &here = at_q[pair->body].place, &there = at_q[pair->other].place;
+        const PairPlaces at = places_of(*pair, at_q);
         const bool close =
-            ahead && (here.translation() - there.translation()).norm() < (1 + ahead_of_contact) * reach;
-        if (close || !pair->sliding().empty() || pair->touch(here, there)) join(pair->body, pair->other);
+            ahead && (at.here.translation() - at.there.translation()).norm() < (1 + ahead_of_contact) * reach;
+        if (close || !pair->sliding().empty() || pair->touch(at)) join(pair->body, pair->other);
     }
     return group;
 }

@@ -13,14 +13,15 @@ constexpr double most_widths = 8, most_widths_in_collider = 0.25;
 }  // namespace
 
 BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
-                         const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
+                         const std::vector<Obstacle>& obstacles, const Vector3d& gravity,
+                         std::span<const char> crossed)
     : shell(shell),
       obstacles(obstacles),
       gravity(gravity),
       started(std::move(bodies)),
       finished(started),
       ended(started),
-      surfaces(surface_pairs(started, obstacles)),
+      surfaces(surface_pairs(started, obstacles, crossed)),
       held_by_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
@@ -61,12 +62,13 @@ void BodyContact::make_steps(const StepContext& step) {
     obstacle_starts = obstacle_places;
     place_obstacles(step.end());
     find_sliding(step);
-    for (const auto& pair : surfaces) pair->begin(start_of(pair->body), start_of(pair->other), step.length);
+    for (const auto& pair : surfaces) pair->begin(start_of(*pair), step.length);
 }
 
 void BodyContact::place_obstacles(double time) {
     obstacle_places.clear();
     for (const Obstacle& obstacle : obstacles) obstacle_places.push_back(obstacle.motion.at(time));
+    for (const auto& pair : surfaces) pair->move_to(time);
 }
 
 void BodyContact::find_sliding(const StepContext& step) {
@@ -163,14 +165,14 @@ template <class Add>
 void BodyContact::each_surface_force(const std::vector<BodyPose>& at_q, Add add) const {
     for (const auto& pairs_of_two : surfaces_of_step()) {
         const SurfacePairs& two = *pairs_of_two;
-        const Eigen::Isometry3d &here = at_q[two.body].place, &there = at_q[two.other].place;
-        two.each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
+        const PairPlaces places = places_of(two, at_q);
+        two.each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
             add(two, pair.vertices, at, PairPositions(PairPositions::Zero()), gradient(pair, at),
                 hessian(pair, at, true), sherd::value(pair, at), true);
         });
         for (const SlidingPair& pair : two.sliding()) {
-            const PairPositions way = two.moved(pair, here, there);
-            add(two, pair.vertices, two.in_space(pair.vertices, here, there), way, pair.gradient(way),
+            const PairPositions way = two.moved(pair.vertices, places);
+            add(two, pair.vertices, two.in_space(pair.vertices, places), way, pair.gradient(way),
                 pair.hessian(way), pair.value(way), false);
         }
     }
@@ -249,7 +251,7 @@ void BodyContact::finish(const Positions& x) {
     for (const auto& [number, body, other, point, friction] : sliding)
         held_by_points.keep(
             number, friction.held_after(at_end[body].place * point, at_end[other].place * friction.anchor));
-    for (const auto& pair : surfaces) pair->finish(at_end[pair->body].place, at_end[pair->other].place);
+    for (const auto& pair : surfaces) pair->finish(places_of(*pair, at_end));
 }
 
 double BodyContact::stored_energy(const Positions& x) const {
@@ -295,6 +297,21 @@ double BodyContact::kinetic_change() const {
     return sum;
 }
 
+double BodyContact::work_of_deforming(const Positions& x) const {
+    solve(x);
+    const std::vector<BodyPose> at_end = poses(best);
+    double sum = 0;
+    each_surface_force(
+        at_end, [&](const SurfacePairs& two, const std::array<Index, 4>& vertices, const PairPositions&,
+                    const PairPositions&, const PairPositions& force, const PairHessian&, double, bool) {
+            if (!two.other_deforms()) return;
+            const PairPositions way = two.moved(vertices, places_of(two, at_end));
+            for (int i = 0; i < 4; ++i)
+                if (vertices[i] < two.first()) sum += force.col(i).dot(way.col(i));
+        });
+    return sum;
+}
+
 void BodyContact::add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const {
     solve(x);
     each_point_force(best, [&](const std::vector<BodyPose>&, std::size_t, std::size_t other,
@@ -328,8 +345,7 @@ void BodyContact::add_touch(const Positions& x, Touch& touch) const {
     for (const PointContact& contact : points)
         if (overlap_of(contact, at_best_poses).depth > 0) include(contact.body, contact.other);
     for (const auto& pair : surfaces_of_step())
-        if (pair->touch(at_best_poses[pair->body].place, at_best_poses[pair->other].place))
-            include(pair->body, pair->other);
+        if (pair->touch(places_of(*pair, at_best_poses))) include(pair->body, pair->other);
 }
 
 }  // namespace sherd

@@ -26,9 +26,9 @@ namespace sherd {
 class BodyContact : public Energy {
   public:
     /// bodies: their state at the start of the run. Shell and obstacles must outlive this object. gravity:
-    /// m/s^2.
+    /// m/s^2. crossed: see surface_pairs().
     BodyContact(const Shell& shell, std::vector<RigidBody> bodies, const std::vector<Obstacle>& obstacles,
-                const Vector3d& gravity);
+                const Vector3d& gravity, std::span<const char> crossed = {});
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
     void moved_to(const Positions& x) override;
@@ -45,6 +45,7 @@ class BodyContact : public Energy {
     void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
     const std::vector<RigidBody>& bodies() const { return finished; }
+    std::vector<char> crossed() const { return crossed_surfaces(surfaces); }  ///< see surface_pairs()
 
     double value(const Positions& x) const override;
     void add_gradient(const Positions& x, Positions& gradient) const override;
@@ -64,6 +65,8 @@ class BodyContact : public Energy {
     double work_of_all() const;
     double kinetic_change() const;  ///< J, in that step
     void add_touch(const Positions& x, Touch& touch) const;
+    /// Work, J, in the step, of the obstacles that deform on bodies, when the shell is at x.
+    double work_of_deforming(const Positions& x) const;
     /// Adds the obstacles' forces on bodies, when the shell is at x, to the reactions.
     void add_reactions(const Positions& x, std::span<Reaction> of_obstacles) const;
     /// The rest is made by begin() and topology_changed().
@@ -107,6 +110,12 @@ class BodyContact : public Energy {
     /// Where a collider is at the beginning of the step.
     Eigen::Isometry3d start_of(std::size_t number) const {
         return is_free(number) ? started[number].pose() : obstacle_starts[number - steps.size()];
+    }
+    PairPlaces start_of(const SurfacePairs& pair) const {
+        return {start_of(pair.body), start_of(pair.other), true};
+    }
+    static PairPlaces places_of(const SurfacePairs& pair, const std::vector<BodyPose>& at) {
+        return {at[pair.body].place, at[pair.other].place};
     }
     /// Poses of all colliders when the bodies are at q.
     std::vector<BodyPose> poses(const VectorXd& q) const;

@@ -27,15 +27,22 @@ void BodyContact::go_along() {
         start.push_back(start_of(c));
         end.push_back(is_free(c) ? start_of(c) : obstacle_places[c - steps.size()]);
     }
-    const auto meet = [&](const SurfacePairs& pair) {
-        return pair.free_way(start[pair.body], start[pair.other], end[pair.body], end[pair.other]) < 1;
-    };
-    const auto pushed = [&](std::size_t one, std::size_t by) {
-        if (!is_free(one) || end[by].matrix() == start[by].matrix()) return false;
-        const Eigen::Isometry3d along = end[by] * start[by].inverse() * start[one];
+    const auto ends = [&](const SurfacePairs& pair) { return PairPlaces{end[pair.body], end[pair.other]}; };
+    const auto meet = [&](const SurfacePairs& pair) { return pair.free_way(start_of(pair), ends(pair)) < 1; };
+    const auto moves = [&](std::size_t one, const Eigen::Isometry3d& along) {
         if (along.matrix() == end[one].matrix()) return false;
         end[one] = along;
         return true;
+    };
+    const auto pushed = [&](std::size_t one, std::size_t by) {
+        if (!is_free(one) || end[by].matrix() == start[by].matrix()) return false;
+        return moves(one, end[by] * start[by].inverse() * start[one]);
+    };
+    const auto pushed_by_deforming = [&](const SurfacePairs& pair) {
+        if (!pair.other_deforms()) return false;
+        const PairPlaces stays{start[pair.body], end[pair.other]};
+        return moves(pair.body,
+                     Eigen::Translation3d(pair.pushed_along(start_of(pair), stays)) * start[pair.body]);
     };
     // What is pushed may push others, so many at most.
     bool any = true;
@@ -43,7 +50,7 @@ void BodyContact::go_along() {
         any = false;
         for (const auto& pair : surfaces)
             if (meet(*pair))
-                any |= pushed(pair->body, pair->other) ||
+                any |= pushed_by_deforming(*pair) || pushed(pair->body, pair->other) ||
                        (end[pair->body].matrix() != start[pair->body].matrix() &&
                         pushed(pair->other, pair->body));
     }
@@ -65,8 +72,7 @@ double BodyContact::free_way(const Positions& x, const VectorXd& from, const Vec
     if (surfaces.empty()) return fraction;
     const std::vector<BodyPose> before = poses(from), after = poses(to);
     for (const auto& pair : surfaces)
-        fraction = std::min(fraction, pair->free_way(before[pair->body].place, before[pair->other].place,
-                                                     after[pair->body].place, after[pair->other].place));
+        fraction = std::min(fraction, pair->free_way(places_of(*pair, before), places_of(*pair, after)));
     return fraction;
 }
 
@@ -153,8 +159,7 @@ bool BodyContact::have_straight_ways(const Positions& x, const VectorXd& q, doub
         if (!steps[b].has_straight_way(x, part(q, b), widths)) return false;
     const std::vector<BodyPose> end = poses(q);
     return std::ranges::all_of(surfaces, [&](const auto& pair) {
-        return pair->has_straight_way(start_of(pair->body), start_of(pair->other), end[pair->body].place,
-                                      end[pair->other].place, widths_in_collider);
+        return pair->has_straight_way(start_of(*pair), places_of(*pair, end), widths_in_collider);
     });
 }
 

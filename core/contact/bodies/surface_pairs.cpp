@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/bodies/point_contacts.h"
 
@@ -18,6 +19,9 @@ constexpr double largest_inset = 3;  // times the inset, of the point of a needl
 /// Of the range of pairs, by which surfaces that come to see each other may press: what is stored in them
 /// then comes from nowhere.
 constexpr double still_apart = 1e-3;
+/// The same where another time scheme had them see each other: a barrier that is pressed by less stores less
+/// than a spring that is pressed as far; springs give way by all of it.
+constexpr double barrier_takes_over = 2.0 / 3, springs_take_over = 1;
 /// Pairs are forgotten when the ball around a body, so many times larger, has left the other one.
 constexpr double times_of_kept = 3;
 /// A sheet meets a collider's surface at a quarter of its thickness (ContactSurface).
@@ -73,10 +77,16 @@ double extent_of(const RigidBody& body) {
 }
 
 /// The surface of a body, moved inward.
+std::shared_ptr<const Shell> core_with_facets(const RigidBody& body) {
+    const double inset = inset_of_extent * extent_of(body);
+    return core_of(body, inset, range_of_inset * inset);
+}
+
+/// The same, but of a ball that its centre makes round.
 std::shared_ptr<const Shell> core_of(const RigidBody& body) {
-    const double inset =
-        is_ball(body) ? inset_of_radius * body.contact_radius : inset_of_extent * extent_of(body);
-    return core_of(body, inset, (is_ball(body) ? range_of_ball : range_of_inset) * inset);
+    if (!is_ball(body)) return core_with_facets(body);
+    const double inset = inset_of_radius * body.contact_radius;
+    return core_of(body, inset, range_of_ball * inset);
 }
 
 /// Whether the edge from p to q cuts the triangle a b c.
@@ -110,16 +120,18 @@ bool any_cuts(const Positions& all, const std::vector<std::array<Index, 2>>& edg
 }  // namespace
 
 SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_ptr<const Shell> of_one,
-                           std::size_t other, const Collider& two)
+                           std::size_t other, const Collider& two, MetSurface surface,
+                           std::array<bool, 2> found_corners, bool are_springs)
     : body(body),
       other(other),
       stiffness(one.point_stiffness(two)),
       friction(friction_between(one, two)),
       of_body(extent_of(one)),
       second_young(two.young),
-      second(two.surface),
-      core(std::move(of_one)) {
-    for (const Box& point : boxes_of(second->points)) bounds.include(point);
+      second(std::move(surface)),
+      core(std::move(of_one)),
+      corners(found_corners),
+      springs(are_springs) {
     radius = std::sqrt(core->rest.colwise().squaredNorm().maxCoeff()) +
              ContactCandidates::nearness * core->thickness[0] / thickness_of_range;
 }
@@ -127,22 +139,21 @@ SurfacePairs::SurfacePairs(std::size_t body, const RigidBody& one, std::shared_p
 const NearPairs& SurfacePairs::near() const {
     if (!pairs)
         pairs = std::make_unique<NearPairs>(
-            ContactSurface(*core, {{second.get(), second_young, 0, {}, 0}}, false));
+            ContactSurface(*core, {{&second.surface(), second_young, 0, {}, 0}}, false, springs));
     return *pairs;
 }
 
-bool SurfacePairs::balls_meet(const Eigen::Isometry3d& before, const Eigen::Isometry3d& after,
+bool SurfacePairs::balls_meet(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to,
                               double times) const {
     Box ball;
-    const Eigen::Array3d start = before.translation(), end = after.translation();
+    const Eigen::Array3d start = from.translation(), end = to.translation();
     ball.lower = start.min(end) - times * radius;
     ball.upper = start.max(end) + times * radius;
-    return ball.meets(bounds);
+    return ball.meets(second.bounds());
 }
 
-bool SurfacePairs::may_meet(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
-                            const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then) const {
-    return !crossed && balls_meet(there.inverse() * here, there_then.inverse() * here_then);
+bool SurfacePairs::may_meet(const PairPlaces& from, const PairPlaces& to) const {
+    return !crossed && balls_meet(from.there.inverse() * from.here, to.there.inverse() * to.here);
 }
 
 bool SurfacePairs::cross(const Positions& all) const {
@@ -151,96 +162,164 @@ bool SurfacePairs::cross(const Positions& all) const {
            any_cuts(all, surface.edges(), surface.collider_triangles());
 }
 
-Positions SurfacePairs::seen(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
-    Positions all(3, second->size() + core->rest.cols());
-    all << second->points, (there.inverse() * here) * core->rest;
+Positions SurfacePairs::seen(const PairPlaces& places) const {
+    Positions all(3, first() + core->rest.cols());
+    all << second.points(places.at_start), (places.there.inverse() * places.here) * core->rest;
     return all;
 }
 
-PairPositions SurfacePairs::in_space(const std::array<Index, 4>& vertices, const Eigen::Isometry3d& here,
-                                     const Eigen::Isometry3d& there) const {
+PairPositions SurfacePairs::in_space(const std::array<Index, 4>& vertices, const PairPlaces& places) const {
+    const Positions& points = second.points(places.at_start);
     PairPositions at;
     for (int i = 0; i < 4; ++i)
-        at.col(i) = vertices[i] < first() ? there * Vector3d(second->points.col(vertices[i]))
-                                          : here * Vector3d(core->rest.col(vertices[i] - first()));
+        at.col(i) = vertices[i] < first() ? places.there * Vector3d(points.col(vertices[i]))
+                                          : places.here * Vector3d(core->rest.col(vertices[i] - first()));
     return at;
 }
 
-double SurfacePairs::free_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
-                              const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then) const {
-    const Eigen::Isometry3d before = there.inverse() * here, after = there_then.inverse() * here_then;
-    if (before.matrix() == after.matrix() || !may_meet(here, there, here_then, there_then)) return 1;
-    const double angle = Eigen::AngleAxisd(before.linear().transpose() * after.linear()).angle();
+double SurfacePairs::free_way(const PairPlaces& from, const PairPlaces& to) const {
+    const Eigen::Isometry3d start = from.there.inverse() * from.here, end = to.there.inverse() * to.here;
+    const bool rests = start.matrix() == end.matrix() && (!second.deforms() || from.at_start == to.at_start);
+    if (rests || !may_meet(from, to)) return 1;
+    const double angle = Eigen::AngleAxisd(start.linear().transpose() * end.linear()).angle();
     if (angle > largest_turn) return 0.5 * largest_turn / angle;
-    const Positions start = seen(here, there);
-    return near().safe_fraction(start, seen(here_then, there_then) - start);
+    const Positions all = seen(from);
+    return near().safe_fraction(all, seen(to) - all);
 }
 
-bool SurfacePairs::has_straight_way(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there,
-                                    const Eigen::Isometry3d& here_then, const Eigen::Isometry3d& there_then,
-                                    double widths) const {
-    const Eigen::Isometry3d before = there.inverse() * here, after = there_then.inverse() * here_then;
-    const double way = (after.translation() - before.translation()).norm();
+bool SurfacePairs::has_straight_way(const PairPlaces& from, const PairPlaces& to, double widths) const {
+    const Eigen::Isometry3d start = from.there.inverse() * from.here, end = to.there.inverse() * to.here;
+    const double way = (end.translation() - start.translation()).norm() +
+                       (from.at_start == to.at_start ? 0 : second.longest_way());
     const double width = widths * of_body;
-    if (way <= width || !may_meet(here, there, here_then, there_then)) return true;
-    Eigen::Isometry3d end = before;
-    end.translation() = after.translation();
-    const Positions start = seen(before, Eigen::Isometry3d::Identity());
-    const Positions motion = seen(end, Eigen::Isometry3d::Identity()) - start;
-    return (1 - near().safe_fraction(start, motion)) * way <= width;
+    if (way <= width || !may_meet(from, to)) return true;
+    PairPlaces moved{start, Eigen::Isometry3d::Identity(), to.at_start};
+    moved.here.translation() = end.translation();
+    const Positions all = seen({start, Eigen::Isometry3d::Identity(), from.at_start});
+    return (1 - near().safe_fraction(all, seen(moved) - all)) * way <= width;
 }
 
-bool SurfacePairs::apart(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) const {
-    const Eigen::Isometry3d at = there.inverse() * here;
+Vector3d SurfacePairs::pushed_along(const PairPlaces& from, const PairPlaces& to) const {
+    Vector3d most = Vector3d::Zero();
+    if (!may_meet(from, to)) return most;
+    const Positions all = seen(from), way = seen({from.here, to.there, to.at_start}) - all;
+    for (const ContactPair& pair : near().pairs_nearby(all, way)) {
+        const PairPositions moved = in_space(pair.vertices, to) - in_space(pair.vertices, from);
+        for (int i = 0; i < 4; ++i)
+            if (pair.vertices[i] < first() && moved.col(i).squaredNorm() > most.squaredNorm())
+                most = moved.col(i);
+    }
+    return most;
+}
+
+bool SurfacePairs::apart(const PairPlaces& places, double pressed) const {
+    const Eigen::Isometry3d at = places.there.inverse() * places.here;
     if (!balls_meet(at, at)) return true;
-    const Positions all = seen(here, there);
+    const Positions all = seen(places);
     return !cross(all) && std::ranges::all_of(near().active_pairs(all), [&](const ContactPair& pair) {
-        const double pressed = pair.activation_distance - distance(pair, columns(all, pair.vertices));
-        return pressed < still_apart * pair.barrier().range;
+        const double depth = pair.activation_distance - distance(pair, columns(all, pair.vertices));
+        return is_of_points(pair) || depth < pressed * pair.barrier().range;
     });
 }
 
-void SurfacePairs::begin(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there, double length) {
-    here_before = here;
-    there_before = there;
-    sliding_pairs.clear();
-    if (crossed) crossed = !apart(here, there);
-    const Eigen::Isometry3d at = there.inverse() * here;
+int SurfacePairs::count_active(const PairPlaces& places) const {
+    int count = 0;
+    each_active(places, [&](const ContactPair&, const PairPositions&) { ++count; });
+    return count;
+}
+
+void SurfacePairs::look(const PairPlaces& places) {
+    if (!crossed) return;
+    const double pressed = !seen_before ? still_apart : springs ? springs_take_over : barrier_takes_over;
+    crossed = !apart(places, pressed);
+    seen_before = false;
+}
+
+void SurfacePairs::place(const PairPlaces& places) {
+    before = places;
+    before.at_start = true;
+    const Eigen::Isometry3d at = places.there.inverse() * places.here;
     if (!balls_meet(at, at, times_of_kept)) pairs.reset();
+}
+
+bool SurfacePairs::passes(const PairPlaces& places) {
+    if (!may_meet(before, places)) return false;
+    // What has nothing within reach where it comes from must move by the whole range to get through.
+    const Eigen::Isometry3d from = before.there.inverse() * before.here,
+                            to = places.there.inverse() * places.here;
+    const double turn = Eigen::AngleAxisd(from.linear().transpose() * to.linear()).angle();
+    const double way = (to.translation() - from.translation()).norm() + turn * radius + second.longest_way();
+    if (way < core->thickness[0] / thickness_of_range && near().active_pairs(seen(places)).empty())
+        return false;
+    crossed = free_way(before, places) < 1;
+    return crossed;
+}
+
+double SurfacePairs::stiffness_on_way(const PairPlaces& places, const Positions& of_other,
+                                      const Positions& motion) const {
+    const Positions start = seen(places);
+    Positions moved = Positions::Zero(3, start.cols());
+    if (of_other.cols() > 0) moved.leftCols(of_other.cols()) = of_other;
+    moved.rightCols(motion.cols()) = motion;
+    double sum = 0;
+    for (const ContactPair& pair : near().pairs_within_reach(start, moved))
+        if (!is_of_points(pair)) sum += stiffness;
+    return sum;
+}
+
+void SurfacePairs::begin(const PairPlaces& places, double length) {
+    sliding_pairs.clear();
+    look(places);
+    place(places);
     if (friction == 0) return;
-    each_active(here, there, [&](const ContactPair& pair, const PairPositions& at) {
+    each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
         sliding_pairs.push_back(
             sliding_pair(pair, at, friction, length, held.of({pair.kind, pair.vertices})));
     });
 }
 
-void SurfacePairs::finish(const Eigen::Isometry3d& here, const Eigen::Isometry3d& there) {
+void SurfacePairs::finish(const PairPlaces& places) {
     held.clear();
     for (const SlidingPair& pair : sliding_pairs)
-        held.keep(pair.key(), pair.held_after(moved(pair, here, there)));
+        held.keep(pair.key(), pair.held_after(moved(pair.vertices, places)));
     held.sort();
 }
 
 std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
-                                                         const std::vector<Obstacle>& obstacles) {
-    std::vector<std::shared_ptr<const Shell>> cores;
-    for (const RigidBody& body : bodies) cores.push_back(body.surface ? core_of(body) : nullptr);
+                                                         const std::vector<Obstacle>& obstacles,
+                                                         std::span<const char> crossed, bool springs) {
+    std::vector<std::shared_ptr<const Shell>> cores, with_facets;
+    for (const RigidBody& body : bodies) {
+        cores.push_back(body.surface ? core_of(body) : nullptr);
+        with_facets.push_back(body.surface && is_ball(body) ? core_with_facets(body) : cores.back());
+    }
     std::vector<std::unique_ptr<SurfacePairs>> all;
-    const auto add = [&](std::size_t one, std::size_t two, const Collider& second) {
-        all.push_back(std::make_unique<SurfacePairs>(one, bodies[one], cores[one], two, second));
+    const auto add = [&](std::size_t one, std::size_t two, const Collider& second,
+                         const MetSurface& surface) {
+        const bool found = !is_ball(bodies[one]) && !surface.deforms();
+        all.push_back(std::make_unique<SurfacePairs>(
+            one, bodies[one], surface.deforms() ? with_facets[one] : cores[one], two, second, surface,
+            std::array{found, found && two < bodies.size()}, springs));
+        if (!crossed.empty()) all.back()->go_on(crossed[all.size() - 1]);
     };
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (!bodies[b].surface) continue;
         for (std::size_t other = b + 1; other < bodies.size(); ++other) {
             if (!bodies[other].surface) continue;
             const bool swapped = is_ball(bodies[other]) && !is_ball(bodies[b]);
-            add(swapped ? other : b, swapped ? b : other, bodies[swapped ? b : other]);
+            const RigidBody& second = bodies[swapped ? b : other];
+            add(swapped ? other : b, swapped ? b : other, second, MetSurface(second));
         }
         for (std::size_t o = 0; o < obstacles.size(); ++o)
-            if (obstacles[o].surface && obstacles[o].deformation == nullptr)
-                add(b, bodies.size() + o, obstacles[o]);
+            if (obstacles[o].surface) add(b, bodies.size() + o, obstacles[o], MetSurface(obstacles[o]));
     }
     return all;
+}
+
+std::vector<char> crossed_surfaces(std::span<const std::unique_ptr<SurfacePairs>> all) {
+    std::vector<char> crossed;
+    for (const auto& two : all) crossed.push_back(two->is_crossed());
+    return crossed;
 }
 
 }  // namespace sherd

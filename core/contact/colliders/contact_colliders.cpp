@@ -36,6 +36,16 @@ std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::ve
     return colliders;
 }
 
+std::vector<Index> first_vertices(const std::vector<Obstacle>& obstacles) {
+    std::vector<Index> first;
+    Index count = 0;
+    for (const Obstacle& obstacle : obstacles) {
+        first.push_back(count);
+        if (obstacle.surface) count += obstacle.surface->size();
+    }
+    return first;
+}
+
 Positions collider_positions(const std::vector<Obstacle>& obstacles, double time) {
     Eigen::Index count = 0;
     for (const Obstacle& obstacle : obstacles)

@@ -10,6 +10,9 @@ namespace sherd {
 /// time, or are inside it, do not collide with it: it may be what holds them.
 std::vector<ContactCollider> contact_colliders(const Shell& shell, const std::vector<Obstacle>& obstacles);
 
+/// The number of the first vertex of each obstacle among those of all, as collider_positions() has them.
+std::vector<Index> first_vertices(const std::vector<Obstacle>& obstacles);
+
 /// Positions at `time` (s) of the vertices of the same obstacles, in their order: [3, S] m.
 Positions collider_positions(const std::vector<Obstacle>& obstacles, double time);
 

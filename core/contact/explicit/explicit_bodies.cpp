@@ -8,14 +8,22 @@
 #include "core/contact/bodies/body_potential.h"
 #include "core/contact/bodies/body_step.h"
 #include "core/contact/bodies/point_contacts.h"
+#include "core/contact/colliders/contact_colliders.h"
 #include "core/contact/explicit/moving_collider.h"
 #include "core/contact/explicit/pair_friction.h"
 
 namespace sherd {
 
 ExplicitBodies::ExplicitBodies(const Shell& shell, std::vector<RigidBody> bodies,
-                               const std::vector<Obstacle>& obstacles, const Vector3d& gravity)
-    : shell(shell), obstacles(obstacles), gravity(gravity), all(std::move(bodies)), started(all) {
+                               const std::vector<Obstacle>& obstacles, const Vector3d& gravity,
+                               std::span<const char> crossed)
+    : shell(shell),
+      obstacles(obstacles),
+      gravity(gravity),
+      all(std::move(bodies)),
+      started(all),
+      surfaces(surface_pairs(all, obstacles, crossed, true)),
+      first_vertex(first_vertices(obstacles)) {
     for (std::size_t b = 0; b < all.size(); ++b) {
         at_vertices.emplace_back(shell, all[b], obstacles.size() + b);
         pairs.push_back(all[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
@@ -42,9 +50,17 @@ void ExplicitBodies::shell_changed(const ShellChange& change) {
     measure_triangles();
 }
 
-void ExplicitBodies::begin() {
+void ExplicitBodies::begin(std::span<const Eigen::Isometry3d> places) {
     started = all;
     of_contact = of_friction = of_weight = 0;
+    crossed_then = crossed();
+    const std::vector<Eigen::Isometry3d> now = with_bodies(places);
+    for (const auto& two : surfaces) two->place({now[two->body], now[two->other]});
+}
+
+void ExplicitBodies::restart() {
+    all = started;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i]->set_crossed(crossed_then[i]);
 }
 
 const Collider& ExplicitBodies::collider(std::size_t number) const {
@@ -166,6 +182,14 @@ void ExplicitBodies::each_point(std::span<const Eigen::Isometry3d> places, Add a
     }
 }
 
+bool ExplicitBodies::points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const {
+    bool hold = false;
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
+        hold |= (body == two.body && other == two.other) || (body == two.other && other == two.body);
+    });
+    return hold;
+}
+
 void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
                                 std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
     before = std::exchange(forces, std::vector<Force>(all.size()));
@@ -174,6 +198,18 @@ void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::I
         add_vertices(b, substep, sum);
         if (pairs[b]) add_pairs(b, substep, sum);
     }
+    add_points(substep, places_before, places, sum);
+    add_surfaces(substep.length, places, sum);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        of_contact += work(before[b], forces[b], b);
+        of_friction += work(friction_before[b], friction[b], b);
+        of_weight += all[b].mass * gravity.dot(moved[b].head<3>());
+        moved[b].setZero();  // counted
+    }
+}
+
+void ExplicitBodies::add_points(const Substep& substep, std::span<const Eigen::Isometry3d> places_before,
+                                std::span<const Eigen::Isometry3d> places, ContactForces& sum) {
     each_point(places, [&](std::size_t body, std::size_t other, const Overlap& found, const Vector3d& at) {
         const bool free = other < all.size();
         const double stiffness = all[body].point_stiffness(collider(other));
@@ -199,12 +235,6 @@ void ExplicitBodies::add_forces(const Substep& substep, std::span<const Eigen::I
             sum.rub(other - all.size(), touched, rubbed);
         }
     });
-    for (std::size_t b = 0; b < all.size(); ++b) {
-        of_contact += work(before[b], forces[b], b);
-        of_friction += work(friction_before[b], friction[b], b);
-        of_weight += all[b].mass * gravity.dot(moved[b].head<3>());
-        moved[b].setZero();  // counted
-    }
 }
 
 double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const {
@@ -220,23 +250,28 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
     each_point(places, [&](std::size_t body, std::size_t other, const Overlap& found, const Vector3d&) {
         sum += spring(found, all[body].point_stiffness(collider(other)), Curvature::convex).value;
     });
+    const std::vector<Eigen::Isometry3d> now = with_bodies(places);
+    for (const auto& two : surfaces)
+        two->each_active({now[two->body], now[two->other]},
+                         [&](const ContactPair& pair, const PairPositions& at) { sum += value(pair, at); });
     return sum;
 }
 
-double ExplicitBodies::largest_rate(const Positions& x, double margin) const {
-    double largest = 0;
+double ExplicitBodies::largest_rate(const StepContext& step, double margin) const {
+    double largest = 0, of_points = 0;
     // A vertex feels the body's shape and, between vertices, its surface by half a column each; it may be as
     // far from a body that touches an edge or a face as these are long.
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
-        largest = std::max(largest, 2 * at_vertices[b].largest_rate(x, all[b].pose(), reach));
+        largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach));
     }
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();
         const double stiffness = all[body].point_stiffness(collider(other));
-        largest = std::max(largest, all[body].points_at_once() * stiffness / all[body].mass * (1 + turning));
+        of_points =
+            std::max(of_points, all[body].points_at_once() * stiffness / all[body].mass * (1 + turning));
     }
-    return largest;
+    return std::max(largest, of_points + rate_of_surfaces(step));
 }
 
 void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isometry3d> places,
@@ -249,13 +284,19 @@ void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isomet
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }
-    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
+    const auto include = [&](std::size_t body, std::size_t other) {
         touch.bodies.insert(body);
         if (other < all.size())
             touch.bodies.insert(other);
         else
             touch.obstacles.insert(other - all.size());
+    };
+    each_point(places, [&](std::size_t body, std::size_t other, const Overlap&, const Vector3d&) {
+        include(body, other);
     });
+    const std::vector<Eigen::Isometry3d> now = with_bodies(places);
+    for (const auto& two : surfaces)
+        if (two->touch({now[two->body], now[two->other]})) include(two->body, two->other);
 }
 
 double ExplicitBodies::kinetic_change() const {

@@ -14,7 +14,7 @@ namespace sherd {
 ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
     : options(std::move(given)),
       shell(shell),
-      bodies(shell, options.bodies, options.obstacles, gravity),
+      bodies(shell, options.bodies, options.obstacles, gravity, options.crossed),
       lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     for (const Obstacle& obstacle : obstacles) at_vertices.emplace_back(shell, obstacle, at_vertices.size());
@@ -35,6 +35,13 @@ void ExplicitContact::place(double from, double time) {
     substep.begin = from;
     substep.length = time - from;
     if (sheets) sheets->begin(substep);
+    bodies.move_to(time);
+}
+
+void ExplicitContact::begin(double time, bool first) {
+    place(time, time);
+    if (first) bodies.look(now);
+    bodies.begin(now);
 }
 
 void ExplicitContact::shell_changed(const ShellChange& change) {
@@ -139,7 +146,7 @@ double ExplicitContact::stored_energy(const Positions& x) const {
 double ExplicitContact::largest_rate(const StepContext& step, const Positions& motion) {
     const Positions& x = step.origin;
     const double way = motion.cols() > 0 ? std::sqrt(motion.colwise().squaredNorm().maxCoeff()) : 0;
-    double sum = bodies.largest_rate(x, way);
+    double sum = bodies.largest_rate(step, way);
     for (std::size_t o = 0; o < at_vertices.size(); ++o) {
         const Obstacle& obstacle = options.obstacles[o];
         for (const double time : {step.begin, step.end()})
@@ -175,6 +182,11 @@ double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Po
         if (options.obstacles[sheets->obstacle_number(v)].deformation != nullptr)
             sum -= on_deforming.col(v).dot(sheets->way_of_collider(v));
     return sum;
+}
+
+void ExplicitContact::end(const StepContext& step, const Positions& end_of_sheets) {
+    bodies.look(now);
+    require_no_passage(step, end_of_sheets);
 }
 
 void ExplicitContact::require_no_passage(const StepContext& step, const Positions& end) {

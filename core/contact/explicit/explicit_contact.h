@@ -22,6 +22,8 @@ class ExplicitContact {
     ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity);
     ExplicitContact(const ExplicitContact&) = delete;  // its parts refer to its obstacles
 
+    /// Begins a step at `time` (s); first: of this object.
+    void begin(double time, bool first);
     /// Puts the obstacles where they are at `time` (s); `before`: where they were until then.
     void place(double before, double time);
     void shell_changed(const ShellChange& change);
@@ -32,9 +34,9 @@ class ExplicitContact {
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
     /// a step in which it moves by `motion` [3, V] m.
     double largest_rate(const StepContext& step, const Positions& motion);
-    /// Throws std::runtime_error if a sheet passes through another one, or through an obstacle's surface, in
-    /// the straight motion of a step, from its origin to `end` [3, V] m.
-    void require_no_passage(const StepContext& step, const Positions& end);
+    /// Ends a step with the shell at `end` [3, V] m. Throws std::runtime_error if a sheet passes through
+    /// another one, or through an obstacle's surface, in the straight motion from its origin.
+    void end(const StepContext& step, const Positions& end);
     /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces and
     /// those on the vertices of what deforms (ContactForces): the mean over the substep.
     double obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const;
@@ -50,6 +52,7 @@ class ExplicitContact {
     }
 
   private:
+    void require_no_passage(const StepContext& step, const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
     /// all: positions of colliders and sheets at the end of the substep.

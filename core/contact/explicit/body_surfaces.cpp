@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surfaces of the bodies of explicit_bodies.h against those of each other and of obstacles.
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/contact/explicit/explicit_bodies.h"
+#include "core/contact/explicit/moving_collider.h"
+#include "core/contact/explicit/pair_friction.h"
+
+namespace sherd {
+namespace {
+
+/// By how many m/s for each N s a force may move a point of a body that is so far from its centre, at most,
+/// 1/kg.
+double largest_mobility(const RigidBody& body, double arm) {
+    return 1 / body.mass + arm * arm / body.inertia.minCoeff();
+}
+
+}  // namespace
+
+std::vector<Eigen::Isometry3d> ExplicitBodies::with_bodies(std::span<const Eigen::Isometry3d> places) const {
+    std::vector<Eigen::Isometry3d> together;
+    if (surfaces.empty()) return together;
+    for (const RigidBody& body : all) together.push_back(body.pose());
+    together.insert(together.end(), places.begin(), places.end());
+    return together;
+}
+
+void ExplicitBodies::move_to(double time) {
+    for (const auto& two : surfaces) two->move_to(time);
+}
+
+void ExplicitBodies::look(std::span<const Eigen::Isometry3d> places) {
+    const std::vector<Eigen::Isometry3d> now = with_bodies(places);
+    for (const auto& two : surfaces) two->look({now[two->body], now[two->other]});
+}
+
+PairPositions ExplicitBodies::friction_of(const SurfacePairs& two, const ContactPair& pair,
+                                          const PairPositions& at, const PairPlaces& places, double sharing,
+                                          double length) const {
+    const bool free = two.other < all.size();
+    const PairPositions moved = two.moved(pair.vertices, places);
+    const auto is_own = [&](int i) { return pair.vertices[i] >= two.first(); };
+    PairPositions velocity;
+    for (int i = 0; i < 4; ++i)
+        velocity.col(i) = is_own(i) || free ? velocity_at(is_own(i) ? two.body : two.other, at.col(i))
+                                            : Vector3d(moved.col(i) / length);
+    return pair_friction(pair, at, velocity, two.coefficient(), length, [&](const PairPositions& along) {
+        Force on_body, on_other;
+        for (int i = 0; i < 4; ++i)
+            if (is_own(i))
+                on_body.add(at.col(i) - all[two.body].centre, along.col(i));
+            else if (free)
+                on_other.add(at.col(i) - all[two.other].centre, along.col(i));
+        return sharing * (mobility(two.body, on_body) + (free ? mobility(two.other, on_other) : 0));
+    });
+}
+
+void ExplicitBodies::add_surface_pair(const SurfacePairs& two, const PairPositions& at,
+                                      const std::array<Index, 4>& vertices, const PairPositions& pressed,
+                                      const PairPositions& rubbed, ContactForces& sum) {
+    const bool free = two.other < all.size();
+    const std::size_t obstacle = two.other - all.size();
+    for (int i = 0; i < 4; ++i) {
+        const bool own = vertices[i] >= two.first();
+        if (own || free) {
+            push(own ? two.body : two.other, at.col(i), pressed.col(i));
+            rub(own ? two.body : two.other, at.col(i), rubbed.col(i));
+        }
+        if (own && !free) {
+            sum.obstacles[obstacle].add(at.col(i), pressed.col(i));
+            sum.rub(obstacle, at.col(i), rubbed.col(i));
+        }
+        if (!own && !free) {
+            sum.press(first_vertex[obstacle] + vertices[i], pressed.col(i));
+            sum.rub_collider(first_vertex[obstacle] + vertices[i], rubbed.col(i));
+        }
+    }
+}
+
+void ExplicitBodies::add_surfaces(double length, std::span<const Eigen::Isometry3d> obstacle_places,
+                                  ContactForces& sum) {
+    const std::vector<Eigen::Isometry3d> now = with_bodies(obstacle_places);
+    for (const auto& met : surfaces) {
+        const PairPlaces places{now[met->body], now[met->other]};
+        if (met->passes(places) && !points_hold(*met, obstacle_places))
+            throw std::runtime_error(
+                "contact: a free body passes through another one, or through an obstacle: the springs of "
+                "explicit contact are overwhelmed; a stiffer body, less speed, or implicit steps may help");
+        // Each of them may take the sliding of all.
+        const double sharing = met->coefficient() > 0 ? met->count_active(places) : 0;
+        met->each_active(places, [&](const ContactPair& pair, const PairPositions& at) {
+            add_surface_pair(*met, at, pair.vertices, -gradient(pair, at),
+                             friction_of(*met, pair, at, places, sharing, length), sum);
+        });
+        met->place(places);
+    }
+}
+
+Positions ExplicitBodies::motion_of(const SurfacePairs& two, const StepContext& step,
+                                    const Positions& points) const {
+    const bool free = two.other < all.size();
+    Eigen::Isometry3d there = Eigen::Isometry3d::Identity(), there_then = there;
+    if (free) {
+        there = all[two.other].pose();
+    } else {
+        const Motion& motion = obstacles[two.other - all.size()].motion;
+        there = motion.at(step.begin), there_then = motion.at(step.end());
+    }
+    Positions moved(3, points.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Vector3d at = points.col(i);
+        const Vector3d of_other =
+            free ? velocity_at(two.other, at) : velocity_of_point(there, there_then, at, step.length);
+        const Vector3d velocity = velocity_at(two.body, at) - of_other + (free ? 0 : step.length) * gravity;
+        moved.col(i) = step.length * (there.linear().transpose() * velocity);
+    }
+    return moved;
+}
+
+double ExplicitBodies::longest_way(const SurfacePairs& two, const StepContext& step) const {
+    Positions probes(3, 4);
+    probes << Vector3d::Zero(), two.radius_of_body() * Matrix3d::Identity();
+    probes.colwise() += all[two.body].centre;
+    const Positions moved = motion_of(two, step, probes);
+    double way = moved.col(0).norm();
+    for (int i = 1; i < 4; ++i) way += (moved.col(i) - moved.col(0)).norm();
+    return way;
+}
+
+double ExplicitBodies::rate_of_surfaces(const StepContext& step) const {
+    VectorXd rates = VectorXd::Zero(static_cast<Eigen::Index>(all.size()));
+    for (const auto& two : surfaces) {
+        const bool free = two->other < all.size();
+        const Eigen::Isometry3d there =
+            free ? all[two->other].pose() : obstacles[two->other - all.size()].motion.at(step.begin);
+        const double stiffness = two->stiffness_within_reach(
+            {all[two->body].pose(), there}, step.end(), longest_way(*two, step),
+            [&](const Positions& points) { return motion_of(*two, step, points); });
+        if (stiffness == 0) continue;
+        double mobility = largest_mobility(all[two->body], two->radius_of_body());
+        if (free) {
+            const Positions& points = all[two->other].surface->points;
+            mobility += largest_mobility(all[two->other], points.colwise().norm().maxCoeff());
+        }
+        rates[static_cast<Eigen::Index>(two->body)] += stiffness * mobility;
+        if (free) rates[static_cast<Eigen::Index>(two->other)] += stiffness * mobility;
+    }
+    return rates.size() > 0 ? rates.maxCoeff() : 0;
+}
+
+}  // namespace sherd
