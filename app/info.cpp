@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/measures/measures.h"
 #include "app/words/moment_words.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_values.h"
@@ -27,26 +28,6 @@ std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& 
         sheet.area += frame.rest.area[f];
     }
     return sheets;
-}
-
-/// Fragments by id, those without a face included. The mass of a vertex goes to its faces as their rest
-/// areas.
-std::vector<FragmentInfo> fragments_of(const Snapshot& frame) {
-    VectorXd vertex_area = VectorXd::Zero(frame.mass.size());
-    for (std::size_t f = 0; f < frame.faces.size(); ++f)
-        for (const Index v : frame.faces[f]) vertex_area[v] += frame.rest.area[f];
-    std::vector<FragmentInfo> fragments;
-    for (std::size_t f = 0; f < frame.faces.size(); ++f) {
-        const Index id = frame.face_fragment[f];
-        while (fragments.size() <= static_cast<std::size_t>(id))
-            fragments.push_back({.id = static_cast<Index>(fragments.size())});
-        FragmentInfo& fragment = fragments[id];
-        ++fragment.faces;
-        fragment.area += frame.rest.area[f];
-        for (const Index v : frame.faces[f])
-            fragment.mass += frame.mass[v] * frame.rest.area[f] / vertex_area[v];
-    }
-    return fragments;
 }
 
 /// None without faces. A NaN wins: the frame is worthless.
@@ -252,10 +233,21 @@ void add_mode_list(std::string& text, const RunInfo& info) {
 
 struct InfoOptions {
     std::filesystem::path recording;
-    bool json = false;
+    bool json = false, measures = false;
+    double over = 0;  ///< kg
 };
 
+int print_measures(const InfoOptions& options) {
+    const Recording recording(options.recording);
+    const Measures measures = measures_of(recording, options.over);
+    if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
+    fmt::print(
+        "{}", options.json ? measures_json(measures) : measures_text(measures, recording.header().time_unit));
+    return 0;
+}
+
 int print_info(const InfoOptions& options) {
+    if (options.measures) return print_measures(options);
     const RunInfo info = read_run_info(options.recording);
     if (!info.mended.empty()) fmt::print(stderr, "sherd: warning: {}\n", info.mended);
     fmt::print("{}", options.json ? run_info_json(info) : run_info_text(info));
@@ -341,7 +333,15 @@ void add_info(CLI::App& program, Command& chosen) {
         ->required()
         ->option_text("RUN.h5");
     command->add_flag("--json", options->json, "For scripts: one JSON object");
-    command->footer("Example:\n  sherd info plate_drop.h5");
+    CLI::Option* measures =
+        command->add_flag("--measures", options->measures,
+                          "What runs are compared by: sizes of fragments, cracks, peak forces");
+    command->add_option("--over", options->over, "Only fragments heavier than this count, kg (default: all)")
+        ->needs(measures)
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("MASS");
+    command->footer(
+        "Examples:\n  sherd info plate_drop.h5\n  sherd info plate_drop.h5 --measures --over 1e-4 --json");
     command->callback([&chosen, options] { chosen = [options] { return print_info(*options); }; });
 }
 

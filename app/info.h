@@ -6,20 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "app/measures/fragment_info.h"
 #include "app/recording/recording.h"
 #include "app/run/load_history.h"
 #include "app/tip_info.h"
 
 namespace sherd {
-
-/// A connected piece in the last frame.
-struct FragmentInfo {
-    Index id = 0;
-    Index parent = -1;  ///< the piece that it was a part of; -1: it was there from the beginning
-    std::size_t faces = 0;
-    double area = 0;  ///< m^2, at rest
-    double mass = 0;  ///< kg
-};
 
 /// The face that is stretched or squeezed most.
 struct MembraneStrainInfo {

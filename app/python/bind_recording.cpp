@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/measures/measures.h"
 #include "app/playback/ancestry.h"
 #include "app/python/bindings.h"
 #include "app/python/tables.h"
@@ -116,6 +117,17 @@ void bind_recording(py::module_& module) {
              "\n"
              "Of each obstacle and body, by name: the matrix [4, 4] from its own frame to space, in a\n"
              "frame.")
+        .def(
+            "measures",
+            [](const Recording& one, double over) {
+                return py::module_::import("json").attr("loads")(measures_json(measures_of(one, over)));
+            },
+            py::arg("over") = 0.0,
+            "measures(over=0.0) -> dict\n"
+            "\n"
+            "What runs are compared by, as `sherd info --measures --json` has it: sizes of fragments of\n"
+            "more than `over` kg, the power law of their masses, cracks, peak forces. Raises Error when\n"
+            "there is no frame.")
         .def("ancestry", &parents, py::arg("earlier"), py::arg("later"),
              "ancestry(earlier, later) -> (faces, vertices, weights)\n"
              "\n"

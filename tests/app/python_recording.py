@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python_recording.py SHERD: sherd.record() writes what the program writes, and sherd.Recording reads it."""
+import json
 import pathlib
 import subprocess
 import sys
@@ -51,6 +52,13 @@ class Recordings(unittest.TestCase):
 
     def file(self, name):
         return pathlib.Path(self.folder.name) / name
+
+    def test_measures_are_those_of_the_program(self):
+        told = subprocess.run([PROGRAM, "info", self.theirs, "--measures", "--over", "1e-3", "--json"], check=True,
+                              capture_output=True, text=True).stdout
+        measures = sherd.Recording(self.ours).measures(over=1e-3)
+        self.assertEqual(measures, json.loads(told))
+        self.assertGreater(len(measures["fragments"]), 1)
 
     def test_both_record_the_same(self):
         theirs, ours = contents(self.theirs), contents(self.ours)

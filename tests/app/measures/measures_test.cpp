@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/measures/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "meshops/error.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/temporary_directory.h"
+
+namespace sherd::test {
+namespace {
+
+Measures measured(const SyntheticRun& run, double over = 0) {
+    const TemporaryDirectory folder;
+    record(run, folder.path / "run.h5");
+    const Recording recording(folder.path / "run.h5");
+    return measures_of(recording, over);
+}
+
+TEST(Measures, HaveTheFragmentsByMassAndWhatIsLeftOut) {
+    const SyntheticRun run = synthetic_run();
+    const Measures all = measured(run);
+    ASSERT_EQ(all.fragments.size(), 3u);
+    EXPECT_EQ(all.fragments_below, 0u);
+    double mass = 0;
+    for (const MeasuredFragment& fragment : all.fragments) mass += fragment.info.mass;
+    EXPECT_NEAR(mass, run.frames.back().mass.sum(), 1e-15);
+    EXPECT_GE(all.fragments[0].info.mass, all.fragments[1].info.mass);
+    EXPECT_EQ(all.mass_law->count, 2u);  // the lightest is where the law begins
+
+    const double lightest = all.fragments[2].info.mass;
+    const Measures fewer = measured(run, lightest);
+    EXPECT_EQ(fewer.fragments.size(), 2u);
+    EXPECT_EQ(fewer.fragments_below, 1u);
+    EXPECT_EQ(fewer.mass_below, lightest);
+    EXPECT_NEAR(fewer.mass_law->exponent, all.mass_law->exponent, 1e-12);
+    EXPECT_EQ(measured(run, 1).fragments_below, 3u);
+}
+
+TEST(Measures, CountTheLengthOfAllThatBroke) {
+    const SyntheticRun run = synthetic_run();
+    const Snapshot& last = run.frames.back();
+    const Positions rest = synthetic::whole_positions();
+    double length = 0;
+    for (const Index tear : {1, 2})
+        for (Index y = 0; y < synthetic::rows; ++y) {
+            const Index corner = tear * synthetic::columns_per_fragment * (synthetic::rows + 1) + y;
+            length += (rest.col(corner + 1) - rest.col(corner)).norm();
+        }
+    for (std::size_t e = 0; e < last.edges.size(); ++e)
+        if (last.edge_state[e] == EdgeState::fractured_interior)
+            length += (rest.col(last.original[last.edges[e][0]]) - rest.col(last.original[last.edges[e][1]]))
+                          .norm();
+    EXPECT_NEAR(measured(run).cracks.length, length, 1e-12);
+}
+
+TEST(Measures, TellWhatBrokeFirstAndTheLargestForces) {
+    SyntheticRun run = synthetic_run();
+    EdgeFailure& most = run.events[1].failures[2];
+    most.stage = 0, most.overload = 1e9, most.vertices = {7, 12};
+    const Measures measures = measured(run);
+    ASSERT_TRUE(measures.first_crack);
+    EXPECT_EQ(measures.first_crack->time, 0.25);
+    const Positions rest = synthetic::whole_positions();
+    EXPECT_LT((measures.first_crack->position - (rest.col(7) + rest.col(12)) / 2).norm(), 1e-15);
+
+    ASSERT_EQ(measures.peak_forces.size(), 3u);
+    EXPECT_EQ(measures.peak_forces[2].support.name, "obstacle.floor");
+    for (std::size_t i = 0; i < 3; ++i) {
+        double largest = 0, time = 0;
+        for (const auto& steps : run.steps)
+            for (const StepReport& step : steps)
+                if (step.reactions[i].force.norm() > largest)
+                    largest = step.reactions[i].force.norm(), time = step.time;
+        EXPECT_EQ(measures.peak_forces[i].force, largest);
+        EXPECT_EQ(measures.peak_forces[i].time, time);
+    }
+}
+
+TEST(Measures, AreOneObjectForScriptsWithNullForWhatIsNotThere) {
+    const Measures nothing;
+    const nlohmann::json json = nlohmann::json::parse(measures_json(nothing));
+    EXPECT_TRUE(json["mass_law"].is_null() && json["first_crack"].is_null() &&
+                json["energy_per_area"].is_null());
+    const nlohmann::json all = nlohmann::json::parse(measures_json(measured(synthetic_run())));
+    EXPECT_EQ(all["fragments"].size(), 3u);
+    EXPECT_EQ(all["mass_law"]["interval"].size(), 2u);
+    EXPECT_EQ(all["peak_forces"][0]["kind"], "pin");
+    EXPECT_NE(measures_text(measured(synthetic_run()), "s").find("fragments    3 heavier than 0 kg"),
+              std::string::npos);
+}
+
+TEST(Measures, RefuseARecordingWithoutAFrame) {
+    SyntheticRun run = synthetic_run();
+    run.frames.clear(), run.steps.clear(), run.events.clear();
+    EXPECT_THROW(measured(run), Error);
+}
+
+}  // namespace
+}  // namespace sherd::test
