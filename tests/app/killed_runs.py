@@ -147,6 +147,9 @@ class Runs(unittest.TestCase):
             self.expect_full(in_child(self.sherd, self.folder, limit))
 
     def test_a_full_disk_is_an_error_and_takes_nothing(self):
+        # Not even root may have mounts of its own in a chroot whose top is none.
+        if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:
+            self.skipTest("a small disk needs mounts of its own")
         me = [sys.executable, __file__, self.sherd, "--disk", str(self.folder)]
         done = subprocess.run(["unshare", "-m", *me], capture_output=True, text=True)
         if done.returncode == 77:
