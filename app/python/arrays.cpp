@@ -30,6 +30,12 @@ Index whole(double value, const std::string& name, py::ssize_t row) {
 
 }  // namespace
 
+std::vector<std::array<Index, 3>> corners_of(const Shell& shell) {
+    std::vector<std::array<Index, 3>> corners;
+    for (const TriangleStencil& triangle : shell.triangles) corners.push_back(triangle.vertices);
+    return corners;
+}
+
 Positions columns_of(const Numbers& array, const std::string& name) {
     require_rows(array, name, 3);
     Positions columns = Eigen::Map<const Positions>(array.data(), 3, array.shape(0));

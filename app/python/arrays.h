@@ -3,11 +3,13 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/recording/hdf5.h"
+#include "core/shell/shell.h"
 #include "core/vector.h"
 #include "meshops/mesh.h"
 
@@ -43,6 +45,9 @@ inline py::array array_of(const VectorXd& values, py::handle owner = {}) {
 inline py::array array_of(const Positions& columns, py::handle owner = {}) {
     return numbers(columns.data(), static_cast<std::size_t>(columns.cols()), 3, owner);
 }
+
+/// The vertices of each face.
+std::vector<std::array<Index, 3>> corners_of(const Shell& shell);
 
 /// Columns [3, n] of an array [n, 3]. Throws Error, naming the array, when it has another shape or a number
 /// that is not finite.

@@ -39,7 +39,8 @@ void bind_mechanics(py::module_& module) {
         .def_property_readonly(
             "masses", [](const M& one) { return array_of(one.shell().mass); }, "[V] kg, lumped, a copy.")
         .def_property_readonly(
-            "faces", [](const M& one) { return array_of(one.faces()); }, "[F, 3] vertices, a copy.")
+            "faces", [](const M& one) { return array_of(corners_of(one.shell())); },
+            "[F, 3] vertices, a copy.")
         .def(
             "energies",
             [](M& one, const Numbers& positions) {

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+
+#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/live_run.h"
 #include "app/python/tables.h"
 #include "app/scene/build/supports.h"
+#include "app/scene/read/fields.h"
 #include "meshops/error.h"
 
 namespace sherd::python {
 namespace {
 
 FaceFieldChoice choice_of(const std::vector<std::string>& names) {
-    FaceFieldChoice choice;
     for (const std::string& name : names)
-        if (name == "stress")
-            choice.stress = true;
-        else if (name == "curvature")
-            choice.curvature = true;
-        else if (name == "membrane_strain")
-            choice.membrane_strain = true;
-        else
-            throw Error("fields: knows no '" + name +
-                        "'; there are \"stress\", \"curvature\" and \"membrane_strain\"");
-    return choice;
+        if (std::ranges::find(field_names, name) == field_names.end())
+            throw Error(fmt::format("fields: knows no '{}'; there are \"{}\"", name,
+                                    fmt::join(field_names, "\", \"")));
+    return chosen_fields(names);
 }
 
 /// Force and moment of each support and obstacle, by its name.
@@ -46,12 +45,6 @@ void prescribe(LiveRun& run, const Numbers& vertices, const Numbers& positions, 
     const std::vector<Index> told = indices_of(vertices, "vertices");
     run.changed().prescribe(told, columns_of(positions, "positions", static_cast<Eigen::Index>(told.size())),
                             time);
-}
-
-py::array faces_of(LiveRun& run) {
-    std::vector<std::array<Index, 3>> faces;
-    for (const TriangleStencil& triangle : shell_of(run).triangles) faces.push_back(triangle.vertices);
-    return array_of(faces);
 }
 
 void set_forces(LiveRun& run, const std::optional<Numbers>& forces) {
@@ -111,7 +104,9 @@ void bind_simulation(py::module_& module) {
             "[V, 3] m/s, a copy.")
         .def_property_readonly(
             "masses", [](LiveRun& run) { return array_of(shell_of(run).mass); }, "[V] kg, a copy.")
-        .def_property_readonly("faces", &faces_of, "[F, 3] vertices of each face, a copy.")
+        .def_property_readonly(
+            "faces", [](LiveRun& run) { return array_of(corners_of(shell_of(run))); },
+            "[F, 3] vertices of each face, a copy.")
         .def_property_readonly(
             "pinned",
             [](LiveRun& run) {

@@ -25,12 +25,6 @@ SceneMechanics::SceneMechanics(const Scene& scene)
     for (Energy* energy : all.elastic()) energy->begin(start);
 }
 
-std::vector<std::array<Index, 3>> SceneMechanics::faces() const {
-    std::vector<std::array<Index, 3>> corners;
-    for (const TriangleStencil& triangle : shell().triangles) corners.push_back(triangle.vertices);
-    return corners;
-}
-
 Positions SceneMechanics::placed(Positions positions) const {
     if (positions.cols() != shell().position.cols())
         throw Error(fmt::format("positions: has {} rows, and the sheets have {} vertices", positions.cols(),

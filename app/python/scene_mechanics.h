@@ -19,7 +19,6 @@ class SceneMechanics {
 
     const Shell& shell() const { return built.sheets.mechanics(); }
     const std::vector<std::string>& warnings() const { return told; }
-    std::vector<std::array<Index, 3>> faces() const;
 
     /// The same positions. Throws Error when there are not V.
     Positions placed(Positions positions) const;

@@ -2,7 +2,6 @@
 #include "app/scene/read/fields.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sherd {
 
@@ -13,10 +12,9 @@ FaceFieldChoice chosen_fields(const std::vector<std::string>& names) {
 }
 
 FaceFieldChoice read_fields(TomlTable& output) {
-    constexpr std::array<std::string_view, 3> names{"stress", "curvature", "membrane_strain"};
     if (!output.has("fields")) return {};
     if (output.is_array("fields") || output.is_string("fields"))
-        return chosen_fields(output.choices("fields", names));
+        return chosen_fields(output.choices("fields", field_names));
     const bool all = output.flag("fields", false);
     return {.stress = all, .curvature = all, .membrane_strain = all};
 }

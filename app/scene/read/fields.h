@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "app/scene/toml/toml_table.h"
 #include "core/shell/face_fields.h"
 
 namespace sherd {
+
+/// What the fields of faces are called.
+inline constexpr std::array<std::string_view, 3> field_names{"stress", "curvature", "membrane_strain"};
 
 /// The fields of faces among the names, which need not all be of fields.
 FaceFieldChoice chosen_fields(const std::vector<std::string>& names);

@@ -147,8 +147,8 @@ class SurfacePairs {
 };
 
 /// Those of all bodies with each other and with obstacles that have a surface. Of a ball and another body the
-/// ball is the first. springs: see ContactSurface. crossed: of each of them, whether it
-/// was so with another time scheme; empty: there was none.
+/// ball is the first. springs: see ContactSurface. crossed: of each of them, whether it was so with another
+/// time scheme; empty: there was none.
 std::vector<std::unique_ptr<SurfacePairs>> surface_pairs(const std::vector<RigidBody>& bodies,
                                                          const std::vector<Obstacle>& obstacles,
                                                          std::span<const char> crossed, bool springs = false);
