@@ -40,14 +40,13 @@ class LoopOrder {
 }  // namespace
 
 struct Threads::Arena {
+    explicit Arena(int count) : arena(count) {}
     tbb::task_arena arena;
 };
 
 Threads::Threads(int count)
     : number(std::clamp(count, 1, tbb::info::default_concurrency())),
-      arena(number > 1 ? std::make_unique<Arena>(Arena{tbb::task_arena(number)}) : nullptr) {}
-
-Threads::~Threads() = default;
+      arena(number > 1 ? std::make_shared<Arena>(number) : nullptr) {}
 
 void Threads::share(Index parts, const std::function<void(Index)>& part) const {
     if (arena == nullptr || parts < 2) {

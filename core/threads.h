@@ -9,13 +9,12 @@
 
 namespace sherd {
 
-/// A team of threads that share the parts of a loop. Parts are the same whatever the number of threads, so
-/// that what each of them writes for itself has the same bits with any number.
+/// A team of threads that share the parts of a loop; copies are the same team. Parts are the same whatever
+/// the number of threads, so that what each of them writes for itself has the same bits with any number.
 class Threads {
   public:
     /// count: at most, this thread among them, but no more than the processor runs at once.
     explicit Threads(int count = 1);
-    ~Threads();
 
     int count() const { return number; }
     /// Calls part(i) for all i from 0 to before `parts`, in any order and several at a time, and returns when
@@ -31,7 +30,7 @@ class Threads {
   private:
     struct Arena;
     int number;
-    std::unique_ptr<Arena> arena;  ///< null for one thread
+    std::shared_ptr<Arena> arena;  ///< null for one thread
 };
 
 }  // namespace sherd

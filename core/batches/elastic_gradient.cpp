@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace sherd {
 namespace {
@@ -13,12 +14,13 @@ constexpr Index batches_at_once = 64, vertices_at_once = 1024;
 }  // namespace
 
 ElasticGradient::ElasticGradient(const Shell& shell, const ShellEnergies& energies,
-                                 const ShellEnergyOptions& options, const Threads& threads)
+                                 const ShellEnergyOptions& options, Threads threads)
     : shell(shell),
-      threads(threads),
+      threads(std::move(threads)),
       cubic(cubic_hinges(energies.of_bending())),
       of_membrane(options.membrane == MembraneModel::constant_strain) {
-    if (of_membrane && options.bending.model == BendingModel::coupled) coupled = energies.coupled_bending();
+    if (of_membrane && options.bending.model == BendingModel::coupled && options.yields.empty())
+        coupled = energies.coupled_bending();
     if (coupled == nullptr && cubic == nullptr) others.push_back(&energies.of_bending());
     if (!of_membrane) others.push_back(&energies.of_membrane());
     if (coupled == nullptr && !options.mirrors.empty()) others.push_back(&energies.of_mirrors());

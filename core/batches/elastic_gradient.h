@@ -9,13 +9,13 @@ namespace sherd {
 
 /// The gradient of the elastic energies of a shell, for those who ask for it again and again: that of
 /// ShellEnergies::elastic() but for round-off, in batches where the models have them (constant strain, and
-/// coupled or cubic hinges), and from the energies themselves where not. It has the same bits with any number
-/// of threads.
+/// coupled hinges that do not yield or cubic ones), and from the energies themselves where not. It has the
+/// same bits with any number of threads.
 class ElasticGradient {
   public:
-    /// All of them must outlive this object. options: of the energies.
+    /// Shell and energies must outlive this object. options: of the energies.
     ElasticGradient(const Shell& shell, const ShellEnergies& energies, const ShellEnergyOptions& options,
-                    const Threads& threads);
+                    Threads threads);
     ElasticGradient(const ElasticGradient&) = delete;
     /// Must be called when the shell has changed, or its state was put back.
     void shell_changed() { built = false; }
@@ -33,7 +33,7 @@ class ElasticGradient {
     void find_coupled(const Positions& x);
 
     const Shell& shell;
-    const Threads& threads;
+    Threads threads;
     const CoupledBending* coupled = nullptr;         ///< in batches; null: is not
     const std::vector<CubicHinge>* cubic = nullptr;  ///< the same
     bool of_membrane;                                ///< whether the membrane is in batches

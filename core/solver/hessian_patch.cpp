@@ -4,7 +4,7 @@
 namespace sherd {
 
 bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
-                         const std::vector<char>& inside) {
+                         const std::vector<char>& inside, const Threads& threads) {
     const Shell& shell = potential.of_shell();
     std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
     std::erase_if(pairs, [&](const auto& pair) { return !inside[pair.first] && !inside[pair.second]; });
@@ -25,7 +25,7 @@ bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, c
             if (other < v && near[other]) pairs.emplace_back(v, other);
     }
     matrix = BlockMatrix::part(vertices, graph.size(), pairs, shell.fixed, shell.guide, shell.guides);
-    solver = single_precision_solver();
+    solver = single_precision_solver(threads);
     for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
         potential.hessian(x, curvature, *matrix);
         const BlockMatrix own = matrix->restricted(keep);

@@ -105,7 +105,7 @@ LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions&
     const auto count = static_cast<double>(std::ranges::count(inside, 1));
     if (count > largest_patch * static_cast<double>(inside.size())) return Fit::needs_factor;
     if (graph.size() == 0) graph = VertexGraph(static_cast<Index>(inside.size()), potential.pattern());
-    if (!patch.build(potential, graph, x, inside)) return Fit::needs_factor;
+    if (!patch.build(potential, graph, x, inside, threads)) return Fit::needs_factor;
     for (std::size_t v = 0; v < inside.size(); ++v)
         if (inside[v]) in_patch[v] = stiffness[v];
     return Fit::patched;
@@ -158,8 +158,8 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
 }
 
 void LaggedSystem::visit_state(StateVisitor& visit) {
-    auto& [system, outdated, sources, cracked, frames, turns, inverse_root, of_piece, in_factor, in_patch,
-           graph, patch] = *this;
+    auto& [threads, system, outdated, sources, cracked, frames, turns, inverse_root, of_piece, in_factor,
+           in_patch, graph, patch] = *this;
     visit(system, outdated, sources, cracked, frames, inverse_root, in_factor);
     if (has_factor()) system.visit_factor(visit);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "core/solver/hessian_patch.h"
 #include "core/solver/newton_system.h"
 #include "core/state_visitor.h"
@@ -14,7 +16,8 @@ namespace sherd {
 /// Bjorstad, Gropp, Domain Decomposition, 1996).
 class LaggedSystem {
   public:
-    LaggedSystem() : system(single_precision_solver()) {}
+    explicit LaggedSystem(Threads of = Threads())
+        : threads(std::move(of)), system(single_precision_solver(threads)) {}
     /// Factors the Hessian at x.
     void factorize(const Potential& potential, const Positions& x);
     /// Whether there is a factor for the shell as it is.
@@ -42,6 +45,7 @@ class LaggedSystem {
     /// The vertices that differ from the factor, and those around them, [V].
     std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
 
+    Threads threads;
     NewtonSystem system;
     bool outdated = true;                ///< whether the matrix has the pattern of another shell
     std::vector<Index> sources;          ///< [V] of each vertex that in the factor; empty: there is no factor

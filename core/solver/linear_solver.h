@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/block_matrix.h"
+#include "core/threads.h"
 
 namespace sherd {
 
@@ -52,7 +53,7 @@ std::unique_ptr<LinearSolver> cholesky_solver(Ordering ordering = Ordering::vert
 
 /// A solver in single precision, with half the memory and time, or in double precision where a matrix is too
 /// badly scaled for that. It wants positive definite matrices.
-std::unique_ptr<LinearSolver> single_precision_solver();
+std::unique_ptr<LinearSolver> single_precision_solver(Threads threads = Threads());
 
 /// A solver with CHOLMOD's simplicial L D L^T factorization, also of indefinite matrices. It does not pivot,
 /// so that its solutions are only as accurate as the smallest pivot allows.

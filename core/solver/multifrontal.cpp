@@ -1,149 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solver/multifrontal.h"
 
-#include <cblas.h>
-
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <ranges>
 #include <utility>
+
+#include "core/solver/dense_elimination.h"
 
 namespace sherd {
 namespace {
 
-constexpr Index smallest_block = 16;  // columns, below which calls of BLAS take longer than they save
+constexpr Index nodes_at_once = 64, columns_at_once = 512;
 
-/// below <- below lower^-T. lower: [columns, columns]; below: [rows, columns].
-void solve_right(const float* lower, float* below, Index stride, Index rows, Index columns) {
-    cblas_strsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, rows, columns, 1, lower,
-                stride, below, stride);
-}
-void solve_right(const double* lower, double* below, Index stride, Index rows, Index columns) {
-    cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, rows, columns, 1, lower,
-                stride, below, stride);
-}
-/// Subtracts panel panel^T from the lower triangle of `keep` times target. panel: [rows, columns].
-void subtract_square(const float* panel, Index stride, Index rows, Index columns, float keep, float* target,
-                     Index stride_of_target) {
-    cblas_ssyrk(CblasColMajor, CblasLower, CblasNoTrans, rows, columns, -1, panel, stride, keep, target,
-                stride_of_target);
-}
-void subtract_square(const double* panel, Index stride, Index rows, Index columns, double keep,
-                     double* target, Index stride_of_target) {
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, rows, columns, -1, panel, stride, keep, target,
-                stride_of_target);
-}
-
-template <class Real>
-using Column = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
-template <class Real>
-using ConstColumn = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
 template <class Real>
 using Part = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
-template <class Real>
-Real* column_of(Real* matrix, Index stride, Index column) {
-    return matrix + static_cast<std::ptrdiff_t>(stride) * column;
-}
-
-/// Eliminates the columns of [height, width] in place, one after the other.
-template <class Real>
-bool eliminate_columns(Real* front, Index stride, Index height, Index width) {
-    for (Index j = 0; j < width; ++j) {
-        Real* const column = column_of(front, stride, j);
-        if (!(column[j] > std::numeric_limits<Real>::min()) || !std::isfinite(column[j])) return false;
-        Column<Real>(column + j, height - j) *= 1 / std::sqrt(column[j]);
-        for (Index k = j + 1; k < width; ++k)
-            Column<Real>(column_of(front, stride, k) + k, height - k) -=
-                column[k] * ConstColumn<Real>(column + k, height - k);
-    }
-    return true;
-}
-
-/// Cholesky factorization of [width, width] in place, by halves.
-template <class Real>
-bool eliminate_square(Real* square, Index stride, Index width) {
-    if (width <= smallest_block) return eliminate_columns(square, stride, width, width);
-    const Index half = width / 2;
-    if (!eliminate_square(square, stride, half)) return false;
-    solve_right(square, square + half, stride, width - half, half);
-    Real* const rest = column_of(square, stride, half) + half;
-    subtract_square(square + half, stride, width - half, half, Real(1), rest, stride);
-    return eliminate_square(rest, stride, width - half);
+auto nodes_of(const EliminationPart& part) {
+    return std::views::iota(part.first, part.end);
 }
 
 }  // namespace
 
 template <class Real>
-MultifrontalFactor<Real>::MultifrontalFactor(std::shared_ptr<const Supernodes> of)
-    : pattern(std::move(of)), children(pattern->size()), local(pattern->place.size()) {
+MultifrontalFactor<Real>::MultifrontalFactor(std::shared_ptr<const Supernodes> of, Threads threads)
+    : pattern(std::move(of)),
+      threads(std::move(threads)),
+      shares(*pattern),
+      children(pattern->size()),
+      in_parent(pattern->row.size(), -1),
+      stacks(shares.parts.size() + 1),
+      update(pattern->size()) {
     start.push_back(0);
-    for (Index node = 0; node < pattern->size(); ++node) {
+    for (Index node = 0; node < pattern->size(); ++node)
         start.push_back(start.back() + static_cast<std::size_t>(height(node)) * width(node));
-        if (pattern->parent[node] >= 0) children[pattern->parent[node]].push_back(node);
-    }
     values.resize(start.back());
-    std::size_t top = 0, highest = 0;
+    find_children();
+    for (std::size_t p = 0; p < shares.parts.size(); ++p)
+        stacks[p].values.resize(stack_size(nodes_of(shares.parts[p])));
+    stacks.back().values.resize(stack_size(shares.above));
+}
+
+template <class Real>
+void MultifrontalFactor<Real>::find_children() {
     for (Index node = 0; node < pattern->size(); ++node) {
-        highest = std::max(highest, top + update_size(node));
-        for (const Index child : children[node]) top -= update_size(child);
-        top += update_size(node);
+        const Index parent = pattern->parent[node];
+        if (parent < 0) continue;
+        children[parent].push_back(node);
+        const std::span<const Index> rows = pattern->rows(parent);
+        auto at = rows.begin();
+        std::size_t i = pattern->start[node] + pattern->columns(node);
+        for (const Index row : pattern->rows_below(node)) {
+            while (*at < row) ++at;
+            in_parent[i++] = static_cast<Index>(at - rows.begin());
+        }
     }
-    updates.resize(highest);
+}
+
+template <class Real>
+std::size_t MultifrontalFactor<Real>::size_of_children(Index node) const {
+    std::size_t sum = 0;
+    for (const Index child : children[node])
+        if (shares.is_above[child] == shares.is_above[node]) sum += update_size(child);
+    return sum;
+}
+
+template <class Real>
+template <class Nodes>
+std::size_t MultifrontalFactor<Real>::stack_size(const Nodes& nodes) const {
+    std::size_t top = 0, highest = 0;
+    for (const Index node : nodes) {
+        top += update_size(node);
+        highest = std::max(highest, top);
+        top -= size_of_children(node);
+    }
+    return highest;
 }
 
 template <class Real>
 void MultifrontalFactor<Real>::scatter(const BlockMatrix& matrix) {
-    std::fill(values.begin(), values.end(), Real(0));
-    for (Index j = 0; j < matrix.size() / 3; ++j) {
-        const Index own = pattern->place[j], node = pattern->of_column[own];
-        const Index diagonal = own - pattern->first[node];
-        for (Index c = 0; c < 3; ++c) {
-            const double* value = matrix.values().data() + matrix.columns()[3 * j + c];
-            Real* const target = column_of(panel(node), height(node), 3 * diagonal + c) + 3 * diagonal;
-            for (Index r = c; r < 3; ++r) target[r] = static_cast<Real>(*value++);
-            for (Index b = matrix.block_columns()[j]; b < matrix.block_columns()[j + 1]; ++b, value += 3) {
-                const Index other = pattern->place[matrix.block_rows()[b]], below = pattern->block_place[b];
-                const Index left = std::min(own, other), of = pattern->of_column[left];
-                const Index column = 3 * (left - pattern->first[of]), rows = height(of);
-                for (Index r = 0; r < 3; ++r) {
-                    const auto [down, right] = own < other ? std::pair(r, c) : std::pair(c, r);
-                    column_of(panel(of), rows, column + right)[3 * below + down] =
-                        static_cast<Real>(value[r]);
-                }
+    threads.share_ranges(pattern->size(), nodes_at_once,
+                         [&](Index begin, Index end) { std::fill(panel(begin), panel(end), Real(0)); });
+    threads.share_ranges(matrix.size() / 3, columns_at_once, [&](Index begin, Index end) {
+        for (Index vertex = begin; vertex < end; ++vertex) scatter_column(matrix, vertex);
+    });
+}
+
+template <class Real>
+void MultifrontalFactor<Real>::scatter_column(const BlockMatrix& matrix, Index j) {
+    const Index own = pattern->place[j], node = pattern->of_column[own];
+    const Index diagonal = own - pattern->first[node];
+    for (Index c = 0; c < 3; ++c) {
+        const double* value = matrix.values().data() + matrix.columns()[3 * j + c];
+        Real* const target = column_of(panel(node), height(node), 3 * diagonal + c) + 3 * diagonal;
+        for (Index r = c; r < 3; ++r) target[r] = static_cast<Real>(*value++);
+        for (Index b = matrix.block_columns()[j]; b < matrix.block_columns()[j + 1]; ++b, value += 3) {
+            const Index other = pattern->place[matrix.block_rows()[b]], below = pattern->block_place[b];
+            const Index left = std::min(own, other), of = pattern->of_column[left];
+            const Index column = 3 * (left - pattern->first[of]), rows = height(of);
+            for (Index r = 0; r < 3; ++r) {
+                const auto [down, right] = own < other ? std::pair(r, c) : std::pair(c, r);
+                column_of(panel(of), rows, column + right)[3 * below + down] = static_cast<Real>(value[r]);
             }
         }
     }
 }
 
 template <class Real>
-void MultifrontalFactor<Real>::extend(Index child, const Real* of_child, Index node, Columns columns,
-                                      Real* target) {
-    const std::span<const Index> rows = pattern->rows_below(child);
-    const Index size = static_cast<Index>(rows.size()), own = pattern->columns(node);
-    const Index split = static_cast<Index>(
-        std::ranges::find_if(rows, [&](Index row) { return local[row] >= own; }) - rows.begin());
+void MultifrontalFactor<Real>::extend(Index child, Index node, Columns columns, Real* target) const {
+    const Index size = static_cast<Index>(pattern->rows_below(child).size()), own = pattern->columns(node);
+    const Index* const place = in_parent.data() + pattern->start[child] + pattern->columns(child);
+    const auto split = static_cast<Index>(std::lower_bound(place, place + size, own) - place);
     const bool below = columns == Columns::below;
     const Index first = below ? own : 0, stride = below ? height(node) - width(node) : height(node);
     for (Index b = below ? split : 0; b < (below ? size : split); ++b)
         for (Index c = 0; c < 3; ++c) {
-            const Real* const from = of_child + static_cast<std::ptrdiff_t>(3 * size) * (3 * b + c);
-            Real* const to = column_of(target, stride, 3 * (local[rows[b]] - first) + c) - 3 * first;
+            const Real* const from = column_of(update[child], 3 * size, 3 * b + c);
+            Real* const to = column_of(target, stride, 3 * (place[b] - first) + c) - 3 * first;
             for (Index a = b; a < size; ++a) {
-                Real* const at = to + 3 * local[rows[a]];
+                Real* const at = to + 3 * place[a];
                 for (Index r = 0; r < 3; ++r) at[r] += from[3 * a + r];
             }
         }
-}
-
-template <class Real>
-bool MultifrontalFactor<Real>::eliminate(Index node) {
-    const Index rows = height(node), columns = width(node), below = rows - columns;
-    Real* const front = panel(node);
-    if (!eliminate_square(front, rows, columns)) return false;
-    if (below > 0) solve_right(front, front + columns, rows, below, columns);
-    return true;
 }
 
 template <class Real>
@@ -153,34 +131,69 @@ std::size_t MultifrontalFactor<Real>::update_size(Index node) const {
 }
 
 template <class Real>
+bool MultifrontalFactor<Real>::eliminate(Index node, Stack& stack, const Threads& team) {
+    const Index rows = height(node), columns = width(node);
+    for (const Index child : children[node]) extend(child, node, Columns::own, panel(node));
+    if (!eliminate_columns(panel(node), rows, columns, team)) return false;
+    Real* const left = stack.values.data() + stack.top;
+    negative_square(panel(node) + columns, rows, rows - columns, columns, left, team);
+    for (const Index child : children[node]) extend(child, node, Columns::below, left);
+    stack.top -= size_of_children(node);
+    update[node] = stack.values.data() + stack.top;
+    stack.top += update_size(node);
+    std::copy_n(left, update_size(node), stack.values.data() + stack.top - update_size(node));
+    return true;
+}
+
+template <class Real>
 bool MultifrontalFactor<Real>::factorize(const BlockMatrix& matrix) {
     scatter(matrix);
-    std::size_t top = 0;  // of the stack
-    for (Index node = 0; node < pattern->size(); ++node) {
-        const std::span<const Index> rows = pattern->rows(node);
-        for (std::size_t at = 0; at < rows.size(); ++at) local[rows[at]] = static_cast<Index>(at);
-        std::size_t bottom = top;
-        for (const Index child : children[node]) bottom -= update_size(child);
-        const auto each_child = [&](Columns columns, Real* target) {
-            const Real* of_child = updates.data() + bottom;
-            for (const Index child : children[node]) {
-                extend(child, of_child, node, columns, target);
-                of_child += update_size(child);
-            }
-        };
-        each_child(Columns::own, panel(node));
-        if (!eliminate(node)) return false;
-        const Index below = height(node) - width(node);
-        Real* const update = updates.data() + top;
-        if (below > 0) {
-            subtract_square(panel(node) + width(node), height(node), below, width(node), Real(0), update,
-                            below);
-            each_child(Columns::below, update);
-        }
-        std::copy_n(update, update_size(node), updates.data() + bottom);
-        top = bottom + update_size(node);
+    for (Stack& stack : stacks) stack.top = 0;
+    const auto parts = static_cast<Index>(shares.parts.size());
+    std::vector<char> is_definite(parts, 1);
+    threads.share(parts, [&](Index p) {
+        for (const Index node : nodes_of(shares.parts[p]))
+            if (is_definite[p] && !eliminate(node, stacks[p], Threads())) is_definite[p] = 0;
+    });
+    return std::ranges::count(is_definite, 0) == 0 && std::ranges::all_of(shares.above, [&](Index node) {
+               return eliminate(node, stacks.back(), threads);
+           });
+}
+
+/// The columns of a supernode, y <- L^-1 y, and what they do to the rows below. below: a buffer.
+template <class Real>
+void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& below) const {
+    const Index rows = height(node), columns = width(node), rest = rows - columns;
+    const Real* const front = panel(node);
+    const Index* const at = places(node);
+    auto own = y.segment(3 * at[0], columns);
+    for (Index j = 0; j < columns; ++j) {
+        const Real* const column = column_of(front, rows, j);
+        own[j] /= column[j];
+        own.tail(columns - j - 1) -= own[j] * ConstColumn<Real>(column + j + 1, columns - j - 1);
     }
-    return true;
+    auto part = below.head(rest);
+    part.noalias() = Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)) * own;
+    for (Index a = 0; a < rest / 3; ++a)
+        y.template segment<3>(3 * at[columns / 3 + a]) -= part.template segment<3>(3 * a);
+}
+
+/// y <- L^-T y, from the rows below.
+template <class Real>
+void MultifrontalFactor<Real>::solve_backward(Index node, Vector& y, Vector& below) const {
+    const Index rows = height(node), columns = width(node), rest = rows - columns;
+    const Real* const front = panel(node);
+    const Index* const at = places(node);
+    for (Index a = 0; a < rest / 3; ++a)
+        below.template segment<3>(3 * a) = y.template segment<3>(3 * at[columns / 3 + a]);
+    auto own = y.segment(3 * at[0], columns);
+    own.noalias() -=
+        Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)).transpose() * below.head(rest);
+    for (Index j = columns - 1; j >= 0; --j) {
+        const Real* const column = column_of(front, rows, j);
+        own[j] -= ConstColumn<Real>(column + j + 1, columns - j - 1).dot(own.tail(columns - j - 1));
+        own[j] /= column[j];
+    }
 }
 
 template <class Real>
@@ -188,40 +201,37 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
     const auto vertices = static_cast<Index>(pattern->place.size());
     const double scale = right_side.size() > 0 ? right_side.cwiseAbs().maxCoeff() : 0;
     if (!(scale > 0)) return VectorXd::Zero(right_side.size());
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> y(right_side.size()), below(right_side.size());
+    Vector y(right_side.size()), below(right_side.size());
     for (Index v = 0; v < vertices; ++v)
         y.template segment<3>(3 * pattern->place[v]) =
             (right_side.segment<3>(3 * v) / scale).template cast<Real>();
-    for (Index node = 0; node < pattern->size(); ++node) {
-        const Index rows = height(node), columns = width(node), rest = rows - columns;
-        const Real* const front = panel(node);
-        auto own = y.segment(3 * pattern->first[node], columns);
-        for (Index j = 0; j < columns; ++j) {
-            const Real* const column = column_of(front, rows, j);
-            own[j] /= column[j];
-            own.tail(columns - j - 1) -= own[j] * ConstColumn<Real>(column + j + 1, columns - j - 1);
-        }
-        auto part = below.head(rest);
-        part.noalias() = Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)) * own;
-        const std::span<const Index> at = pattern->rows_below(node);
-        for (std::size_t a = 0; a < at.size(); ++a)
-            y.template segment<3>(3 * at[a]) -= part.template segment<3>(static_cast<Index>(3 * a));
-    }
-    for (Index node = pattern->size() - 1; node >= 0; --node) {
-        const Index rows = height(node), columns = width(node), rest = rows - columns;
-        const Real* const front = panel(node);
-        const std::span<const Index> at = pattern->rows_below(node);
-        for (std::size_t a = 0; a < at.size(); ++a)
-            below.template segment<3>(static_cast<Index>(3 * a)) = y.template segment<3>(3 * at[a]);
-        auto own = y.segment(3 * pattern->first[node], columns);
-        own.noalias() -= Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)).transpose() *
-                         below.head(rest);
-        for (Index j = columns - 1; j >= 0; --j) {
-            const Real* const column = column_of(front, rows, j);
-            own[j] -= ConstColumn<Real>(column + j + 1, columns - j - 1).dot(own.tail(columns - j - 1));
-            own[j] /= column[j];
-        }
-    }
+
+    const auto& parts = shares.parts;
+    std::vector<Vector> of_part(parts.size()), buffers(parts.size());
+    threads.share(static_cast<Index>(parts.size()), [&](Index p) {
+        const Index own = 3 * parts[p].columns, outside = 3 * static_cast<Index>(parts[p].outside.size());
+        of_part[p].setZero(own + outside);
+        of_part[p].head(own) = y.segment(3 * parts[p].first_column, own);
+        buffers[p].resize(own + outside);
+        for (const Index node : nodes_of(parts[p])) solve_forward(node, of_part[p], buffers[p]);
+    });
+    const auto outside = [&](std::size_t p, const auto& with) {
+        for (std::size_t i = 0; i < parts[p].outside.size(); ++i)
+            with(y.template segment<3>(3 * parts[p].outside[i]),
+                 of_part[p].template segment<3>(3 * (parts[p].columns + static_cast<Index>(i))));
+    };
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        outside(p, [](auto&& all, auto&& of_this) { all += of_this; });
+    for (const Index node : shares.above) solve_forward(node, y, below);
+    for (const Index node : std::views::reverse(shares.above)) solve_backward(node, y, below);
+    threads.share(static_cast<Index>(parts.size()), [&](Index p) {
+        outside(p, [](auto&& all, auto&& of_this) { of_this = all; });
+        for (const Index node : std::views::reverse(nodes_of(parts[p])))
+            solve_backward(node, of_part[p], buffers[p]);
+        const Index own = 3 * parts[p].columns;
+        y.segment(3 * parts[p].first_column, own) = of_part[p].head(own);
+    });
+
     VectorXd x(right_side.size());
     for (Index v = 0; v < vertices; ++v)
         x.segment<3>(3 * v) = scale * y.template segment<3>(3 * pattern->place[v]).template cast<double>();

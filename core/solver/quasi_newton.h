@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "core/solver/lagged_system.h"
 #include "core/solver/minimiser.h"
 #include "core/solver/update_memory.h"
@@ -15,7 +17,8 @@ class QuasiNewton : public Minimiser {
   public:
     /// tolerance: m; the method has converged when the largest coordinate of the last correction, and what is
     /// left by the rate at which corrections fall, are below it.
-    explicit QuasiNewton(double tolerance = 1e-9) : tolerance(tolerance) {}
+    explicit QuasiNewton(double tolerance = 1e-9, Threads threads = Threads())
+        : tolerance(tolerance), system(std::move(threads)) {}
     void topology_changed(const ShellChange& change, const Potential& potential, const Positions& x) override;
     MinimiserResult minimise(Potential& potential, int max_iterations, Positions& x) override;
     void set_tolerance(double value) override { tolerance = value; }

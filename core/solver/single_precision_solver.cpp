@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
+#include <utility>
 
 #include "core/solver/linear_solver.h"
 #include "core/solver/multifrontal.h"
@@ -9,6 +10,7 @@ namespace {
 
 class SinglePrecisionSolver : public LinearSolver {
   public:
+    explicit SinglePrecisionSolver(Threads threads) : threads(std::move(threads)) {}
     using LinearSolver::analyze;
     void analyze(const BlockMatrix& matrix, const std::vector<Index>& order) override {
         single.reset();
@@ -18,9 +20,9 @@ class SinglePrecisionSolver : public LinearSolver {
     std::vector<Index> order() const override { return pattern->order(); }
     bool factorize(const BlockMatrix& matrix) override {
         exact.reset();
-        if (!single) single.emplace(pattern);
+        if (!single) single.emplace(pattern, threads);
         if (single->factorize(matrix)) return true;
-        exact.emplace(pattern);
+        exact.emplace(pattern, threads);
         return exact->factorize(matrix);
     }
     VectorXd solve(const VectorXd& right_side) override {
@@ -34,6 +36,7 @@ class SinglePrecisionSolver : public LinearSolver {
     /// Operations of a factorization that take as long as an entry in a solution (measured: 54 to 67).
     static constexpr double operations_per_entry = 60;
 
+    Threads threads;
     std::shared_ptr<const Supernodes> pattern;
     std::optional<MultifrontalFactor<float>> single;
     std::optional<MultifrontalFactor<double>> exact;  ///< where single precision does not do
@@ -41,8 +44,8 @@ class SinglePrecisionSolver : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> single_precision_solver() {
-    return std::make_unique<SinglePrecisionSolver>();
+std::unique_ptr<LinearSolver> single_precision_solver(Threads threads) {
+    return std::make_unique<SinglePrecisionSolver>(std::move(threads));
 }
 
 }  // namespace sherd

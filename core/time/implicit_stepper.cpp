@@ -23,10 +23,10 @@ std::unique_ptr<TimeScheme> time_scheme(Scheme scheme) {
     return std::make_unique<ImplicitEuler>();
 }
 
-std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options) {
+std::unique_ptr<Minimiser> minimiser_of(const StepperOptions& options, const Threads& threads) {
     switch (options.method) {
         case Method::quasi_newton:
-            return std::make_unique<QuasiNewton>(options.tolerance);
+            return std::make_unique<QuasiNewton>(options.tolerance, threads);
         case Method::newton:
             return std::make_unique<Newton>(options.tolerance);
         case Method::newton_2026:
@@ -42,29 +42,30 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       scheme(time_scheme(options.scheme)),
       inertia(shell, options.scheme == Scheme::statics ? Vector3d::Zero() : options.gravity),
       loads(forces.loads()),
-      in_the_middle(shell, forces.elastic()),
-      elastic(options.scheme == Scheme::midpoint ? std::vector<Energy*>{&in_the_middle} : forces.elastic()),
+      threads(options.threads),
+      whole(shell, forces, options.shell, threads),
+      in_the_middle(shell, whole),
+      elastic(options.scheme == Scheme::midpoint ? static_cast<Energy*>(&in_the_middle) : &whole),
       contact(shell, options.contact, options.gravity),
       potential(shell, all_energies(), spent),
-      minimiser(minimiser_of(options)) {
+      minimiser(minimiser_of(options, threads)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
     if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);
 }
 
 void ImplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(has_only<ImplicitStepper, Stepper, decltype(step), decltype(scheme), decltype(inertia),
-                           decltype(loads), decltype(in_the_middle), decltype(elastic), decltype(contact),
-                           decltype(opening), decltype(potential), decltype(minimiser), decltype(path),
-                           decltype(unbalanced)>());
+                           decltype(loads), decltype(threads), decltype(whole), decltype(in_the_middle),
+                           decltype(elastic), decltype(contact), decltype(opening), decltype(potential),
+                           decltype(minimiser), decltype(path), decltype(unbalanced)>());
     Stepper::visit_state(visit);
-    visit(step, *scheme, inertia, contact, opening, *minimiser, unbalanced);
+    visit(step, *scheme, inertia, whole, contact, opening, *minimiser, unbalanced);
     if (path) visit(*path);
 }
 
 std::vector<Energy*> ImplicitStepper::all_energies() {
-    std::vector<Energy*> all{&inertia};
-    for (const std::vector<Energy*>& some :
-         {elastic, contact.energies(), loads, contact.frictions(), {&opening}})
+    std::vector<Energy*> all{&inertia, elastic};
+    for (const std::vector<Energy*>& some : {contact.energies(), loads, contact.frictions(), {&opening}})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -172,7 +173,7 @@ void ImplicitStepper::finish() {
     contact.finish(position);
     const StepWork of_step = work();
     if (step.where < 1 && forces.mirrors_move())  // clamps are in the middle
-        for (Energy* energy : forces.elastic()) energy->begin(step);
+        whole.begin(step);
     ledger.finish(of_step, stored(), moving(step.end_velocity(position), position));
     forces.keep(elastic_position());
     if (path) path->finish(step, position);
@@ -213,7 +214,8 @@ void ImplicitStepper::add_inertia(EnergyBalance& balance, Positions& gradient) c
 StepWork ImplicitStepper::work() {
     const Positions moved = position - shell.position;
     Positions gradient = Positions::Zero(3, position.cols());
-    for (const std::vector<Energy*>& some : {elastic, contact.energies(), contact.frictions()})
+    elastic->add_gradient(position, gradient);
+    for (const std::vector<Energy*>& some : {contact.energies(), contact.frictions()})
         for (const Energy* energy : some) energy->add_gradient(position, gradient);
     opening.add_gradient(position, gradient);
     StepWork all;

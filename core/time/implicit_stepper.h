@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/batches/elastic_energy.h"
 #include "core/contact/contact.h"
 #include "core/solver/minimiser.h"
 #include "core/state_visitor.h"
@@ -69,9 +70,11 @@ class ImplicitStepper : public Stepper {
     StepContext step;  ///< the open step, or the last one
     std::unique_ptr<TimeScheme> scheme;
     Inertia inertia;
-    std::vector<Energy*> loads;    ///< of `forces`
-    MiddleEnergy in_the_middle;    ///< of what is elastic
-    std::vector<Energy*> elastic;  ///< the same, or what is elastic itself: what is in the potential
+    std::vector<Energy*> loads;  ///< of `forces`
+    Threads threads;
+    ElasticEnergy whole;         ///< all that is elastic
+    MiddleEnergy in_the_middle;  ///< of it
+    Energy* elastic;             ///< one of these two: what is in the potential
     Contact contact;
     ReleasedEdges opening;
     Potential potential;

@@ -13,48 +13,38 @@ StepContext first_half(StepContext step) {
 }  // namespace
 
 void MiddleEnergy::begin(const StepContext& step) {
-    const StepContext half = first_half(step);
-    for (Energy* part : parts) part->begin(half);
+    energy.begin(first_half(step));
 }
 
 void MiddleEnergy::topology_changed(const ShellChange& change, const StepContext& step) {
-    const StepContext half = first_half(step);
-    for (Energy* part : parts) part->topology_changed(change, half);
+    energy.topology_changed(change, first_half(step));
 }
 
 void MiddleEnergy::moved_to(const Positions& x) {
-    const Positions at = middle(x);
-    for (Energy* part : parts) part->moved_to(at);
+    energy.moved_to(middle(x));
 }
 
 double MiddleEnergy::value(const Positions& x) const {
-    const Positions at = middle(x);
-    double sum = 0;
-    for (const Energy* part : parts) sum += 2 * part->value(at);
-    return sum;
+    return 2 * energy.value(middle(x));
 }
 
 double MiddleEnergy::round_off() const {
-    double sum = 0;
-    for (const Energy* part : parts) sum += 2 * part->round_off();
-    return sum;
+    return 2 * energy.round_off();
 }
 
 void MiddleEnergy::add_gradient(const Positions& x, Positions& gradient) const {
-    const Positions at = middle(x);
-    for (const Energy* part : parts) part->add_gradient(at, gradient);
+    energy.add_gradient(middle(x), gradient);
 }
 
 void MiddleEnergy::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
-    const Positions at = middle(x);
     const std::vector<double> before(hessian.values().begin(), hessian.values().end());
-    for (const Energy* part : parts) part->add_hessian(at, curvature, hessian);
+    energy.add_hessian(middle(x), curvature, hessian);
     const std::vector<double> after(hessian.values().begin(), hessian.values().end());
     hessian.blend(before, after, 0.5);
 }
 
 void MiddleEnergy::add_pattern(std::vector<std::pair<Index, Index>>& pairs) const {
-    for (const Energy* part : parts) part->add_pattern(pairs);
+    energy.add_pattern(pairs);
 }
 
 }  // namespace sherd

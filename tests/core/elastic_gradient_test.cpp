@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Batches beside the energies that they stand for: explicit steps would bend and stretch another sheet.
+// Batches beside the energies that they stand for: steps would bend and stretch another sheet.
 #include "core/batches/elastic_gradient.h"
 
 #include <gtest/gtest.h>
 
+#include "core/batches/elastic_energy.h"
 #include "tests/support/elastic_gradient.h"
 #include "tests/support/materials.h"
 #include "tests/support/plates.h"
@@ -21,7 +22,14 @@ const ShellEnergyOptions all_models[] = {
     {.bending = {BendingModel::coupled_cubic}},
     {.bending = {BendingModel::coupled}, .membrane = MembraneModel::arc},
     {.bending = {BendingModel::cubic}, .membrane = MembraneModel::arc},
+    {.bending = {BendingModel::coupled}, .yields = {1e5}},
 };
+
+Shell curved_sheet() {
+    Shell shell = test::curved_patch();
+    shell.face_sheet.assign(shell.triangles.size(), 0);
+    return shell;
+}
 
 void expect_same(const Shell& shell, const ShellEnergyOptions& options, double amplitude) {
     ShellEnergies energies(shell, options);
@@ -35,7 +43,8 @@ void expect_same(const Shell& shell, const ShellEnergyOptions& options, double a
 
 // Small angles and large ones, flat and curved, free and held.
 TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
-    Shell flat = test::flat_patch(), curved = test::curved_patch();
+    Shell flat = test::flat_patch(), curved = curved_sheet();
+    flat.face_sheet.assign(flat.triangles.size(), 0);
     for (Shell* shell : {&flat, &curved})
         for (ShellEnergyOptions options : all_models)
             for (const double amplitude : {0.001, 0.03, 0.3}) {
@@ -49,7 +58,7 @@ TEST(ElasticGradient, IsThatOfTheEnergiesWithEachModel) {
 // Of what an open edge leaves, too: its sides are free then, and shares go elsewhere.
 TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
     for (const ShellEnergyOptions& options : all_models) {
-        Shell shell = test::curved_patch();
+        Shell shell = curved_sheet();
         ShellEnergies energies(shell, options);
         const Threads threads;
         ElasticGradient batches(shell, energies, options, threads);
@@ -61,6 +70,31 @@ TEST(ElasticGradient, FollowsAnEdgeThatOpens) {
         const Positions expected = test::elastic_gradient(energies, x);
         EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
         EXPECT_LT((batches.at(x) - expected).norm(), 1e-12 * expected.norm());
+    }
+}
+
+// Steps would go on with the forces of an edge that is gone, or without what the energies know of a step.
+TEST(ElasticEnergy, FollowsItsPartsWhenAnEdgeOpens) {
+    for (const ShellEnergyOptions& options : all_models) {
+        Shell shell = curved_sheet();
+        ShellEnergies energies(shell, options);
+        ElasticEnergy whole(shell, energies, options, Threads());
+        const Positions x = test::shaken(shell, 0.02, 5);
+        const auto gradient = [&] {
+            Positions sum = Positions::Zero(3, x.cols());
+            whole.add_gradient(x, sum);
+            return sum;
+        };
+        const Positions before = gradient();
+        ShellChange change;
+        change.removed_hinges = {remove_hinge_of(shell, shell.hinge_edge[20])};
+        whole.topology_changed(change, {});
+        const Positions expected = test::elastic_gradient(energies, x);
+        EXPECT_GT((before - expected).norm(), 1e-6 * expected.norm());
+        EXPECT_LT((gradient() - expected).norm(), 1e-12 * expected.norm());
+        double value = 0;
+        for (const Energy* part : energies.elastic()) value += part->value(x);
+        EXPECT_DOUBLE_EQ(whole.value(x), value);
     }
 }
 

@@ -66,6 +66,65 @@ TEST(Multifrontal, FactorsOneMatrixAfterTheOther) {
     EXPECT_EQ(twice.solve(right), once.solve(right));
 }
 
+/// Several grids that do not touch each other, as loose shards.
+BlockMatrix on_grids(Index side, Index grids, Random& random) {
+    std::vector<std::pair<Index, Index>> pairs;
+    const Index all = grids * side * side;
+    for (Index i = 0; i < all; ++i)
+        for (Index j = std::max(0, i - 2 * side); j < i; ++j)
+            if (i / (side * side) == j / (side * side) &&
+                std::abs(i / side - j / side) + std::abs(i % side - j % side) <= 2)
+                pairs.emplace_back(i, j);
+    BlockMatrix matrix(all, pairs, std::vector<char>(all, 0));
+    for (const auto& [i, j] : pairs) matrix.add(i, j, random.matrix<Matrix3d>(1));
+    for (Index i = 0; i < all; ++i) matrix.add(i, i, 40 * Matrix3d::Identity());
+    return matrix;
+}
+
+// A subtree that takes what is another's, or sums whose order depends on who is first, give other bits or
+// another solution. The single grid has supernodes above all parts that are wider than a strip.
+TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
+    Random random(6);
+    for (const auto& [side, grids] : {std::pair(70, 1), std::pair(20, 12), std::pair(3, 900)}) {
+        const BlockMatrix matrix = on_grids(side, grids, random);
+        const auto pattern = std::make_shared<const Supernodes>(supernodes(matrix));
+        const EliminationParts shares(*pattern);
+        EXPECT_GT(shares.parts.size(), 2U) << side;
+        EXPECT_EQ(shares.above.empty(), grids > 1) << side;
+        MultifrontalFactor<float> alone(pattern), shared(pattern, Threads(2));
+        ASSERT_TRUE(alone.factorize(matrix));
+        ASSERT_TRUE(shared.factorize(matrix));
+        const VectorXd right = VectorXd::LinSpaced(matrix.size(), -1, 1), solution = alone.solve(right);
+        EXPECT_EQ(solution, shared.solve(right)) << side;
+        const Positions there = solution.reshaped(3, matrix.size() / 3);
+        EXPECT_LT((matrix.times(there).reshaped() - right).norm(), 1e-5 * right.norm()) << side;
+    }
+}
+
+// Each supernode is eliminated once, after its children, and a part has all of them.
+TEST(EliminationParts, HaveEachSupernodeOnceWithItsChildren) {
+    Random random(7);
+    for (const auto& [side, grids] : {std::pair(4, 1), std::pair(50, 1), std::pair(30, 3)}) {
+        const Supernodes pattern = supernodes(on_grids(side, grids, random));
+        const EliminationParts shares(pattern);
+        std::vector<Index> part_of(pattern.size(), -2);
+        for (const Index node : shares.above) part_of[node] = -1;
+        for (std::size_t p = 0; p < shares.parts.size(); ++p)
+            for (Index node = shares.parts[p].first; node < shares.parts[p].end; ++node) {
+                EXPECT_EQ(part_of[node], -2);
+                part_of[node] = static_cast<Index>(p);
+            }
+        for (Index node = 0; node < pattern.size(); ++node) {
+            EXPECT_NE(part_of[node], -2);
+            EXPECT_EQ(shares.is_above[node] != 0, part_of[node] == -1);
+            const Index parent = pattern.parent[node];
+            if (parent < 0) continue;
+            EXPECT_TRUE(part_of[parent] == part_of[node] || part_of[parent] == -1);
+            EXPECT_GT(parent, node);
+        }
+    }
+}
+
 TEST(Multifrontal, TellsThatAMatrixIsNotDefinite) {
     Random random(3);
     const BlockMatrix matrix = on_grid(12, random, 1);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/threads.h"
+
+namespace sherd {
+
+// Dense matrices of a factorization, column by column, with `stride` from one column to the next. They have
+// the same bits with any number of threads. Real: float or double.
+
+template <class Real>
+Real* column_of(Real* matrix, Index stride, Index column) {
+    return matrix + static_cast<std::ptrdiff_t>(stride) * column;
+}
+
+template <class Real>
+using ConstColumn = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
+
+/// Cholesky factorization of the upper square [width, width] of a matrix [height, width], and below <- below
+/// square^-T for the rows below it, in place; of the square the lower triangle counts. Returns false if it is
+/// not positive definite.
+template <class Real>
+bool eliminate_columns(Real* matrix, Index height, Index width, const Threads& threads);
+
+/// Lower triangle of target [rows, rows] <- -panel panel^T. panel: [rows, columns].
+template <class Real>
+void negative_square(const Real* panel, Index stride, Index rows, Index columns, Real* target,
+                     const Threads& threads);
+
+}  // namespace sherd
