@@ -147,6 +147,27 @@ RowCost estimated_row_cost(const StudyRows& rows, const std::vector<std::size_t>
     return largest;
 }
 
+/// What the study asks Slurm for, and the command line over it.
+SlurmOptions slurm_options(SlurmOptions slurm, const SlurmOptions& given) {
+    for (std::string SlurmOptions::*text :
+         {&SlurmOptions::partition, &SlurmOptions::account, &SlurmOptions::time, &SlurmOptions::memory})
+        if (!(given.*text).empty()) slurm.*text = given.*text;
+    if (given.chunk > 0) slurm.chunk = given.chunk;
+    return slurm;
+}
+
+SlurmJob slurm_job(const Sweep& sweep, const SweepOptions& options, const fs::path& folder, std::size_t chunk,
+                   const std::vector<std::size_t>& wanted) {
+    SlurmJob job{.chunk = chunk, .tasks = {}, .jobs = std::max(1, options.jobs), .sweep = {}};
+    for (const std::size_t row : wanted)
+        if (job.tasks.empty() || job.tasks.back() != row / chunk) job.tasks.push_back(row / chunk);
+    job.sweep = {fs::read_symlink("/proc/self/exe").string(), "sweep",
+                 fs::absolute(sweep.study.file).string(), "-o", folder.string()};
+    if (options.quick) job.sweep.emplace_back("--quick");
+    if (options.retry) job.sweep.emplace_back("--retry");
+    return job;
+}
+
 int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
     const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
     tell_of_before(state, sweep.rows, sweep.folder, options.retry);
@@ -155,21 +176,14 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
         fmt::print(stderr, "sherd: no row is left to run; --collect makes the tables\n");
         return 0;
     }
+    const SlurmOptions slurm = slurm_options(sweep.study.slurm, options.on_slurm);
     const RowCost cost = estimated_row_cost(sweep.rows, wanted);
-    SlurmJob job;
-    job.chunk =
-        options.on_slurm.chunk > 0 ? options.on_slurm.chunk : chunk_size(sweep.rows.rows.size(), cost);
-    job.jobs = std::max(1, options.jobs);
-    for (const std::size_t row : wanted)
-        if (job.tasks.empty() || job.tasks.back() != row / job.chunk) job.tasks.push_back(row / job.chunk);
-    job.sweep = {fs::read_symlink("/proc/self/exe").string(), "sweep", fs::absolute(options.study).string(),
-                 "-o", fs::absolute(sweep.folder).string()};
-    if (options.quick) job.sweep.emplace_back("--quick");
-    if (options.retry) job.sweep.emplace_back("--retry");
+    const std::size_t chunk = slurm.chunk > 0 ? slurm.chunk : chunk_size(sweep.rows.rows.size(), cost);
     const fs::path folder = fs::absolute(sweep.folder).lexically_normal();
-    const std::string number = submit(job, slurm_script(job, options.on_slurm, cost, folder), folder);
-    fmt::print("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(),
-               job.chunk, wanted.size());
+    const SlurmJob job = slurm_job(sweep, options, folder, chunk, wanted);
+    const std::string number = submit(job, slurm_script(job, slurm, cost, folder), folder);
+    fmt::print("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(), chunk,
+               wanted.size());
     return 0;
 }
 

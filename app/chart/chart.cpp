@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 
 #include "app/files/xml_text.h"
 #include "app/render/axis_ticks.h"
@@ -166,11 +167,13 @@ std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y
             "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}/>\n",
             series_path(series, x, y), series.colour, series.dashed ? " stroke-dasharray=\"5 3\"" : "");
     if (!series.dotted) return svg;
+    std::set<std::string> dots;  // those that look the same once
     for (const Vector2d& point : series.points)
         if (is_shown(point, x, y))
-            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"{}/>\n",
-                               x.place(point.x()), y.place(point.y()), series.colour,
-                               series.faint ? " fill-opacity=\"0.3\"" : "");
+            dots.insert(fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"{}/>\n",
+                                    x.place(point.x()), y.place(point.y()), series.colour,
+                                    series.faint ? " fill-opacity=\"0.3\"" : ""));
+    for (const std::string& dot : dots) svg += dot;
     return svg;
 }
 

@@ -37,7 +37,7 @@ Descriptor open_pipe(Descriptor& to_read) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::vector<std::string> arguments, std::string program) {
+ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string& program) {
     std::string name = program == this_program ? "sherd" : program;
     std::vector<char*> pointers{name.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());

@@ -15,7 +15,7 @@ class ChildProcess {
     static constexpr const char* this_program = "/proc/self/exe";  ///< also where PATH has changed
 
     /// arguments: without the program's name. Throws Error (run) when it cannot be started.
-    explicit ChildProcess(std::vector<std::string> arguments, std::string program = this_program);
+    explicit ChildProcess(std::vector<std::string> arguments, const std::string& program = this_program);
     /// Interrupts it, if it is still running, and waits for its end.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;

@@ -35,8 +35,9 @@ std::vector<std::string> take_lines(std::string& text) {
 
 }  // namespace
 
-ChildRun::ChildRun(std::string name_, double total, std::vector<std::string> arguments, std::string program)
-    : name(std::move(name_)), meter(total, name), process(std::move(arguments), std::move(program)) {
+ChildRun::ChildRun(std::string name_, double total, std::vector<std::string> arguments,
+                   const std::string& program)
+    : name(std::move(name_)), meter(total, name), process(std::move(arguments), program) {
     meter.update(0, {{{"starting", 1}}, {}});
 }
 

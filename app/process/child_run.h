@@ -17,7 +17,7 @@ class ChildRun {
     /// total: what its progress counts to, as the scene's duration. Throws Error (run) when it cannot be
     /// started.
     ChildRun(std::string name, double total, std::vector<std::string> arguments,
-             std::string program = ChildProcess::this_program);
+             const std::string& program = ChildProcess::this_program);
 
     /// Its pipes that may have something to say.
     void add_pipes(std::vector<pollfd>& pipes) const;

@@ -132,7 +132,7 @@ std::string submit(const SlurmJob& job, const std::string& script, const fs::pat
                     Fault::run);
     }
     if (end.exit_code != 0) throw Error(fmt::format("sbatch: {}", end.err), Fault::run);
-    const std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
+    std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
     write_file(job_file(folder), Json{{"job", number}, {"chunk", job.chunk}}.dump() + "\n");
     return number;
 }

@@ -8,17 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/sweep/sweep_folder.h"
+#include "app/sweep/slurm_options.h"
 
 namespace sherd {
-
-/// What Slurm is asked for; empty or 0: by estimate, or Slurm's own default.
-struct SlurmOptions {
-    std::string partition, account;
-    std::string time;       ///< of a task, as sbatch takes it
-    std::string memory;     ///< the same
-    std::size_t chunk = 0;  ///< rows a task
-};
 
 /// What a row is likely to take, and the machine with it.
 struct RowCost {

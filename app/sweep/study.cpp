@@ -87,6 +87,18 @@ void read_measures(TomlTable& root, const toml::table& document, Study& study) {
     if (root.has("keep")) study.keep = static_cast<Keep>(root.choice_number("keep", keeps));
 }
 
+SlurmOptions read_slurm(TomlTable& table) {
+    SlurmOptions slurm;
+    for (const auto& [key, value] : {std::pair{"partition", &slurm.partition},
+                                     {"account", &slurm.account},
+                                     {"time", &slurm.time},
+                                     {"memory", &slurm.memory}})
+        if (table.has(key)) *value = table.string(key, "what sbatch takes");
+    slurm.chunk = static_cast<std::size_t>(table.integer("chunk", 1, most_samples, 0));
+    table.finish();
+    return slurm;
+}
+
 /// Puts the keys of the table `quick`, if there is one, over the others.
 void apply_quick(toml::table& document, bool quick) {
     toml::table* changes = document.get_as<toml::table>("quick");
@@ -117,6 +129,7 @@ Study parse_study(const std::string& text, const std::filesystem::path& file, bo
         study.parameters = read_parameters(*document.get_as<toml::table>("parameters"), problems);
     require_rows(root, study);
     read_measures(root, document, study);
+    if (auto slurm = root.table("slurm")) study.slurm = read_slurm(*slurm);
     root.finish();
     problems.throw_if_any();
     return study;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/sweep/distribution.h"
+#include "app/sweep/slurm_options.h"
 
 namespace sherd {
 
@@ -45,6 +46,7 @@ struct Study {
     double over = 0;                    ///< kg, of fragments that count
     std::string python;                 ///< file with measure(recording); empty: none
     Keep keep = Keep::none;
+    SlurmOptions slurm;
 };
 
 /// Reads a study; app/README.md has its keys. quick: with the keys of its table `quick` over the others.

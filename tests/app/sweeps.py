@@ -116,6 +116,7 @@ class Sweeps(unittest.TestCase):
         self.assertIn("of 40 rows are done already", rest.err)
         self.assertEqual(self.table(), whole)
         self.assertEqual(len(self.results()), 40, "a row that was done has been run again")
+        self.assertEqual(list((self.folder / "study" / "runs").iterdir()), [], "no recording is to be kept")
         before = self.results()
         self.sweep()
         self.assertEqual(self.results(), before)
@@ -234,7 +235,7 @@ class Sweeps(unittest.TestCase):
                               text=True)
         self.assertEqual(plot.returncode, 0, plot.stderr)
         picture = (self.folder / "plot.svg").read_text()
-        self.assertEqual(picture.count("<circle"), 8 + 4, "a dot for each row and for each mean")
+        self.assertEqual(picture.count("<circle"), 4 + 4, "dots for rows, one for those at the same place, and means")
         self.assertIn("peak_force (", picture)
         wrong = subprocess.run([self.sherd, "plot", "study/study.csv", "--x", "sped", "--y", "peak_force", "-o",
                                 "b.svg"], cwd=self.folder, capture_output=True, text=True)
