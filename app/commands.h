@@ -18,6 +18,7 @@ using Command = std::function<int()>;
 
 /// Each adds its subcommand to `program`; parsing it sets `chosen`, which must outlive the parsing.
 void add_run(CLI::App& program, Command& chosen);
+void add_sweep(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_modes(CLI::App& program, Command& chosen);
 void add_info(CLI::App& program, Command& chosen);

@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
     program.footer("Example:\n  sherd run plate_drop -o plate.h5");
     sherd::Command chosen;
     sherd::add_run(program, chosen);
+    sherd::add_sweep(program, chosen);
     sherd::add_check(program, chosen);
     sherd::add_modes(program, chosen);
     sherd::add_info(program, chosen);

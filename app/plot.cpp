@@ -11,9 +11,11 @@
 #include <memory>
 
 #include "app/chart/chart_page.h"
+#include "app/chart/palette.h"
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/recording/recording_format.h"
+#include "app/sweep/study_chart.h"
 #include "app/words/moment_words.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -21,9 +23,6 @@
 namespace sherd {
 namespace {
 
-// Okabe and Ito's palette.
-constexpr const char *blue = "#0072b2", *vermillion = "#d55e00", *green = "#009e73", *purple = "#cc79a7",
-                     *yellow = "#f0e442", *orange = "#e69f00", *black = "#000000", *sky = "#56b4e9";
 const ChartAxis time_axis{.name = "time", .unit = "s", .from_zero = true};
 
 using Value = std::function<double(const StepReport&)>;
@@ -97,12 +96,11 @@ Chart strain_chart(const std::vector<StepReport>& steps) {
 template <class ValueOf>
 Chart chart_of_names(Chart chart, const std::vector<StepReport>& steps, const std::vector<std::string>& names,
                      ValueOf value, const char* which = "first") {
-    constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
     double room = 430;
-    for (std::size_t i = 0; i < std::min(names.size(), std::size(colours)); ++i) {
+    for (std::size_t i = 0; i < std::min(names.size(), series_colours.size()); ++i) {
         room -= legend_width(names[i]);
         if (i > 0 && room < 0) break;
-        chart.series.push_back(over_time(steps, names[i], colours[i],
+        chart.series.push_back(over_time(steps, names[i], series_colours[i],
                                          [&](const StepReport& step) -> double { return value(step, i); }));
     }
     if (chart.series.size() == 1) chart.title += ": " + names.front();
@@ -185,13 +183,13 @@ void add_tip_charts(std::vector<Chart>& charts, const std::vector<StepReport>& s
 
 /// Of statics: the load over the displacement of each gauge.
 Chart load_chart(const RecordingHeader& header, const std::vector<StepReport>& steps) {
-    constexpr const char* colours[] = {blue, vermillion, green, purple, orange, black};
     Chart chart{"Load factor over displacement",
                 {.name = "displacement", .unit = "m", .from_zero = true},
                 {.name = "load factor"},
                 {}};
-    for (std::size_t i = 0; i < std::min(header.gauges.size(), std::size(colours)); ++i) {
-        ChartSeries series{.name = header.gauges[i].name, .colour = colours[i], .points = {Vector2d::Zero()}};
+    for (std::size_t i = 0; i < std::min(header.gauges.size(), series_colours.size()); ++i) {
+        ChartSeries series{
+            .name = header.gauges[i].name, .colour = series_colours[i], .points = {Vector2d::Zero()}};
         for (const StepReport& step : steps)
             series.points.emplace_back(step.gauges.at(i).displacement.norm(), step.load);
         chart.series.push_back(std::move(series));
@@ -214,19 +212,38 @@ std::string heading(const Recording& recording, const RecordingHeader& header, c
 }
 
 struct PlotOptions {
-    std::filesystem::path recording, output;
+    std::filesystem::path input, output;
+    StudyAxes axes;   ///< of a study's table
+    std::string log;  ///< of it: "x", "y" or "xy"
     bool force = false;
 };
 
-int plot(PlotOptions options) {
-    if (options.output.empty())
-        options.output = std::filesystem::path(options.recording).replace_extension(".svg");
-    const Recording recording(options.recording);
+std::string study_svg(PlotOptions options) {
+    if (options.axes.x.empty() || options.axes.y.empty())
+        throw Error(fmt::format("'{}' is a table: give the columns to draw, --x NAME and --y NAME",
+                                options.input.string()));
+    options.axes.log_x = options.log.find('x') != std::string::npos;
+    options.axes.log_y = options.log.find('y') != std::string::npos;
+    const StudyTable table = read_study_table(options.input);
+    return page_svg({options.input.filename().string(), {study_chart(table, options.axes)}, 1, 640, 420});
+}
+
+std::string recording_svg(const std::filesystem::path& file) {
+    const Recording recording(file);
     if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
+    return plot_svg(recording);
+}
+
+int plot(PlotOptions options) {
+    const bool is_table = options.input.extension() == ".csv";
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.input).replace_extension(".svg");
+    if (!is_table && !(options.axes.x + options.axes.y + options.axes.by + options.log).empty())
+        throw Error("--x, --y, --by and --log are for the table of a study (.csv)");
     const OutputLock lock(options.output);
     check_free(options.output, options.force);
     PendingFile pending(lock, Fault::input);
-    pending.write(plot_svg(recording));
+    pending.write(is_table ? study_svg(options) : recording_svg(options.input));
     pending.publish(options.force);
     fmt::print("{}\n", options.output.string());
     return 0;
@@ -291,16 +308,28 @@ std::string plot_svg(const Recording& recording) {
 }
 
 void add_plot(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("plot", "Draw energies, fragments and cracks of a run over time");
+    CLI::App* command = program.add_subcommand(
+        "plot", "Draw energies, fragments and cracks of a run over time, or columns of a study's table");
     auto options = std::make_shared<PlotOptions>();
-    command->add_option("recording", options->recording, "Recording of a run (.h5)")
+    command->add_option("input", options->input, "Recording of a run, or table of a study (.h5 or .csv)")
         ->required()
-        ->option_text("RUN.h5");
-    command->add_option("-o,--output", options->output, "SVG file (default: beside RUN.h5)")
+        ->option_text("FILE");
+    command
+        ->add_option("--x", options->axes.x, "Of a table: the column along the axis; its last part will do")
+        ->option_text("NAME");
+    command->add_option("--y", options->axes.y, "Of a table: the column to draw over it")
+        ->option_text("NAME");
+    command->add_option("--by", options->axes.by, "Of a table: a column whose values have a colour each")
+        ->option_text("NAME");
+    command->add_option("--log", options->log, "Of a table: which axes are logarithmic")
+        ->check(CLI::IsMember({"x", "y", "xy"}))
+        ->option_text("x|y|xy");
+    command->add_option("-o,--output", options->output, "SVG file (default: beside the input)")
         ->option_text("FILE.svg");
     command->add_flag("--force", options->force, "Replace a file that exists");
-    command->footer("Example:\n  sherd plot plate_drop.h5 -o plate.svg");
+    command->footer(
+        "Examples:\n  sherd plot plate_drop.h5 -o plate.svg\n"
+        "  sherd plot study.csv --x velocity --y fragments --log xy");
     command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/machine/threads.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_observer.h"
 #include "app/run/checkpoint_keeper.h"
@@ -81,7 +82,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
 
 int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
     RunStart start = run_start(file, options);
-    Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of(options, 1));
+    Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of_run(options.threads, 1));
     const Simulation& simulation = runner.simulation();
     EndOnInterruption interruption(options.progress_to >= 0);
     EndAt end_at(options.until);

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <cstdio>
 #include <list>
-#include <thread>
 
 #include "app/files/pending_file.h"
+#include "app/machine/threads.h"
+#include "app/process/child_run.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_display.h"
 #include "app/recording/recording.h"
-#include "app/variant_run.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -23,8 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int poll_interval = 50;     // ms until an interruption is seen
-constexpr unsigned most_threads = 4;  // that pay
+constexpr int poll_interval = 50;  // ms until an interruption is seen
 
 /// What all recordings have in their names: the name that a scene without variants would get.
 fs::path common_output(const Scene& first, const RunOptions& options) {
@@ -51,7 +50,8 @@ std::vector<std::string> arguments_of(const std::string& variant, const fs::path
     if (options.resume) arguments.push_back("--resume");
     if (std::isfinite(options.until))
         arguments.insert(arguments.end(), {"--until", fmt::format("{}", options.until)});
-    arguments.insert(arguments.end(), {"--threads", fmt::format("{}", threads_of(options, options.jobs))});
+    arguments.insert(arguments.end(),
+                     {"--threads", fmt::format("{}", threads_of_run(options.threads, options.jobs))});
     return arguments;
 }
 
@@ -73,7 +73,7 @@ class VariantRunner {
     void start_some();
     void wait_for_output() const;
     void listen();
-    void finish(VariantRun& run);
+    void finish(ChildRun& run);
     void show();
     void stop();
 
@@ -81,7 +81,7 @@ class VariantRunner {
     std::span<const fs::path> files;
     const RunOptions& options;
     ProgressDisplay display;
-    std::list<VariantRun> running;
+    std::list<ChildRun> running;
     std::size_t next = 0;  ///< of the variants
     std::size_t complete = 0;
     std::vector<std::string> failed;
@@ -95,14 +95,15 @@ std::size_t VariantRunner::longest_name(std::span<const Scene> variants) {
 
 void VariantRunner::start_some() {
     while (next < variants.size() && running.size() < static_cast<std::size_t>(options.jobs)) {
-        running.emplace_back(variants[next], arguments_of(variants[next].variant, files[next], options));
+        const std::string& variant = variants[next].variant;
+        running.emplace_back(variant, variants[next].duration, arguments_of(variant, files[next], options));
         ++next;
     }
 }
 
 void VariantRunner::wait_for_output() const {
     std::vector<pollfd> pipes;
-    for (const VariantRun& run : running) run.add_pipes(pipes);
+    for (const ChildRun& run : running) run.add_pipes(pipes);
     poll(pipes.data(), pipes.size(), poll_interval);
 }
 
@@ -123,27 +124,27 @@ void VariantRunner::listen() {
     }
 }
 
-void VariantRunner::finish(VariantRun& run) {
+void VariantRunner::finish(ChildRun& run) {
     if (run.finish() == 0)
         ++complete;
     else
-        failed.push_back(run.variant);
+        failed.push_back(run.name);
     display.make_way();
     display.leave(run.meter);
-    if (!run.results.empty()) fmt::print("variant {}\n{}\n", run.variant, run.results);
+    if (!run.results.empty()) fmt::print("variant {}\n{}\n", run.name, run.results);
     std::fflush(stdout);
 }
 
 void VariantRunner::show() {
     std::vector<ProgressMeter*> meters;
-    for (VariantRun& run : running) meters.push_back(&run.meter);
+    for (ChildRun& run : running) meters.push_back(&run.meter);
     display.show(meters);
 }
 
 void VariantRunner::stop() {
     stopped = true;
     next = variants.size();
-    for (VariantRun& run : running) run.interrupt();
+    for (ChildRun& run : running) run.interrupt();
 }
 
 std::vector<std::string> VariantRunner::run() {
@@ -162,12 +163,6 @@ std::vector<std::string> VariantRunner::run() {
 fs::path recording_name(const Scene& scene) {
     const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
     return fmt::format("{}{}.h5", scene.file.stem().string(), variant);
-}
-
-int threads_of(const RunOptions& options, int runs) {
-    if (options.threads > 0) return options.threads;
-    const unsigned cores = std::min(std::thread::hardware_concurrency(), most_threads);
-    return std::max(1, static_cast<int>(cores) / runs);
 }
 
 int run_variants(std::span<const Scene> variants, const RunOptions& options) {

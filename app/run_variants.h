@@ -18,14 +18,10 @@ struct RunOptions {
     bool force = false;            ///< replace recordings that exist
     bool resume = false;           ///< go on from their last checkpoints
     double until = std::numeric_limits<double>::infinity();  ///< s, simulated; when the run ends early
-    int threads = 0;                                         ///< of a run, at most; 0: see threads_of()
+    int threads = 0;                                         ///< of a run, at most; 0: see threads_of_run()
     int jobs = 2;                                            ///< variants at a time
     int progress_to = -1;  ///< descriptor for to_line() of RunProgress, instead of stderr; -1: none
 };
-
-/// The threads of each of so many runs at a time: as many as the processor runs at once, shared among them,
-/// but no more than pay.
-int threads_of(const RunOptions& options, int runs);
 
 /// SCENE.h5, or SCENE-VARIANT.h5.
 std::filesystem::path recording_name(const Scene& scene);

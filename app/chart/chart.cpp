@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 
 #include "app/files/xml_text.h"
 #include "app/render/axis_ticks.h"
@@ -40,6 +41,12 @@ std::pair<double, double> extent(const Chart& chart, int coordinate, bool logari
             if (!point.allFinite() || (logarithmic && point[coordinate] <= 0)) continue;
             low = std::min(low, point[coordinate]);
             high = std::max(high, point[coordinate]);
+        }
+    for (const ChartSeries& series : chart.series)
+        for (const Vector2d& interval : series.intervals) {
+            if (coordinate == 0 || !interval.allFinite() || (logarithmic && interval[0] <= 0)) continue;
+            low = std::min(low, interval[0]);
+            high = std::max(high, interval[1]);
         }
     if (low > high) return logarithmic ? std::pair{1.0, 10.0} : std::pair{0.0, 1.0};
     return {low, high};
@@ -114,13 +121,17 @@ std::string frame_svg(const Chart& chart, const Scale& x, const Scale& y) {
     return svg;
 }
 
+/// Whether the axes have a place for a point.
+bool is_shown(const Vector2d& point, const Scale& x, const Scale& y) {
+    return point.allFinite() && (!x.logarithmic || point.x() > 0) && (!y.logarithmic || point.y() > 0);
+}
+
 std::string series_path(const ChartSeries& series, const Scale& x, const Scale& y) {
     std::string path;
     bool joined = false;
     double last_y = 0;
     for (const Vector2d& point : thinned(series.points, static_cast<int>(x.end - x.begin))) {
-        const bool shown =
-            point.allFinite() && (!x.logarithmic || point.x() > 0) && (!y.logarithmic || point.y() > 0);
+        const bool shown = is_shown(point, x, y);
         if (shown) {
             const double px = x.place(point.x()), py = y.place(point.y());
             if (joined && series.stepped) path += fmt::format("L{:.1f} {:.1f}", px, last_y);
@@ -132,15 +143,37 @@ std::string series_path(const ChartSeries& series, const Scale& x, const Scale& 
     return path;
 }
 
+/// Bars with a stroke across either end.
+std::string intervals_svg(const ChartSeries& series, const Scale& x, const Scale& y) {
+    constexpr double half = 4;  // pixels
+    std::string path;
+    for (std::size_t i = 0; i < series.intervals.size(); ++i) {
+        const double at = series.points[i].x();
+        const auto [low, high] = std::pair(series.intervals[i][0], series.intervals[i][1]);
+        if (!is_shown({at, low}, x, y) || !is_shown({at, high}, x, y)) continue;
+        const double px = x.place(at), lower = y.place(low), upper = y.place(high);
+        path += fmt::format("M{0:.1f} {3:.1f}H{2:.1f}M{1:.1f} {3:.1f}V{4:.1f}M{0:.1f} {4:.1f}H{2:.1f}",
+                            px - half, px, px + half, lower, upper);
+    }
+    if (path.empty()) return "";
+    return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"/>\n", path,
+                       series.colour);
+}
+
 std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y) {
-    std::string svg = fmt::format(
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}/>\n",
-        series_path(series, x, y), series.colour, series.dashed ? " stroke-dasharray=\"5 3\"" : "");
+    std::string svg = intervals_svg(series, x, y);
+    if (series.joined)
+        svg += fmt::format(
+            "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}/>\n",
+            series_path(series, x, y), series.colour, series.dashed ? " stroke-dasharray=\"5 3\"" : "");
     if (!series.dotted) return svg;
+    std::set<std::string> dots;  // those that look the same once
     for (const Vector2d& point : series.points)
-        if (point.allFinite() && point.minCoeff() > 0)
-            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"/>\n",
-                               x.place(point.x()), y.place(point.y()), series.colour);
+        if (is_shown(point, x, y))
+            dots.insert(fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\" fill=\"{}\"{}/>\n",
+                                    x.place(point.x()), y.place(point.y()), series.colour,
+                                    series.faint ? " fill-opacity=\"0.3\"" : ""));
+    for (const std::string& dot : dots) svg += dot;
     return svg;
 }
 
@@ -149,6 +182,7 @@ std::string series_svg(const ChartSeries& series, const Scale& x, const Scale& y
 std::string legend_svg(std::span<const ChartSeries> all, double left, double y) {
     std::string svg;
     for (const ChartSeries& series : all) {
+        if (series.name.empty()) continue;
         svg += line(left, y - 4, left + 18, y - 4,
                     fmt::format("stroke=\"{}\" stroke-width=\"2.5\"{}", series.colour,
                                 series.dashed ? " stroke-dasharray=\"5 3\"" : ""));

@@ -16,7 +16,10 @@ struct ChartSeries {
     std::vector<Vector2d> points;  ///< in order, in the axes' units; what is not finite is a gap
     bool stepped = false;          ///< keeps its value until the next point
     bool dashed = false;
-    bool dotted = false;  ///< with a dot at each point
+    bool dotted = false;                   ///< with a dot at each point
+    bool joined = true;                    ///< by a line
+    bool faint = false;                    ///< behind what matters more
+    std::vector<Vector2d> intervals = {};  ///< lower and upper end of a bar at each point; empty: none
 };
 
 /// One axis: `unit` is SI; the labels take a prefix that makes the numbers short.

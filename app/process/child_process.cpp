@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/child_process.h"
+#include "app/process/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,11 +18,13 @@
 namespace sherd {
 namespace {
 
-constexpr const char* this_program = "/proc/self/exe";  // also where PATH or the working directory changed
-
 void require(int reason) {
     if (reason != 0)
         throw Error(fmt::format("cannot start another process: {}", std::strerror(reason)), Fault::run);
+}
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 /// Keeps the end of a new pipe for reading, and returns the one for writing.
@@ -34,8 +37,8 @@ Descriptor open_pipe(Descriptor& to_read) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(std::vector<std::string> arguments) {
-    std::string name = "sherd";
+ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string& program) {
+    std::string name = program == this_program ? "sherd" : program;
     std::vector<char*> pointers{name.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
@@ -45,7 +48,8 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) {
     posix_spawn_file_actions_adddup2(&redirection, outputs, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&redirection, errors, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&redirection, told, report_descriptor);
-    const int reason = posix_spawn(&process, this_program, &redirection, nullptr, pointers.data(), environ);
+    const int reason =
+        posix_spawnp(&process, program.c_str(), &redirection, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&redirection);
     require(reason);
 }
@@ -62,8 +66,10 @@ void ChildProcess::interrupt() const {
 int ChildProcess::wait() {
     if (process == 0) return 0;
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    rusage usage{};
+    while (wait4(process, &status, 0, &usage) < 0 && errno == EINTR) continue;
     process = 0;
+    processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

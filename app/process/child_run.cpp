@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/variant_run.h"
+#include "app/process/child_run.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -35,18 +35,19 @@ std::vector<std::string> take_lines(std::string& text) {
 
 }  // namespace
 
-VariantRun::VariantRun(const Scene& scene, std::vector<std::string> arguments)
-    : variant(scene.variant), meter(scene.duration, scene.variant), process(std::move(arguments)) {
+ChildRun::ChildRun(std::string name_, double total, std::vector<std::string> arguments,
+                   const std::string& program)
+    : name(std::move(name_)), meter(total, name), process(std::move(arguments), program) {
     meter.update(0, {{{"starting", 1}}, {}});
 }
 
-void VariantRun::add_pipes(std::vector<pollfd>& pipes) const {
+void ChildRun::add_pipes(std::vector<pollfd>& pipes) const {
     if (out_open) pipes.push_back({process.out, POLLIN, 0});
     if (err_open) pipes.push_back({process.err, POLLIN, 0});
     if (reports_open) pipes.push_back({process.reports, POLLIN, 0});
 }
 
-bool VariantRun::listen() {
+bool ChildRun::listen() {
     if (out_open) out_open = read_some(process.out, results);
     if (err_open) err_open = read_some(process.err, words);
     if (reports_open) reports_open = read_some(process.reports, reports);
@@ -54,19 +55,20 @@ bool VariantRun::listen() {
     return is_open();
 }
 
-void VariantRun::read_reports() {
+void ChildRun::read_reports() {
     for (const std::string& line : take_lines(reports))
         if (const auto progress = run_progress(line)) meter.update(progress->time, progress_text(*progress));
 }
 
-std::string VariantRun::take_words() {
+std::string ChildRun::take_words() {
     if (!is_open() && !words.empty() && !words.ends_with('\n')) words += '\n';
     std::string text;
-    for (const std::string& line : take_lines(words)) text += fmt::format("{}: {}\n", variant, line);
+    for (const std::string& line : take_lines(words))
+        text += name.empty() ? line + "\n" : fmt::format("{}: {}\n", name, line);
     return text;
 }
 
-int VariantRun::finish() {
+int ChildRun::finish() {
     const int exit_code = process.wait();
     meter.end(exit_code == 0 ? "took" : "ended after");
     return exit_code;

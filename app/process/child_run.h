@@ -6,30 +6,34 @@
 #include <string>
 #include <vector>
 
-#include "app/child_process.h"
+#include "app/process/child_process.h"
 #include "app/progress/progress_meter.h"
-#include "app/scene/scene.h"
 
 namespace sherd {
 
-/// A variant that is being run.
-class VariantRun {
+/// A run in a process of its own.
+class ChildRun {
   public:
-    VariantRun(const Scene& scene, std::vector<std::string> arguments);
+    /// total: what its progress counts to, as the scene's duration. Throws Error (run) when it cannot be
+    /// started.
+    ChildRun(std::string name, double total, std::vector<std::string> arguments,
+             const std::string& program = ChildProcess::this_program);
 
     /// Its pipes that may have something to say.
     void add_pipes(std::vector<pollfd>& pipes) const;
     /// Reads what there is in its pipes, its progress into the meter. Returns false when there will be no
     /// more.
     bool listen();
-    /// What it has said on stderr since this was asked last, in whole lines with its name in front; at its
-    /// end all.
+    /// What it has said on stderr since this was asked last, in whole lines with its name, if it has one, in
+    /// front; at its end all.
     std::string take_words();
     /// Waits for its end; returns its exit code.
     int finish();
     void interrupt() { process.interrupt(); }
+    /// Of the processor, s; after finish().
+    double processor_seconds() const { return process.processor_seconds; }
 
-    std::string variant;
+    std::string name;
     ProgressMeter meter;
     std::string results;  ///< stdout
 

@@ -8,12 +8,14 @@
 
 namespace sherd {
 
-/// This program once more, running beside the first one with its output in pipes, and one pipe more by which
-/// it can tell how far it is.
+/// This program once more, or another one, running beside the first one with its output in pipes, and one
+/// pipe more by which it can tell how far it is.
 class ChildProcess {
   public:
+    static constexpr const char* this_program = "/proc/self/exe";  ///< also where PATH has changed
+
     /// arguments: without the program's name. Throws Error (run) when it cannot be started.
-    explicit ChildProcess(std::vector<std::string> arguments);
+    explicit ChildProcess(std::vector<std::string> arguments, const std::string& program = this_program);
     /// Interrupts it, if it is still running, and waits for its end.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
@@ -27,6 +29,7 @@ class ChildProcess {
     static constexpr int report_descriptor = 3;  ///< where it writes what `reports` reads
 
     Descriptor out, err, reports;  ///< to read from: its stdout, its stderr, its reports
+    double processor_seconds = 0;  ///< that it took, after wait()
 
   private:
     int process = 0;  ///< 0: it has ended

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/progress/interruption.h"
+#include "app/run_cost.h"
+#include "app/scene/build/built_scene.h"
+#include "app/scene/read/scene.h"
+#include "app/sweep/slurm.h"
+#include "app/sweep/sweep_folder.h"
+#include "app/sweep/sweep_runner.h"
+#include "app/words/split.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The command line of `sherd sweep`.
+struct SweepOptions {
+    fs::path study, folder;
+    int jobs = 0;  ///< 0: as many as the processor runs at once; of a task of Slurm, 1
+    bool quick = false, retry = false, slurm = false, status = false, collect = false;
+    std::string rows;  ///< FIRST-LAST; empty: all
+    SlurmOptions on_slurm;
+};
+
+/// A study, its folder, and how far it is.
+struct Sweep {
+    explicit Sweep(const SweepOptions& options)
+        : study(read_study(options.study, options.quick)),
+          rows(study_rows(study, options.rows.empty() && !options.status && !options.collect)),
+          folder(options.folder.empty() ? options.study.stem() : options.folder) {}
+
+    Study study;
+    StudyRows rows;
+    fs::path folder;
+};
+
+/// [first, behind the last) of FIRST-LAST.
+std::pair<std::size_t, std::size_t> row_range(const std::string& text, std::size_t count) {
+    if (text.empty()) return {0, count};
+    const std::vector<std::string> ends = split(text, '-');
+    const auto is_number = [](const std::string& word) {
+        return !word.empty() && word.size() < 10 && word.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (ends.size() != 2 || !std::ranges::all_of(ends, is_number) ||
+        std::stoul(ends[0]) > std::stoul(ends[1]))
+        throw Error(fmt::format("--rows {}: give FIRST-LAST, as 0-99", text));
+    if (std::stoul(ends[0]) >= count)
+        throw Error(fmt::format("--rows {}: the study has {} rows, from 0 on", text, count));
+    return {std::stoul(ends[0]), std::min(count, std::stoul(ends[1]) + 1)};
+}
+
+std::vector<std::size_t> rows_to_run(const Sweep& sweep, const SweepState& state, bool retry) {
+    std::vector<std::size_t> wanted = state.missing;
+    std::set<std::uint64_t> seen;
+    for (const std::size_t row : state.failed)
+        if (retry && seen.insert(sweep.rows.rows[row].identity).second) wanted.push_back(row);
+    std::ranges::sort(wanted);
+    return wanted;
+}
+
+/// Says what was found of an earlier sweep into the folder.
+void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::path& folder, bool retry) {
+    if (state.done > 0)
+        fmt::print(stderr, "sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
+    if (!state.failed.empty())
+        fmt::print(stderr, "sherd: {} rows failed before{}\n", state.failed.size(),
+                   retry ? " and are run again" : "; --retry runs them again");
+    if (state.of_other_program > 0)
+        fmt::print(
+            stderr,
+            "sherd: {} of them were run by another build of this program (program_hash); remove '{}' to run "
+            "all again\n",
+            state.of_other_program, (folder / "rows").string());
+    if (state.foreign > 0)
+        fmt::print(stderr,
+                   "sherd: the study has changed: {} results are of rows that it does not have any more; "
+                   "they are kept "
+                   "and not in its tables\n",
+                   state.foreign);
+}
+
+std::string rows_words(const SweepState& state, std::size_t count) {
+    return fmt::format("rows         {}: {} done, {} failed, {} to run\n", count, state.done,
+                       state.failed.size(), count - state.done - state.failed.size());
+}
+
+/// Runs what is left of some rows. Returns whether it was not interrupted.
+bool run_rows(const Sweep& sweep, const SweepOptions& options) {
+    const auto [begin, end] = row_range(options.rows, sweep.rows.rows.size());
+    ResultJournal journal(journal_file(sweep.folder, begin, end));
+    const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
+    tell_of_before(state, sweep.rows, sweep.folder, options.retry);
+    std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
+    std::erase_if(wanted, [begin = begin, end = end](std::size_t row) { return row < begin || row >= end; });
+    if (wanted.empty()) return true;
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    watch_for_interruption();
+    SweepRunner runner(sweep.study, sweep.rows, sweep.folder, wanted,
+                       options.jobs > 0 ? options.jobs : cores);
+    runner.run(journal);
+    return !runner.stopped;
+}
+
+/// Says how the sweep has ended, and returns the exit code.
+int end_of_sweep(const Sweep& sweep, bool complete) {
+    const RowResults results = results_in(sweep.folder);
+    const SweepState state = sweep_state(sweep.rows, results);
+    fmt::print("{}", rows_words(state, sweep.rows.rows.size()));
+    std::fflush(stdout);  // before what goes to stderr
+    fmt::print(stderr, "{}", failed_lines(sweep.rows, results, state.failed));
+    if (!complete) {
+        fmt::print(
+            stderr,
+            "sherd: interrupted; the same command goes on with the rows that were not run to their end\n");
+        return interruption_exit_code();
+    }
+    if (!state.failed.empty())
+        throw Error(fmt::format("{} of {} rows failed; --retry runs them again", state.failed.size(),
+                                sweep.rows.rows.size()),
+                    Fault::run);
+    return 0;
+}
+
+/// What a row takes, by the first steps of the first and the last one on this machine: the larger of both.
+RowCost estimated_row_cost(const StudyRows& rows, const std::vector<std::size_t>& missing) {
+    RowCost largest;
+    for (const std::size_t row : {missing.front(), missing.back()}) {
+        std::vector<std::string> warnings;
+        const Scene scene = read_scene(rows.scene, rows.rows[row].choice);
+        BuiltScene built = build_scene(scene, warnings);
+        RunCost cost = run_cost(scene, built);
+        add(cost, try_steps(scene, std::move(built)));
+        largest.seconds = std::max(largest.seconds, cost.seconds);
+        largest.memory = std::max({largest.memory, cost.memory, cost.peak_memory});
+        if (missing.size() == 1) break;
+    }
+    return largest;
+}
+
+/// What the study asks Slurm for, and the command line over it.
+SlurmOptions slurm_options(SlurmOptions slurm, const SlurmOptions& given) {
+    for (std::string SlurmOptions::*text :
+         {&SlurmOptions::partition, &SlurmOptions::account, &SlurmOptions::time, &SlurmOptions::memory})
+        if (!(given.*text).empty()) slurm.*text = given.*text;
+    if (given.chunk > 0) slurm.chunk = given.chunk;
+    return slurm;
+}
+
+SlurmJob slurm_job(const Sweep& sweep, const SweepOptions& options, const fs::path& folder, std::size_t chunk,
+                   const std::vector<std::size_t>& wanted) {
+    SlurmJob job{.chunk = chunk, .tasks = {}, .jobs = std::max(1, options.jobs), .sweep = {}};
+    for (const std::size_t row : wanted)
+        if (job.tasks.empty() || job.tasks.back() != row / chunk) job.tasks.push_back(row / chunk);
+    job.sweep = {fs::read_symlink("/proc/self/exe").string(), "sweep",
+                 fs::absolute(sweep.study.file).string(), "-o", folder.string()};
+    if (options.quick) job.sweep.emplace_back("--quick");
+    if (options.retry) job.sweep.emplace_back("--retry");
+    return job;
+}
+
+int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
+    const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
+    tell_of_before(state, sweep.rows, sweep.folder, options.retry);
+    const std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
+    if (wanted.empty()) {
+        fmt::print(stderr, "sherd: no row is left to run; --collect makes the tables\n");
+        return 0;
+    }
+    const SlurmOptions slurm = slurm_options(sweep.study.slurm, options.on_slurm);
+    const RowCost cost = estimated_row_cost(sweep.rows, wanted);
+    const std::size_t chunk = slurm.chunk > 0 ? slurm.chunk : chunk_size(sweep.rows.rows.size(), cost);
+    const fs::path folder = fs::absolute(sweep.folder).lexically_normal();
+    const SlurmJob job = slurm_job(sweep, options, folder, chunk, wanted);
+    const std::string number = submit(job, slurm_script(job, slurm, cost, folder), folder);
+    fmt::print("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(), chunk,
+               wanted.size());
+    return 0;
+}
+
+int print_status(const Sweep& sweep) {
+    const RowResults results = results_in(sweep.folder);
+    const SweepState state = sweep_state(sweep.rows, results);
+    tell_of_before({.of_other_program = state.of_other_program, .foreign = state.foreign}, sweep.rows,
+                   sweep.folder, false);
+    fmt::print("{}", rows_words(state, sweep.rows.rows.size()));
+    if (const auto job = submitted_job(sweep.folder)) {
+        std::size_t running = 0, waiting = 0, rows_running = 0, rows_waiting = 0;
+        for (const auto& [task, name] : job->tasks) ++(name == "PENDING" ? waiting : running);
+        for (const std::size_t row : state.missing)
+            if (const auto task = job->tasks.find(row / job->chunk); task != job->tasks.end())
+                ++(task->second == "PENDING" ? rows_waiting : rows_running);
+        fmt::print("job          {}: {} tasks run ({} rows), {} wait ({} rows)\n", job->number, running,
+                   rows_running, waiting, rows_waiting);
+    }
+    std::fflush(stdout);  // before what goes to stderr
+    fmt::print(stderr, "{}", failed_lines(sweep.rows, results, state.failed));
+    return 0;
+}
+
+int sweep(const SweepOptions& options) {
+    const Sweep sweep(options);
+    if (options.status) return print_status(sweep);
+    make_sweep_folder(sweep.folder);
+    if (!options.rows.empty()) return end_of_sweep(sweep, run_rows(sweep, options));
+    const OutputLock lock(sweep.folder / "study.csv");
+    if (options.slurm) return submit_sweep(sweep, options);
+    const bool complete = options.collect || run_rows(sweep, options);
+    const std::vector<fs::path> files = write_tables(sweep.study, sweep.rows, results_in(sweep.folder), lock);
+    for (const fs::path& file : files) fmt::print("{}\n", file.string());
+    return end_of_sweep(sweep, complete);
+}
+
+void add_slurm_options(CLI::App& command, SweepOptions& options) {
+    command.add_flag("--slurm", options.slurm, "Hand the rows to Slurm as a job array, and end");
+    command.add_option("--partition", options.on_slurm.partition, "Partition of Slurm")->option_text("NAME");
+    command.add_option("--account", options.on_slurm.account, "Account of Slurm")->option_text("NAME");
+    command
+        .add_option(
+            "--time", options.on_slurm.time,
+            "Time limit of a task, as sbatch takes it; default: several times what the first steps tell")
+        ->option_text("TIME");
+    command
+        .add_option("--memory", options.on_slurm.memory,
+                    "Memory of a task, as sbatch takes it; default: by the first steps, too")
+        ->option_text("SIZE");
+    command
+        .add_option("--chunk", options.on_slurm.chunk,
+                    "Rows of a task; default: what takes less than an hour, in 1000 tasks at most")
+        ->check(CLI::PositiveNumber)
+        ->option_text("N");
+    command.add_flag("--status", options.status,
+                     "Say how many rows are done, failed, running and waiting, and end");
+    command.add_flag("--collect", options.collect, "Make the tables of what is done, and run nothing");
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand(
+        "sweep", "Run a study: a scene many times, with parameters that vary, into one table");
+    auto options = std::make_shared<SweepOptions>();
+    command->add_option("study", options->study, "Study file (.toml; keys in app/README.md)")
+        ->required()
+        ->option_text("STUDY.toml");
+    command
+        ->add_option("-o,--output", options->folder,
+                     "Folder for tables and recordings; what is there goes on. Default: the study's name")
+        ->option_text("FOLDER");
+    command
+        ->add_option(
+            "-j,--jobs", options->jobs,
+            "Rows to run at a time; default: as many as the processor runs at once, in a task of Slurm 1")
+        ->check(CLI::PositiveNumber)
+        ->option_text("N");
+    command->add_flag("--retry", options->retry, "Run rows again that failed");
+    command->add_flag("--quick", options->quick,
+                      "Take the keys of the study's table [quick] over the others");
+    command
+        ->add_option("--rows", options->rows,
+                     "Run these rows only, beside others who run other ones; the first is 0. --collect makes "
+                     "the tables")
+        ->option_text("FIRST-LAST");
+    add_slurm_options(*command, *options);
+    command->footer("Example:\n  sherd sweep study.toml -o study --jobs 4");
+    command->callback([&chosen, options] { chosen = [options] { return sweep(*options); }; });
+}
+
+}  // namespace sherd

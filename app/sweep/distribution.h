@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace sherd {
+
+/// What a parameter of a study is drawn from.
+struct Distribution {
+    enum class Kind {
+        uniform,      ///< from a to b
+        log_uniform,  ///< from a to b, the logarithm is uniform
+        normal,       ///< mean a, standard deviation b
+        lognormal     ///< median a; b: standard deviation of the natural logarithm
+    };
+    Kind kind = Kind::uniform;
+    double a = 0, b = 1;
+
+    /// The number that a share of all is below. share: between 0 and 1, both excluded.
+    double quantile(double share) const;
+};
+
+}  // namespace sherd

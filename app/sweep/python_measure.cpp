@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sweep/python_measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/json/json.h"
+#include "app/sweep/study_table.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+/// argv: folder of the package in a build tree, file, recording.
+constexpr const char* script = R"(
+import json, pathlib, runpy, sys
+folder, file, recording = sys.argv[1:]
+if pathlib.Path(folder).is_dir():
+    sys.path.insert(0, folder)
+sys.path.insert(0, str(pathlib.Path(file).parent))
+results, sys.stdout = sys.stdout, sys.stderr
+import sherd
+values = runpy.run_path(file)["measure"](sherd.Recording(recording))
+print(json.dumps({str(key): None if value is None else float(value) for key, value in values.items()}), file=results)
+)";
+
+}  // namespace
+
+std::vector<std::string> python_arguments(const std::filesystem::path& file,
+                                          const std::filesystem::path& recording) {
+    const std::filesystem::path package =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "python";
+    return {"-c", script, package.string(), file.string(), recording.string()};
+}
+
+std::vector<std::pair<std::string, double>> python_values(const std::string& printed) {
+    std::vector<std::pair<std::string, double>> values;
+    const Json json = Json::parse(printed, nullptr, false);
+    if (!json.is_object())
+        throw Error("measure(recording) must return a dictionary of numbers by name", Fault::run);
+    for (const auto& [key, value] : json.items()) {
+        if (is_study_column(key))
+            throw Error(fmt::format("measure(recording) returned '{}', which is a column already", key),
+                        Fault::run);
+        if (value.is_number()) values.emplace_back(key, value);
+    }
+    return values;
+}
+
+}  // namespace sherd

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sweep/slurm.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "app/files/checksum.h"
+#include "app/files/pending_file.h"
+#include "app/json/json.h"
+#include "app/process/child_run.h"
+#include "app/words/shell_word.h"
+#include "meshops/error.h"
+
+namespace sherd {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double safety = 5;                                 // times the first steps: contact and cracks
+constexpr double longest_chunk = 3600, shortest_time = 300;  // s
+constexpr double most_tasks = 1000;  // Slurm's MaxArraySize is 1001 unless it is told otherwise
+constexpr double megabyte = 1e6, spare_memory = 300e6;  // bytes
+
+struct ProgramEnd {
+    int exit_code = 0;
+    std::string out, err;
+};
+
+ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments) {
+    ChildRun run("", 1, arguments, program);
+    while (run.listen()) {
+        std::vector<pollfd> pipes;
+        run.add_pipes(pipes);
+        poll(pipes.data(), pipes.size(), -1);
+    }
+    ProgramEnd end;
+    end.err = run.take_words();
+    end.out = run.results;
+    end.exit_code = run.finish();
+    return end;
+}
+
+fs::path job_file(const fs::path& folder) {
+    return folder / "slurm" / "job.json";
+}
+
+/// "0-3,7,9-12" of ascending numbers.
+std::string ranges_text(const std::vector<std::size_t>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t last = i;
+        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+        text += fmt::format("{}{}", text.empty() ? "" : ",", numbers[i]);
+        if (last > i) text += fmt::format("-{}", numbers[last]);
+        i = last + 1;
+    }
+    return text;
+}
+
+/// States of the tasks of a job that are in the queue; none when squeue does not know it, or is not there.
+std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
+    const ProgramEnd end = end_of("squeue", {"--noheader", "--array", "--jobs", job, "--format", "%K %T"});
+    std::map<std::size_t, std::string> tasks;
+    if (end.exit_code != 0) return tasks;
+    std::istringstream lines(end.out);
+    std::size_t task = 0;
+    std::string state;
+    while (lines >> task >> state) tasks[task] = state;
+    return tasks;
+} catch (const Error&) {
+    return {};
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+    const OutputLock lock(file);
+    PendingFile pending(lock, Fault::input);
+    pending.write(text);
+    pending.publish(true);
+}
+
+}  // namespace
+
+std::size_t chunk_size(std::size_t rows, const RowCost& cost) {
+    const double by_time = std::floor(longest_chunk / std::max(1e-3, safety * cost.seconds));
+    const double by_tasks = std::ceil(static_cast<double>(rows) / most_tasks);
+    return static_cast<std::size_t>(std::clamp(std::max(by_time, by_tasks), 1., static_cast<double>(rows)));
+}
+
+std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const RowCost& cost,
+                         const fs::path& folder) {
+    const double rows_after_each_other = std::ceil(static_cast<double>(job.chunk) / job.jobs);
+    const double seconds = std::max(shortest_time, safety * cost.seconds * rows_after_each_other);
+    const double bytes = job.jobs * (1.5 * cost.memory + spare_memory);
+    std::string script = "#!/bin/bash\n";
+    const auto ask = [&](const char* option, const std::string& value) {
+        if (!value.empty()) script += fmt::format("#SBATCH --{}={}\n", option, value);
+    };
+    ask("job-name", "sherd-" + folder.filename().string());
+    ask("array", ranges_text(job.tasks));
+    ask("partition", options.partition);
+    ask("account", options.account);
+    ask("time", options.time.empty() ? fmt::format("{:.0f}", std::ceil(seconds / 60)) : options.time);
+    ask("mem", options.memory.empty() ? fmt::format("{:.0f}M", std::ceil(bytes / megabyte)) : options.memory);
+    ask("cpus-per-task", std::to_string(job.jobs));
+    ask("output", shell_word((folder / "slurm" / "%A_%a.log").string()));
+    std::string command;
+    for (const std::string& word : job.sweep) command += shell_word(word) + " ";
+    return script + fmt::format(
+                        "first=$((SLURM_ARRAY_TASK_ID * {0}))\n"
+                        "exec {1}--jobs {2} --rows $first-$((first + {0} - 1))\n",
+                        job.chunk, command, job.jobs);
+}
+
+std::string submit(const SlurmJob& job, const std::string& script, const fs::path& folder) {
+    if (const auto before = submitted_job(folder); before && !before->tasks.empty())
+        throw Error(
+            fmt::format("job {} of this study is still in the queue: wait for it (sherd sweep --status), or "
+                        "end it (scancel {})",
+                        before->number, before->number));
+    make_folder(folder / "slurm");
+    const fs::path file = folder / "slurm" / "job.sh";
+    write_file(file, script);
+    ProgramEnd end;
+    try {
+        end = end_of("sbatch", {"--parsable", file.string()});
+    } catch (const Error& error) {
+        throw Error(fmt::format("sbatch: {}; --slurm is for machines that hand jobs to Slurm", error.what()),
+                    Fault::run);
+    }
+    if (end.exit_code != 0) throw Error(fmt::format("sbatch: {}", end.err), Fault::run);
+    std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
+    write_file(job_file(folder), Json{{"job", number}, {"chunk", job.chunk}}.dump() + "\n");
+    return number;
+}
+
+std::optional<SubmittedJob> submitted_job(const fs::path& folder) {
+    if (!fs::exists(job_file(folder))) return std::nullopt;
+    const Json json = Json::parse(text_of(job_file(folder)), nullptr, false);
+    if (!json.is_object() || !json.contains("job") || !json.contains("chunk"))
+        throw Error(fmt::format("'{}' is damaged; remove it", job_file(folder).string()));
+    SubmittedJob job{json["job"], json["chunk"], {}};
+    job.tasks = queued_tasks(job.number);
+    return job;
+}
+
+}  // namespace sherd

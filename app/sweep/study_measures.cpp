@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sweep/study_measures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/words/nearest_name.h"
+
+namespace sherd {
+namespace {
+
+using Number = std::optional<double>;
+
+constexpr std::string_view peak_force = "peak_force.", peak_time = "peak_force_time.";
+
+/// Of the heaviest fragment.
+template <class Value>
+auto of_heaviest(Value value) {
+    return [value](const Measures& measures) {
+        return measures.fragments.empty() ? Number() : Number(value(measures.fragments.front()));
+    };
+}
+
+template <class Value>
+auto of_law(Value value) {
+    return [value](const Measures& measures) {
+        return measures.mass_law ? Number(value(*measures.mass_law)) : Number();
+    };
+}
+
+template <class Value>
+auto of_first_crack(Value value) {
+    return [value](const Measures& measures) {
+        return measures.first_crack ? Number(value(*measures.first_crack)) : Number();
+    };
+}
+
+Number median_mass(const Measures& measures) {
+    const auto& fragments = measures.fragments;  // by mass
+    if (fragments.empty()) return std::nullopt;
+    const std::size_t half = fragments.size() / 2;
+    const double upper = fragments[half].info.mass;
+    return fragments.size() % 2 == 1 ? upper : (upper + fragments[half - 1].info.mass) / 2;
+}
+
+Number largest_force(const Measures& measures) {
+    if (measures.peak_forces.empty()) return std::nullopt;
+    return std::ranges::max(measures.peak_forces, {}, &PeakForce::force).force;
+}
+
+/// "floor" of "obstacle.floor", and "sheet.plate.pin" as it is.
+std::string short_name(const RecordedSupport& support) {
+    constexpr std::string_view obstacle = "obstacle.";
+    return support.name.starts_with(obstacle) ? support.name.substr(obstacle.size()) : support.name;
+}
+
+bool is_of_support(const std::string& name) {
+    return (name.starts_with(peak_force) && name.size() > peak_force.size()) ||
+           (name.starts_with(peak_time) && name.size() > peak_time.size());
+}
+
+}  // namespace
+
+const std::vector<StudyMeasure>& study_measures() {
+    using F = const MeasuredFragment&;
+    using Law = const PowerLaw&;
+    using First = const FirstFailure&;
+    static const std::vector<StudyMeasure> all{
+        {"fragments", "", "number of fragments heavier than `over`",
+         [](const Measures& m) { return Number(m.fragments.size()); }},
+        {"fragments_below", "", "number of the others",
+         [](const Measures& m) { return Number(m.fragments_below); }},
+        {"mass_below", "kg", "mass of the others together",
+         [](const Measures& m) { return Number(m.mass_below); }},
+        {"largest.mass", "kg", "of the heaviest fragment", of_heaviest([](F f) { return f.info.mass; })},
+        {"largest.area", "m^2", "its area at rest", of_heaviest([](F f) { return f.info.area; })},
+        {"largest.length", "m", "its length at rest", of_heaviest([](F f) { return f.extent.length; })},
+        {"largest.width", "m", "its width at rest", of_heaviest([](F f) { return f.extent.width; })},
+        {"largest.aspect_ratio", "", "length over width",
+         of_heaviest([](F f) { return f.extent.aspect_ratio(); })},
+        {"median_mass", "kg", "median of the fragments' masses", median_mass},
+        {"mass_law.exponent", "", "b of N(> m) ~ m^-b", of_law([](Law law) { return law.exponent; })},
+        {"mass_law.lower", "", "lower end of its interval", of_law([](Law law) { return law.interval[0]; })},
+        {"mass_law.upper", "", "upper end of its interval", of_law([](Law law) { return law.interval[1]; })},
+        {"crack_length", "m", "of edges that failed, at rest",
+         [](const Measures& m) { return Number(m.cracks.length); }},
+        {"crack_area", "m^2", "the same with the thickness",
+         [](const Measures& m) { return Number(m.cracks.area); }},
+        {"lost_to_cracks", "J", "energy of breaking",
+         [](const Measures& m) { return Number(m.lost_to_cracks); }},
+        {"energy_per_area", "J/m^2", "the same per crack_area", &Measures::energy_per_area},
+        {"first_crack.time", "s", "of the first edge that failed",
+         of_first_crack([](First f) { return f.time; })},
+        {"first_crack.load", "", "factor of all loads then", of_first_crack([](First f) { return f.load; })},
+        {"first_crack.x", "m", "where it was at rest",
+         of_first_crack([](First f) { return f.position.x(); })},
+        {"first_crack.y", "m", "the same", of_first_crack([](First f) { return f.position.y(); })},
+        {"first_crack.z", "m", "the same", of_first_crack([](First f) { return f.position.z(); })},
+        {"peak_force", "N", "the largest reaction of all supports and obstacles", largest_force},
+    };
+    return all;
+}
+
+std::string measure_mistake(const std::string& name) {
+    std::vector<std::string> names;
+    for (const StudyMeasure& measure : study_measures()) names.push_back(measure.name);
+    if (is_of_support(name) || std::ranges::find(names, name) != names.end()) return "";
+    names.insert(names.end(), {"peak_force.NAME", "peak_force_time.NAME"});
+    const std::string nearest = nearest_name(name, names);
+    return fmt::format("there is no measure '{}'; {}there are: {}", name,
+                       nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
+                       fmt::join(names, ", "));
+}
+
+std::string measure_unit(const std::string& name) {
+    if (name.starts_with(peak_force)) return "N";
+    if (name.starts_with(peak_time)) return "s";
+    const auto found = std::ranges::find(study_measures(), name, &StudyMeasure::name);
+    return found == study_measures().end() ? "" : found->unit;
+}
+
+std::map<std::string, double> measure_values(const Measures& measures) {
+    std::map<std::string, double> values;
+    for (const StudyMeasure& measure : study_measures())
+        if (const Number value = measure.value(measures); value && std::isfinite(*value))
+            values[measure.name] = *value;
+    for (const PeakForce& peak : measures.peak_forces) {
+        values[std::string(peak_force) + short_name(peak.support)] = peak.force;
+        values[std::string(peak_time) + short_name(peak.support)] = peak.time;
+    }
+    return values;
+}
+
+}  // namespace sherd

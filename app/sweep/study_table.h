@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/output_lock.h"
+#include "app/sweep/csv.h"
+#include "app/sweep/result_journal.h"
+#include "app/sweep/study_row.h"
+
+namespace sherd {
+
+/// A column of a study's table; a cell is empty where a row has nothing to say.
+struct StudyColumn {
+    std::string group;  ///< in the .h5: "parameters", "measures", "python" or "run"
+    std::string name, unit;
+    std::vector<std::string> cells;
+
+    /// NaN where a cell is no number.
+    std::vector<double> numbers() const;
+};
+
+/// One row a run, in the order of the study, whether it has been run or not.
+using StudyTable = std::vector<StudyColumn>;
+
+/// Whether tables have a column of this name beside the parameters.
+bool is_study_column(std::string_view name);
+
+/// folder: where the recordings are.
+StudyTable study_table(const Study& study, const StudyRows& rows, const RowResults& results,
+                       const std::filesystem::path& folder);
+
+CsvRows csv_rows(const StudyTable& table);
+/// Reads what csv_rows() made; of groups it knows nothing. Throws Error (input).
+StudyTable read_study_table(const std::filesystem::path& csv);
+
+/// The column that is meant: of this name, or the only one whose last part it is ("velocity" of
+/// "sheet.plate.velocity"). Throws Error (input) with the nearest.
+const StudyColumn& find_column(const StudyTable& table, const std::string& name);
+
+/// Writes the table as HDF5: columns of numbers as doubles (NaN: none), others as texts, with their units.
+void write_study_h5(const StudyTable& table, const OutputLock& whole, const std::filesystem::path& file);
+
+}  // namespace sherd
