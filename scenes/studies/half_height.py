@@ -14,7 +14,7 @@ import numpy
 
 
 def half(height, broken):
-    """m; by Newton's method. Not a number where one height parts all that break from all that do not."""
+    """m; by Newton's method. Not a number where one height parts those that break from those that do not."""
     features = numpy.column_stack([numpy.ones(len(height)), numpy.log(height)])
     weights = numpy.zeros(2)
     for _ in range(30):
@@ -31,13 +31,16 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file) if row["exit"] == "0"]
     height, broken = (numpy.array([float(row[name]) for row in rows]) for name in ("height", "broken"))
+    middle = half(height, broken)
+    if numpy.isnan(middle):
+        sys.exit("half_height.py: one height parts those that break from those that do not: take more of them between")
     draw = numpy.random.default_rng(1)
     fits = []
     for _ in range(2000):
         some = draw.integers(len(rows), size=len(rows))
         fits.append(half(height[some], broken[some]))
     low, high = numpy.nanpercentile(fits, [2.5, 97.5])
-    print(f"half of {len(rows)} break from {half(height, broken):.3f} m, {low:.3f} to {high:.3f} m in 95 of 100")
+    print(f"half of {len(rows)} break from {middle:.3f} m, {low:.3f} to {high:.3f} m in 95 of 100")
 
 
 if __name__ == "__main__":

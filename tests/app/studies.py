@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the studies that come with the program, in their quick form, as a user does who opens scenes/studies: a study
+whose scene, measure or Python file does not fit any more would be seen first by her.
+
+    studies.py build/release/app/sherd
+"""
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+STUDIES = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "studies"
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+MODULE = pathlib.Path(PROGRAM).parent / "python"
+TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in STUDIES.glob("*.toml")}
+NAMES = sorted(name for name, text in TEXTS.items() if "\n[parameters]" in text)
+# A build with sanitizers has no module for Python.
+RUNNABLE = [name for name in NAMES if (MODULE / "sherd").exists() or "\npython = " not in TEXTS[name]]
+
+
+class Studies(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = tempfile.TemporaryDirectory()
+        cls.environment = os.environ | {"PYTHONPATH": str(MODULE), "PATH": "/usr/bin:" + os.environ["PATH"]}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.room.cleanup()
+
+    def run_program(self, *command):
+        done = subprocess.run(command, cwd=self.room.name, env=self.environment, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, f"{command}: {done.stderr}")
+        return done.stdout
+
+    def table(self, name):
+        self.run_program(PROGRAM, "sweep", str(STUDIES / f"{name}.toml"), "--quick", "-o", name)
+        with open(pathlib.Path(self.room.name, name, "study.csv"), encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_each_has_numbers_in_all_columns(self):
+        self.assertEqual(len(NAMES), 6)
+        for name in RUNNABLE:
+            with self.subTest(name):
+                rows = self.table(name)
+                self.assertGreaterEqual(len(rows), 2)
+                for column in rows[0]:
+                    if column not in ("message", "recording"):
+                        self.assertTrue(any(row[column] for row in rows), column)
+
+    def test_the_page_draws_what_the_tables_have(self):
+        page = (STUDIES / "README.md").read_text(encoding="utf-8")
+        plots = [line.split() for line in page.splitlines() if line.strip().startswith("sherd plot ")]
+        self.assertEqual(len(plots), 6)
+        for _, _, table, *rest in plots:
+            name = pathlib.Path(table).parent.name
+            if name not in RUNNABLE:
+                continue
+            if not pathlib.Path(self.room.name, table).exists():
+                self.table(name)
+            self.run_program(PROGRAM, "plot", table, *rest)
+
+
+if __name__ == "__main__":
+    unittest.main()
