@@ -15,6 +15,7 @@
 #include "app/sweep/slurm.h"
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_runner.h"
+#include "app/sweep/unlocked_output.h"
 #include "app/words/split.h"
 #include "meshops/error.h"
 
@@ -76,16 +77,14 @@ void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::pa
         fmt::print(stderr, "sherd: {} rows failed before{}\n", state.failed.size(),
                    retry ? " and are run again" : "; --retry runs them again");
     if (state.of_other_program > 0)
-        fmt::print(
-            stderr,
-            "sherd: {} of them were run by another build of this program (program_hash); remove '{}' to run "
-            "all again\n",
-            state.of_other_program, (folder / "rows").string());
+        fmt::print(stderr,
+                   "sherd: {} rows were run by another build of this program (program_hash); remove '{}' to "
+                   "run them again\n",
+                   state.of_other_program, (folder / "rows").string());
     if (state.foreign > 0)
         fmt::print(stderr,
                    "sherd: the study has changed: {} results are of rows that it does not have any more; "
-                   "they are kept "
-                   "and not in its tables\n",
+                   "they are kept and not in its tables\n",
                    state.foreign);
 }
 
@@ -97,7 +96,9 @@ std::string rows_words(const SweepState& state, std::size_t count) {
 /// Runs what is left of some rows. Returns whether it was not interrupted.
 bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     const auto [begin, end] = row_range(options.rows, sweep.rows.rows.size());
-    ResultJournal journal(journal_file(sweep.folder, begin, end));
+    const fs::path file = journal_file(sweep.folder, begin, end);
+    wait_until_unlocked(file);
+    ResultJournal journal(file);
     const SweepState state = sweep_state(sweep.rows, results_in(sweep.folder));
     tell_of_before(state, sweep.rows, sweep.folder, options.retry);
     std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
@@ -181,7 +182,7 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
     const std::size_t chunk = slurm.chunk > 0 ? slurm.chunk : chunk_size(sweep.rows.rows.size(), cost);
     const fs::path folder = fs::absolute(sweep.folder).lexically_normal();
     const SlurmJob job = slurm_job(sweep, options, folder, chunk, wanted);
-    const std::string number = submit(job, slurm_script(job, slurm, cost, folder), folder);
+    const std::string number = submit(chunk, slurm_script(job, slurm, cost, folder), folder);
     fmt::print("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(), chunk,
                wanted.size());
     return 0;
@@ -213,6 +214,7 @@ int sweep(const SweepOptions& options) {
     make_sweep_folder(sweep.folder);
     if (!options.rows.empty()) return end_of_sweep(sweep, run_rows(sweep, options));
     const OutputLock lock(sweep.folder / "study.csv");
+    if (!options.collect) require_no_job(sweep.folder);
     if (options.slurm) return submit_sweep(sweep, options);
     const bool complete = options.collect || run_rows(sweep, options);
     const std::vector<fs::path> files = write_tables(sweep.study, sweep.rows, results_in(sweep.folder), lock);
@@ -221,26 +223,27 @@ int sweep(const SweepOptions& options) {
 }
 
 void add_slurm_options(CLI::App& command, SweepOptions& options) {
-    command.add_flag("--slurm", options.slurm, "Hand the rows to Slurm as a job array, and end");
-    command.add_option("--partition", options.on_slurm.partition, "Partition of Slurm")->option_text("NAME");
-    command.add_option("--account", options.on_slurm.account, "Account of Slurm")->option_text("NAME");
+    CLI::Option* slurm =
+        command.add_flag("--slurm", options.slurm, "Hand the rows to Slurm as a job array, and end");
+    const auto add = [&](const char* name, auto& value, const char* text, const char* description) {
+        return command.add_option(name, value, description)->option_text(text)->needs(slurm);
+    };
+    SlurmOptions& of = options.on_slurm;
+    add("--partition", of.partition, "NAME", "Partition of Slurm");
+    add("--account", of.account, "NAME", "Account of Slurm");
+    add("--time", of.time, "TIME",
+        "Time limit of a task, as sbatch takes it; default: several times what the first steps tell");
+    add("--memory", of.memory, "SIZE",
+        "Memory of a task, as sbatch takes it; default: by the first steps, too");
+    add("--chunk", of.chunk, "N",
+        "Rows of a task; default: what takes less than an hour, in 1000 tasks at most")
+        ->check(CLI::PositiveNumber);
     command
-        .add_option(
-            "--time", options.on_slurm.time,
-            "Time limit of a task, as sbatch takes it; default: several times what the first steps tell")
-        ->option_text("TIME");
-    command
-        .add_option("--memory", options.on_slurm.memory,
-                    "Memory of a task, as sbatch takes it; default: by the first steps, too")
-        ->option_text("SIZE");
-    command
-        .add_option("--chunk", options.on_slurm.chunk,
-                    "Rows of a task; default: what takes less than an hour, in 1000 tasks at most")
-        ->check(CLI::PositiveNumber)
-        ->option_text("N");
-    command.add_flag("--status", options.status,
-                     "Say how many rows are done, failed, running and waiting, and end");
-    command.add_flag("--collect", options.collect, "Make the tables of what is done, and run nothing");
+        .add_flag("--status", options.status,
+                  "Say how many rows are done, failed, running and waiting, and end")
+        ->excludes(slurm);
+    command.add_flag("--collect", options.collect, "Make the tables of what is done, and run nothing")
+        ->excludes(slurm);
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <thread>
 
-#include "app/files/output_lock.h"
 #include "app/files/pending_file.h"
 #include "app/measures/measures.h"
 #include "app/run/checkpoint.h"
 #include "app/sweep/python_measure.h"
 #include "app/sweep/study_measures.h"
+#include "app/sweep/unlocked_output.h"
 #include "app/words/split.h"
 #include "meshops/error.h"
 
@@ -21,20 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int signal_base = 128;  // of exit codes, as shells have it
-
-/// When a sweep is killed, its runs end after the step that they are at.
-void wait_for_end_of(const fs::path& recording) {
-    constexpr auto pause = std::chrono::milliseconds(50);
-    constexpr auto patience = std::chrono::minutes(1);
-    const auto start = std::chrono::steady_clock::now();
-    for (;;) try {
-            const OutputLock lock(recording);
-            return;
-        } catch (const Error&) {
-            if (std::chrono::steady_clock::now() - start > patience) throw;
-            std::this_thread::sleep_for(pause);
-        }
-}
 
 /// Whether a run of this program has left something to go on from.
 bool can_go_on(const fs::path& recording, std::uint64_t program) {
@@ -65,7 +50,7 @@ fs::path row_recording(const fs::path& folder, const StudyRow& row) {
 RowRun::RowRun(const Study& study, const StudyRows& rows, const StudyRow& row, const fs::path& folder,
                int threads)
     : study(study), rows(rows), recording(row_recording(folder, row)) {
-    wait_for_end_of(recording);
+    wait_until_unlocked(recording);
     std::vector<std::string> arguments = row_arguments(rows, row);
     arguments.insert(arguments.end(),
                      {"--output", recording.string(), "--force", "--threads", std::to_string(threads),

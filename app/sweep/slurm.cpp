@@ -69,7 +69,8 @@ std::map<std::size_t, std::string> queued_tasks(const std::string& job) try {
     std::istringstream lines(end.out);
     std::size_t task = 0;
     std::string state;
-    while (lines >> task >> state) tasks[task] = state;
+    while (lines >> task >> state)
+        if (state != "COMPLETING") tasks[task] = state;  // which may last long after the end
     return tasks;
 } catch (const Error&) {
     return {};
@@ -115,12 +116,15 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
                         job.chunk, command, job.jobs);
 }
 
-std::string submit(const SlurmJob& job, const std::string& script, const fs::path& folder) {
-    if (const auto before = submitted_job(folder); before && !before->tasks.empty())
+void require_no_job(const fs::path& folder) {
+    if (const auto job = submitted_job(folder); job && !job->tasks.empty())
         throw Error(
-            fmt::format("job {} of this study is still in the queue: wait for it (sherd sweep --status), or "
-                        "end it (scancel {})",
-                        before->number, before->number));
+            fmt::format("job {0} of this study is still in the queue: wait for it (sherd sweep --status), or "
+                        "end it (scancel {0})",
+                        job->number));
+}
+
+std::string submit(std::size_t chunk, const std::string& script, const fs::path& folder) {
     make_folder(folder / "slurm");
     const fs::path file = folder / "slurm" / "job.sh";
     write_file(file, script);
@@ -131,9 +135,9 @@ std::string submit(const SlurmJob& job, const std::string& script, const fs::pat
         throw Error(fmt::format("sbatch: {}; --slurm is for machines that hand jobs to Slurm", error.what()),
                     Fault::run);
     }
-    if (end.exit_code != 0) throw Error(fmt::format("sbatch: {}", end.err), Fault::run);
+    if (end.exit_code != 0) throw Error(end.err, Fault::run);              // with its name in each line
     std::string number = end.out.substr(0, end.out.find_first_of(";\n"));  // "NUMBER;CLUSTER"
-    write_file(job_file(folder), Json{{"job", number}, {"chunk", job.chunk}}.dump() + "\n");
+    write_file(job_file(folder), Json{{"job", number}, {"chunk", chunk}}.dump() + "\n");
     return number;
 }
 

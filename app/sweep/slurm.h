@@ -33,9 +33,12 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
 /// How many rows a task has, by the cost: such that it ends within an hour, and that there are at most 1000.
 std::size_t chunk_size(std::size_t rows, const RowCost& cost);
 
+/// Throws Error (input) when a job of this folder is in the queue.
+void require_no_job(const std::filesystem::path& folder);
+
 /// Writes the script into the folder and hands it to sbatch; returns the number of the job. Throws Error
-/// (run) when that says no or is not there, (input) when a job of this folder is in the queue.
-std::string submit(const SlurmJob& job, const std::string& script, const std::filesystem::path& folder);
+/// (run) when that says no or is not there.
+std::string submit(std::size_t chunk, const std::string& script, const std::filesystem::path& folder);
 
 /// The job of the folder that was submitted last.
 struct SubmittedJob {

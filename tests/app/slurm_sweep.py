@@ -111,9 +111,9 @@ class Cluster:
     def start_controller(self):
         self.start("slurmctld", "-D")
 
-    def saves_its_state(self):
-        now = time.time()
-        wait_until(lambda: (self.folder / "state" / "job_state").stat().st_mtime > now, "the controller saves its state")
+    def saved_at(self):
+        """When the controller has written down what jobs there are."""
+        return (self.folder / "state" / "job_state").stat().st_mtime
 
     def kill_controller(self):
         self.daemons["slurmctld"].kill()
@@ -144,9 +144,12 @@ class Cluster:
 
 
 def queue():
-    """Tasks of all jobs with their states; None while the controller does not answer."""
+    """Tasks of all jobs that have not ended, with their states; None while the controller does not answer."""
     asked = subprocess.run(["squeue", "--noheader", "--array", "--format", "%F_%K %T"], capture_output=True, text=True)
-    return dict(line.split() for line in asked.stdout.splitlines()) if asked.returncode == 0 else None
+    if asked.returncode != 0:
+        return None
+    tasks = dict(line.split() for line in asked.stdout.splitlines())
+    return {task: state for task, state in tasks.items() if state != "COMPLETING"}
 
 
 def table(folder):
@@ -176,14 +179,17 @@ def try_sweep(sherd, folder, cluster):
     assert "4 tasks of 3 rows each, 12 rows to run" in words, words
     script = (study / "slurm" / "job.sh").read_text()
     assert "#SBATCH --array=0-3\n" in script and "#SBATCH --time=" in script and "#SBATCH --mem=" in script, script
-    assert "still in the queue" in sweep("--slurm", expected=2)
+    for again in ((), ("--slurm",)):
+        assert "still in the queue" in sweep(*again, expected=2)
     wait_until(lambda: results(study) >= 1, "a row is done")
 
     running = [task for task, state in queue().items() if state == "RUNNING"]
     assert running, "nothing runs"
     subprocess.run(["scancel", running[0]], check=True)
-    wait_until(lambda: running[0] not in queue(), "the task is cancelled")
-    cluster.saves_its_state()  # else the next controller begins the task anew
+    cancelled = time.time()
+    wait_until(lambda: running[0] not in (queue() or running), "the task is cancelled")
+    # Else the next controller begins the task anew.
+    wait_until(lambda: cluster.saved_at() > cancelled, "the controller has saved its state")
     cluster.kill_controller()
     assert "rows         12:" in sweep("--status"), "the rows are told without a controller, too"
     cluster.start_controller()
@@ -194,7 +200,9 @@ def try_sweep(sherd, folder, cluster):
     again = sweep("--slurm", "--chunk", "3")
     assert "1 tasks of 3 rows each" in again, again
     wait_until(lambda: queue() == {}, "the rest is over")
-    assert "12 done, 0 failed, 0 to run" in sweep("--status")
+    words = sweep("--status")
+    logs = "".join(file.read_text() for file in sorted((study / "slurm").glob("*.log")))
+    assert "12 done, 0 failed, 0 to run" in words, words + logs
     assert "no row is left to run" in sweep("--slurm")
     sweep("--collect")
     assert table(study) == table(folder / "local")

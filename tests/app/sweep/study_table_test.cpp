@@ -88,7 +88,7 @@ TEST(StudyChart, HasTheRowsAndTheirMeansWithIntervals) {
     EXPECT_EQ(chart.series[1].points, std::vector<Vector2d>{Vector2d(1, 4)});
     EXPECT_EQ(chart.series[1].intervals, std::vector<Vector2d>{Vector2d(3, 5)});
     const std::string svg = chart_svg(chart, 0, 0, 400, 300);
-    EXPECT_NE(svg.find("V"), std::string::npos) << "the bar of the interval";
+    EXPECT_NE(svg.find('V'), std::string::npos) << "the bar of the interval";
     EXPECT_THROW(study_chart(FourRows().table(), {.x = "message", .y = "fragments"}), Error);
 }
 
