@@ -12,6 +12,7 @@
 #include "app/run_cost.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
+#include "app/scene/read/shipped_scenes.h"
 #include "app/sweep/slurm.h"
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_runner.h"
@@ -36,7 +37,7 @@ struct SweepOptions {
 /// A study, its folder, and how far it is.
 struct Sweep {
     explicit Sweep(const SweepOptions& options)
-        : study(read_study(options.study, options.quick)),
+        : study(read_study(find_study(options.study), options.quick)),
           rows(study_rows(study, options.rows.empty() && !options.status && !options.collect)),
           folder(options.folder.empty() ? options.study.stem() : options.folder) {}
 
@@ -252,7 +253,7 @@ void add_sweep(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
         "sweep", "Run a study: a scene many times, with parameters that vary, into one table");
     auto options = std::make_shared<SweepOptions>();
-    command->add_option("study", options->study, "Study file (.toml; keys in app/README.md)")
+    command->add_option("study", options->study, "Study file (.toml; keys in app/README.md), or one of those in scenes/studies")
         ->required()
         ->option_text("STUDY.toml");
     command
@@ -274,7 +275,7 @@ void add_sweep(CLI::App& program, Command& chosen) {
                      "the tables")
         ->option_text("FIRST-LAST");
     add_slurm_options(*command, *options);
-    command->footer("Example:\n  sherd sweep study.toml -o study --jobs 4");
+    command->footer("Example:\n  sherd sweep study.toml -o study --jobs 4\n  sherd sweep studies/drop_height --quick");
     command->callback([&chosen, options] { chosen = [options] { return sweep(*options); }; });
 }
 

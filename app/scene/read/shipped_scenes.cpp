@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* studies = "studies";  // the folder that has them
+
 /// The first sentence of the comment at the head of a file.
 std::string description_of(const fs::path& file) {
     std::ifstream stream(file);
@@ -92,7 +94,8 @@ std::vector<ShippedScene> shipped_scenes(const fs::path& folder) {
     std::vector<ShippedScene> scenes;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
         const fs::path& file = entry.path();
-        if (entry.is_regular_file() && file.extension() == ".toml")
+        const bool is_study = file.parent_path() == folder / studies;
+        if (entry.is_regular_file() && file.extension() == ".toml" && !is_study)
             scenes.push_back({fs::path(file).replace_extension().lexically_relative(folder).string(), file,
                               description_of(file)});
     }
@@ -120,6 +123,14 @@ fs::path find_scene(const std::string& given) {
         "{}: cannot read the scene: there is no such file, and no scene of this name comes with the program; "
         "{}",
         given, advice(given, scenes)));
+}
+
+fs::path find_study(const std::string& given) {
+    if (!is_missing(given)) return given;
+    if (!is_missing(given + ".toml")) return given + ".toml";
+    fs::path shipped = shipped_scene_folder() / studies / fs::path(given).filename();
+    if (shipped.extension() != ".toml") shipped += ".toml";
+    return is_missing(shipped) ? fs::path(given) : shipped;
 }
 
 std::vector<fs::path> files_of_scene(const fs::path& scene) {
