@@ -33,6 +33,15 @@ void add_fragments(Measures& measures, const Snapshot& frame) {
     measures.mass_law = power_law(masses, measures.over > 0 ? measures.over : masses.back());
 }
 
+void add_cracks(Measures& measures, const CrackGraph& cracks, const RestMesh& rest,
+                const std::vector<Vector3d>& axes) {
+    measures.cracks = crack_extent(cracks, rest);
+    measures.tortuosity = tortuosity(cracks, rest);
+    measures.directions = crack_directions(cracks, rest, axes);
+    measures.has_axis = !axes.empty();
+    measures.junctions = crack_junctions(cracks, rest);
+}
+
 std::optional<FirstFailure> first_crack(const std::vector<EdgeFailure>& failures,
                                         const std::vector<StepReport>& steps, const Snapshot& frame) {
     if (failures.empty()) return std::nullopt;
@@ -68,15 +77,16 @@ std::optional<double> Measures::energy_per_area() const {
 Measures measures_of(const Recording& recording, double over) {
     const std::size_t frames = recording.frame_count();
     if (frames == 0) throw Error("the recording has no frame yet: there is nothing to measure");
+    const RecordingHeader header = recording.header();
     const Snapshot frame = recording.frame(frames - 1);
     const std::vector<StepReport> steps = recording.steps();
     Measures measures;
     measures.over = over;
     add_fragments(measures, frame);
-    measures.cracks = crack_extent(frame);
+    add_cracks(measures, crack_graph(frame), frame.rest, header.rest_axis);
     if (!steps.empty()) measures.lost_to_cracks = steps.back().lost_to_cracks;
     measures.first_crack = first_crack(recording.events().failures, steps, frame);
-    measures.peak_forces = peak_forces(recording.header().supports, steps);
+    measures.peak_forces = peak_forces(header.supports, steps);
     return measures;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/measures/crack_branching.h"
+#include "app/measures/crack_directions.h"
 #include "app/measures/crack_extent.h"
 #include "app/measures/fragment_extent.h"
 #include "app/measures/fragment_info.h"
@@ -41,6 +43,10 @@ struct Measures {
     double mass_below = 0;                    ///< kg, of these
     std::optional<PowerLaw> mass_law;         ///< of fragments by mass, above `over` or the lightest
     CrackExtent cracks;
+    std::optional<double> tortuosity;
+    CrackDirections directions;
+    bool has_axis = false;  ///< whether they are against the axis of a material, or all against x
+    std::vector<CrackJunction> junctions;
     double lost_to_cracks = 0;  ///< J
     std::optional<FirstFailure> first_crack;
     std::vector<PeakForce> peak_forces;

@@ -126,8 +126,8 @@ void bind_recording(py::module_& module) {
             "measures(over=0.0) -> dict\n"
             "\n"
             "What runs are compared by, as `sherd info --measures --json` has it: sizes of fragments of\n"
-            "more than `over` kg, the power law of their masses, cracks, peak forces. Raises Error when\n"
-            "there is no frame.")
+            "more than `over` kg, the power law of their masses, length, shape and directions of cracks,\n"
+            "peak forces. Raises Error when there is no frame.")
         .def("ancestry", &parents, py::arg("earlier"), py::arg("later"),
              "ancestry(earlier, later) -> (faces, vertices, weights)\n"
              "\n"

@@ -3,18 +3,11 @@
 
 #include <iterator>
 
-#include "app/json/json.h"
 #include "app/measures/measures.h"
 #include "app/words/moment_words.h"
 
 namespace sherd {
 namespace {
-
-Json fragment_json(const MeasuredFragment& fragment) {
-    return {{"id", fragment.info.id},         {"area", fragment.info.area},
-            {"mass", fragment.info.mass},     {"length", fragment.extent.length},
-            {"width", fragment.extent.width}, {"aspect_ratio", fragment.extent.aspect_ratio()}};
-}
 
 void add_fragment_rows(std::string& text, const Measures& measures) {
     constexpr std::size_t most = 20;
@@ -36,43 +29,35 @@ void add_fragment_rows(std::string& text, const Measures& measures) {
                        law->exponent, law->interval[0], law->interval[1], law->count);
 }
 
-}  // namespace
-
-std::string measures_json(const Measures& measures) {
-    Json json{{"over", measures.over}, {"fragments", Json::array()}};
-    for (const MeasuredFragment& fragment : measures.fragments)
-        json["fragments"].push_back(fragment_json(fragment));
-    json["fragments_below"] = measures.fragments_below;
-    json["mass_below"] = measures.mass_below;
-    json["mass_law"] = Json();
-    if (const auto& law = measures.mass_law)
-        json["mass_law"] = {{"exponent", law->exponent}, {"interval", law->interval}, {"count", law->count}};
-    json["crack_length"] = measures.cracks.length;
-    json["crack_area"] = measures.cracks.area;
-    json["lost_to_cracks"] = measures.lost_to_cracks;
-    const std::optional<double> per_area = measures.energy_per_area();
-    json["energy_per_area"] = per_area ? Json(*per_area) : Json();
-    json["first_crack"] = Json();
-    if (const auto& first = measures.first_crack)
-        json["first_crack"] = {
-            {"time", first->time}, {"load", first->load}, {"position", vector_json(first->position)}};
-    json["peak_forces"] = Json::array();
-    for (const auto& [support, force, time] : measures.peak_forces)
-        json["peak_forces"].push_back(
-            {{"name", support.name}, {"kind", support.kind}, {"force", force}, {"time", time}});
-    return json.dump(2) + "\n";
+void add_crack_rows(std::string& text, const Measures& measures) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "cracks       {:.5g} m, {:.5g} m^2; {:.5g} J lost", measures.cracks.length,
+                   measures.cracks.area, measures.lost_to_cracks);
+    if (const std::optional<double> per_area = measures.energy_per_area())
+        fmt::format_to(out, ", {:.4g} J/m^2", *per_area);
+    if (measures.tortuosity) fmt::format_to(out, "\ntortuosity   {:.4g}", *measures.tortuosity);
+    if (const CrackDirections& directions = measures.directions; directions.length > 0) {
+        fmt::format_to(
+            out, "\ndirection    {:.1f} degrees to {} in the mean, resultant {:.3f}; by 15 degrees:",
+            directions.mean, measures.has_axis ? "the material's axis" : "x", directions.resultant);
+        for (const double share : directions.histogram) fmt::format_to(out, " {:.0f}", 100 * share);
+        text += " %";
+    }
+    fmt::format_to(out, "\nbranchings   {}", measures.junctions.size());
+    if (const std::optional<double> angle = branching_angle(measures.junctions))
+        fmt::format_to(out, "; the smallest angle of those that are clear is {:.1f} degrees in the mean",
+                       *angle);
+    text += "\n";
 }
+
+}  // namespace
 
 std::string measures_text(const Measures& measures, const std::string& time_unit) {
     const auto when = [&](double time) { return moment_words(fmt::format("{:.6g}", time), time_unit); };
     std::string text;
     auto out = std::back_inserter(text);
     add_fragment_rows(text, measures);
-    fmt::format_to(out, "cracks       {:.5g} m, {:.5g} m^2; {:.5g} J lost", measures.cracks.length,
-                   measures.cracks.area, measures.lost_to_cracks);
-    if (const std::optional<double> per_area = measures.energy_per_area())
-        fmt::format_to(out, ", {:.4g} J/m^2", *per_area);
-    text += "\n";
+    add_crack_rows(text, measures);
     if (const auto& first = measures.first_crack)
         fmt::format_to(out, "first crack  at {}, load {:.5g}, at {:.5g} {:.5g} {:.5g} m at rest\n",
                        when(first->time), first->load, first->position.x(), first->position.y(),
