@@ -5,6 +5,7 @@
 
 #include "app/measures/measures.h"
 #include "app/words/moment_words.h"
+#include "app/words/place_words.h"
 
 namespace sherd {
 namespace {
@@ -48,6 +49,15 @@ void add_crack_rows(std::string& text, const Measures& measures) {
         fmt::format_to(out, "; the smallest angle of those that are clear is {:.1f} degrees in the mean",
                        *angle);
     text += "\n";
+    if (!measures.about) return;
+    const CracksAbout& about = *measures.about;
+    fmt::format_to(out, "radial       {:g} cracks about {}, median;", about.radial(),
+                   place_words(about.point));
+    for (const auto& [radius, cracks] : about.circles) fmt::format_to(out, " {} at {:.3g} m", cracks, radius);
+    fmt::format_to(out, "\nrings        {:g} cracks about it, median of {} rays:", about.ring(),
+                   about.rays.size());
+    for (const auto& [angle, cracks] : about.rays) fmt::format_to(out, " {}", cracks);
+    text += "\n";
 }
 
 }  // namespace
@@ -62,7 +72,16 @@ std::string measures_text(const Measures& measures, const std::string& time_unit
         fmt::format_to(out, "first crack  at {}, load {:.5g}, at {:.5g} {:.5g} {:.5g} m at rest\n",
                        when(first->time), first->load, first->position.x(), first->position.y(),
                        first->position.z());
-    for (const auto& [support, force, time] : measures.peak_forces)
+    if (measures.tip_speeds && !measures.tip_speeds->steps.empty()) {
+        const TipStep fastest = measures.tip_speeds->fastest();
+        fmt::format_to(out, "tips         {:.5g} m/s in the mean, {:.5g} m/s at most at {}\n",
+                       measures.tip_speeds->mean(), fastest.fastest, when(fastest.time));
+    }
+    for (const auto& [name, last, largest, time] : measures.energies)
+        if (largest != 0)
+            fmt::format_to(out, "energy       {:<17} {:>12.5g} J at the end, {:>12.5g} J at most at {}\n",
+                           name, last, largest, when(time));
+    for (const auto& [support, force, time, history] : measures.peak_forces)
         fmt::format_to(out, "peak force   {}: {:.5g} N at {}\n", support.name, force, when(time));
     return text;
 }

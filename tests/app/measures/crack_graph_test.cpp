@@ -15,10 +15,10 @@
 namespace sherd::test {
 namespace {
 
-constexpr Index rows = 10;
+constexpr Index squares = 10;
 
 Index at(Index x, Index y) {
-    return grid_vertex(rows, x, y);
+    return grid_vertex(squares, x, y);
 }
 
 /// In steps from `from` on.
@@ -41,7 +41,7 @@ CrackDirections directions_of(const Snapshot& frame, const std::vector<Vector3d>
 
 // Were a branch not to end at the rim or at a junction, cracks that have nothing in common would be one.
 TEST(CrackGraph, HasABranchFromNodeToNode) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(10, 1, 0)));  // from rim to rim
     crack(frame, path({4, 5}, steps(3, 0, 1)));   // from its middle
     const CrackGraph cracks = crack_graph(frame);
@@ -56,7 +56,7 @@ TEST(CrackGraph, HasABranchFromNodeToNode) {
 
 // Two cracks that come to one place of the rim from two sides are two.
 TEST(CrackGraph, PartsCracksAtTheRim) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({0, 5}, steps(3, 1, 0)));
     crack(frame, path({0, 5}, steps(3, 1, 1)));
     EXPECT_EQ(crack_graph(frame).branches.size(), 2u);
@@ -64,7 +64,7 @@ TEST(CrackGraph, PartsCracksAtTheRim) {
 }
 
 TEST(CrackGraph, HasClosedLinesOnce) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     auto square = steps(3, 1, 0);
     for (const auto& side : {steps(3, 0, 1), steps(3, -1, 0), steps(3, 0, -1)})
         square.insert(square.end(), side.begin(), side.end());
@@ -78,7 +78,7 @@ TEST(CrackGraph, HasClosedLinesOnce) {
 
 // Whatever fails, no length is lost or counted twice, and a branch has no node inside.
 RC_GTEST_PROP(CrackGraph, BranchesHaveEveryCrackOnce, (const std::vector<std::uint8_t>& failing)) {
-    Snapshot frame = grid_sheet(6, rows);
+    Snapshot frame = grid_sheet(6, squares);
     std::size_t number = 0;
     for (const auto& [a, b, c] : frame.faces)
         for (const auto& side : {std::array{a, b}, std::array{b, c}, std::array{c, a}})
@@ -104,7 +104,7 @@ RC_GTEST_PROP(CrackGraph, BranchesHaveEveryCrackOnce, (const std::vector<std::ui
 }
 
 TEST(Tortuosity, IsLengthOverChordOfWhatIsNotDust) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     std::vector<std::array<Index, 2>> stairs;
     for (int i = 0; i < 3; ++i) stairs.push_back({1, 0}), stairs.push_back({0, 1});
     crack(frame, path({2, 2}, stairs));
@@ -115,7 +115,7 @@ TEST(Tortuosity, IsLengthOverChordOfWhatIsNotDust) {
 }
 
 TEST(CrackDirections, AreAgainstTheAxisOfTheFace) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({2, 2}, steps(6, 1, 0)));
     const CrackDirections along_x = directions_of(frame);
     EXPECT_NEAR(along_x.length, 6, 1e-12);
@@ -134,7 +134,7 @@ TEST(CrackDirections, AreAgainstTheAxisOfTheFace) {
 
 // Edges have the directions of the mesh: a crack at 45 degrees along edges at 0 and 90 is none of these.
 TEST(CrackDirections, AreSmoothedOverAFewEdges) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     std::vector<std::array<Index, 2>> stairs;
     for (int i = 0; i < 8; ++i) stairs.push_back({1, 0}), stairs.push_back({0, 1});
     crack(frame, path({1, 1}, stairs));
@@ -145,7 +145,7 @@ TEST(CrackDirections, AreSmoothedOverAFewEdges) {
 }
 
 TEST(CrackBranching, HasTheAnglesBetweenNeighbours) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     crack(frame, path({1, 5}, steps(8, 1, 0)));
     crack(frame, path({5, 5}, steps(3, 1, 1)));
     const std::vector<CrackJunction> fork = crack_junctions(crack_graph(frame), frame.rest);
@@ -164,7 +164,7 @@ TEST(CrackBranching, HasTheAnglesBetweenNeighbours) {
 
 // A crack that crosses another makes a junction of four, wherever it lies in space.
 TEST(CrackBranching, IsMeasuredInTheSheet) {
-    Snapshot frame = grid_sheet(rows, rows);
+    Snapshot frame = grid_sheet(squares, squares);
     const Matrix3d turn = Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     frame.rest.position = turn * frame.rest.position;
     crack(frame, path({1, 5}, steps(8, 1, 0)));
