@@ -9,8 +9,10 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
 #include "app/words/moment_words.h"
+#include "app/words/number_list.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -235,18 +237,41 @@ struct InfoOptions {
     std::filesystem::path recording;
     bool json = false, measures = false;
     double over = 0;  ///< kg
+    std::string about;
+    std::vector<double> radii;       ///< m
+    std::filesystem::path distance;  ///< of another recording; empty: none
 };
+
+CrackCentre centre_of(const InfoOptions& options) {
+    CrackCentre centre{.radii = options.radii};
+    if (options.about.find(',') == std::string::npos) {
+        centre.obstacle = options.about;
+        return centre;
+    }
+    const std::vector<double> place = number_list("--about", options.about);
+    if (place.size() != 3) throw Error(fmt::format("--about {}: a point is X,Y,Z in m", options.about));
+    centre.point = Vector3d(place[0], place[1], place[2]);
+    return centre;
+}
 
 int print_measures(const InfoOptions& options) {
     const Recording recording(options.recording);
-    const Measures measures = measures_of(recording, options.over);
+    const Measures measures = measures_of(recording, options.over, centre_of(options));
     if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
     fmt::print(
         "{}", options.json ? measures_json(measures) : measures_text(measures, recording.header().time_unit));
     return 0;
 }
 
+int print_distance(const InfoOptions& options) {
+    const FragmentDistance distance =
+        fragment_distance(Recording(options.recording), Recording(options.distance));
+    fmt::print("{}", options.json ? distance_json(distance) : distance_text(distance));
+    return 0;
+}
+
 int print_info(const InfoOptions& options) {
+    if (!options.distance.empty()) return print_distance(options);
     if (options.measures) return print_measures(options);
     const RunInfo info = read_run_info(options.recording);
     if (!info.mended.empty()) fmt::print(stderr, "sherd: warning: {}\n", info.mended);
@@ -340,6 +365,22 @@ void add_info(CLI::App& program, Command& chosen) {
         ->needs(measures)
         ->check(CLI::NonNegativeNumber)
         ->option_text("MASS");
+    command
+        ->add_option("--about", options->about,
+                     "Where radial and ring cracks are counted: a point at rest, m, or the obstacle that "
+                     "touched there first (default: the first crack)")
+        ->needs(measures)
+        ->option_text("X,Y,Z|OBSTACLE");
+    command->add_option("--radii", options->radii, "Circles that radial cracks are counted on, m")
+        ->needs(measures)
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber)
+        ->option_text("R,R,...");
+    command
+        ->add_option("--distance", options->distance,
+                     "How alike the fragments of another recording lie at rest: Rand index")
+        ->excludes(measures)
+        ->option_text("RUN.h5");
     command->footer(
         "Examples:\n  sherd info plate_drop.h5\n  sherd info plate_drop.h5 --measures --over 1e-4 --json");
     command->callback([&chosen, options] { chosen = [options] { return print_info(*options); }; });

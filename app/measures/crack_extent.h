@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fracture/snapshot.h"
+#include "app/measures/crack_graph.h"
 
 namespace sherd {
 
@@ -11,7 +11,6 @@ struct CrackExtent {
     double area = 0;    ///< m^2, with the thickness of what they parted; 0 where that is not recorded
 };
 
-/// Edges count that two faces share at rest, and that are open in the frame or have failed without opening.
-CrackExtent crack_extent(const Snapshot& frame);
+CrackExtent crack_extent(const CrackGraph& cracks, const RestMesh& rest);
 
 }  // namespace sherd

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
 #include "app/playback/ancestry.h"
 #include "app/python/bindings.h"
@@ -68,6 +69,16 @@ py::dict poses(const Recording& recording, py::ssize_t frame) {
     return by_name;
 }
 
+CrackCentre centre_of(const std::variant<std::array<double, 3>, std::string>& about,
+                      const std::vector<double>& radii) {
+    CrackCentre centre{.radii = radii};
+    if (const auto* point = std::get_if<std::array<double, 3>>(&about))
+        centre.point = Vector3d(point->data());
+    else
+        centre.obstacle = std::get<std::string>(about);
+    return centre;
+}
+
 py::tuple parents(const Recording& recording, py::ssize_t earlier, py::ssize_t later) {
     const Ancestry found = ancestry(recording.frame(number_of(recording, earlier)),
                                     recording.frame(number_of(recording, later)));
@@ -119,15 +130,32 @@ void bind_recording(py::module_& module) {
              "frame.")
         .def(
             "measures",
-            [](const Recording& one, double over) {
-                return py::module_::import("json").attr("loads")(measures_json(measures_of(one, over)));
+            [](const Recording& one, double over,
+               const std::variant<std::array<double, 3>, std::string>& about,
+               const std::vector<double>& radii) {
+                return py::module_::import("json").attr("loads")(
+                    measures_json(measures_of(one, over, centre_of(about, radii))));
             },
-            py::arg("over") = 0.0,
-            "measures(over=0.0) -> dict\n"
+            py::arg("over") = 0.0, py::arg("about") = "", py::arg("radii") = std::vector<double>{},
+            "measures(over=0.0, about='', radii=[]) -> dict\n"
             "\n"
             "What runs are compared by, as `sherd info --measures --json` has it: sizes of fragments of\n"
-            "more than `over` kg, the power law of their masses, cracks, peak forces. Raises Error when\n"
-            "there is no frame.")
+            "more than `over` kg, the power law of their masses, length, shape and directions of cracks,\n"
+            "peak forces. Radial and ring cracks are counted about a point [3] m at rest, or the first\n"
+            "contact of the obstacle that `about` names, or '', the first crack; on circles with `radii`\n"
+            "in m, or some that fit. Raises Error when there is no frame.")
+        .def(
+            "distance",
+            [](const Recording& one, const Recording& other) {
+                return py::module_::import("json").attr("loads")(
+                    distance_json(fragment_distance(one, other)));
+            },
+            py::arg("other"),
+            "distance(other) -> dict\n"
+            "\n"
+            "How alike the fragments of the last frames of two recordings lie at rest, as\n"
+            "`sherd info --distance --json` has it: \"rand\" and \"adjusted_rand\" are 1 when they are the\n"
+            "same. Raises Error when there is no frame.")
         .def("ancestry", &parents, py::arg("earlier"), py::arg("later"),
              "ancestry(earlier, later) -> (faces, vertices, weights)\n"
              "\n"

@@ -53,8 +53,11 @@ struct RecordingHeader {
     std::vector<double> rest_area;                 ///< [F] m^2
     std::vector<double> rest_thickness;            ///< [F] m; empty in recordings of before there was any
     SurfaceLook rest_look = {};                    ///< of it
-    std::vector<RecordedSupport> supports = {};    ///< in the order of StepReport::reactions
-    std::vector<RecordedGauge> gauges = {};        ///< in the order of StepReport::gauges
+    /// [F] first material axis of each face, a unit vector in it; zero where none matters; empty: nowhere, or
+    /// in recordings of before there was any.
+    std::vector<Vector3d> rest_axis = {};
+    std::vector<RecordedSupport> supports = {};  ///< in the order of StepReport::reactions
+    std::vector<RecordedGauge> gauges = {};      ///< in the order of StepReport::gauges
 };
 
 /// A natural mode of vibration of the sheets.

@@ -223,6 +223,8 @@ std::string inconsistency(const RecordingHeader& header) {
         return "/rest/faces and /rest/area differ in length";
     if (!header.rest_thickness.empty() && header.rest_thickness.size() != header.rest_faces.size())
         return "/rest/faces and /rest/thickness differ in length";
+    if (!header.rest_axis.empty() && header.rest_axis.size() != header.rest_faces.size())
+        return "/rest/faces and /rest/axis differ in length";
     if (any_outside(header.rest_faces, static_cast<std::size_t>(header.rest_position.cols())))
         return "a face of /rest/faces names a vertex that does not exist";
     return look_fault(header.rest_look, header.rest_faces.size(),

@@ -65,6 +65,9 @@ void visit_rest_arrays(R& rest, Visit visit) {
 /// What has RestMesh::face_mixed, in the group of a mesh at rest where there are any.
 inline constexpr const char* mixed_faces = "face_mixed";
 
+/// What has RecordingHeader::rest_axis, in the group of the unbroken mesh where there is any.
+inline constexpr const char* material_axis = "axis";
+
 /// Calls visit(name, meaning, array) for each array of SurfaceLook, in the group of a mesh at rest. Those
 /// that are empty are not there.
 template <class Look, class Visit>

@@ -71,6 +71,8 @@ void read_unbroken_mesh(hid_t file, RecordingHeader& header) {
     read_array(file, "rest/faces", header.rest_faces);
     read_array(file, "rest/area", header.rest_area);
     if (hdf5::contains(file, "rest/thickness")) read_array(file, "rest/thickness", header.rest_thickness);
+    const std::string axis = std::string("rest/") + material_axis;
+    if (hdf5::contains(file, axis)) read_array(file, axis, header.rest_axis);
     read_look(file, header.rest_look);
     if (const std::string what = inconsistency(header); !what.empty()) throw Error(what);
 }

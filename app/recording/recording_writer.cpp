@@ -114,6 +114,11 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_text(file, "scene", header.scene_text);
     hdf5::write_texts(file, "rest/sheet_names", header.sheet_names);
     write_rest(file, "rest", unbroken_mesh(header));
+    if (!header.rest_axis.empty())
+        write_array(
+            file, std::string("rest/") + material_axis,
+            {"1", "first axis of the material of each face, a unit vector; 0 where it does not matter"},
+            header.rest_axis);
     hdf5::create_group(file, "frames");
     visit_tables([&]<class Row>(std::type_identity<Row>) { create_table<Row>(file); });
     for (const RecordedSupport& support : header.supports) write_support(file, support);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <vector>
 
+#include "app/words/number_list.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -19,22 +19,6 @@ using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double margin = 1.08;  // of the picture's size over that of what must be in it
-
-std::vector<double> numbers_of(const std::string& text) {
-    std::vector<double> numbers;
-    std::istringstream stream(text);
-    for (std::string word; std::getline(stream, word, ',');) {
-        std::size_t used = 0;
-        try {
-            numbers.push_back(std::stod(word, &used));
-        } catch (const std::exception&) {
-            used = std::string::npos;
-        }
-        if (used != word.size() || !std::isfinite(numbers.back()))
-            throw Error(fmt::format("--camera {}: '{}' is not a number", text, word));
-    }
-    return numbers;
-}
 
 void check_angle(const std::string& text, double angle) {
     if (angle < 1 || angle > 120)
@@ -93,7 +77,7 @@ CameraAxes camera_axes(const Camera& camera) {
 }
 
 CameraChoice parse_camera(const std::string& text) {
-    const std::vector<double> n = numbers_of(text);
+    const std::vector<double> n = number_list("--camera", text);
     CameraChoice choice;
     if (n.size() == 2 || n.size() == 3) {
         choice.azimuth = n[0];

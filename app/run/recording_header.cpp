@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run/recording_header.h"
 
+#include <algorithm>
+
 #include "app/scene/build/supports.h"
 
 namespace sherd {
@@ -18,6 +20,9 @@ RecordingHeader recording_header(const Scene& scene, const Simulation& simulatio
     header.rest_area = rest.area;
     header.rest_thickness = rest.thickness;
     header.rest_look = rest.look;
+    header.rest_axis.assign(simulation.shell().axes().begin(), simulation.shell().axes().end());
+    if (std::ranges::all_of(header.rest_axis, [](const Vector3d& axis) { return axis.isZero(0); }))
+        header.rest_axis.clear();
     for (const auto& [name, kind] : support_names(scene)) header.supports.push_back({name, kind});
     const Shell& mechanics = simulation.shell().mechanics();
     for (std::size_t i = 0; i < scene.gauges.size(); ++i) {

@@ -59,6 +59,17 @@ class Recordings(unittest.TestCase):
         measures = sherd.Recording(self.ours).measures(over=1e-3)
         self.assertEqual(measures, json.loads(told))
         self.assertGreater(len(measures["fragments"]), 1)
+        about = sherd.Recording(self.ours).measures(about=(0.1, 0.1, 0.02), radii=[0.05])["about"]
+        self.assertEqual((about["point"], [circle["radius"] for circle in about["circles"]]), ([0.1, 0.1, 0.02], [0.05]))
+        self.assertEqual(len(sherd.Recording(self.ours).measures(about="floor")["about"]["point"]), 3)
+
+    def test_a_recording_has_no_distance_from_itself(self):
+        told = subprocess.run([PROGRAM, "info", self.theirs, "--distance", self.ours, "--json"], check=True,
+                              capture_output=True, text=True).stdout
+        distance = sherd.Recording(self.theirs).distance(sherd.Recording(self.ours))
+        self.assertEqual(distance, json.loads(told))
+        self.assertAlmostEqual(distance["rand"], 1)
+        self.assertGreater(len(distance["matches"]), 1)
 
     def test_both_record_the_same(self):
         theirs, ours = contents(self.theirs), contents(self.ours)

@@ -80,6 +80,55 @@ TEST(Measures, TellWhatBrokeFirstAndTheLargestForces) {
     }
 }
 
+// The force at which a plate breaks is that before it does: when it has broken it bears less.
+TEST(Measures, HaveTheForcesOfAllStepsAndBeforeTheFirstCrack) {
+    SyntheticRun run = synthetic_run();
+    for (std::size_t k = 1; k < run.events.size(); ++k)
+        for (EdgeFailure& failure : run.events[k].failures) failure.step = 10 * static_cast<Index>(k);
+    const Measures measures = measured(run);
+    ASSERT_EQ(measures.times.size(), 20u);
+    EXPECT_EQ(measures.times[3], run.steps[1][3].time);
+    ASSERT_EQ(measures.first_crack->forces.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(measures.peak_forces[i].history.size(), 20u);
+        EXPECT_EQ(measures.peak_forces[i].history[12], run.steps[2][2].reactions[i].force.norm());
+        EXPECT_EQ(measures.first_crack->forces[i], run.steps[1][8].reactions[i].force.norm());
+    }
+    run.header.time_unit = "load";
+    EXPECT_FALSE(measured(run).tip_speeds);
+}
+
+// About another place than the blow there are other cracks.
+TEST(Measures, CountCracksAboutWhatIsSaid) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    run.steps[1][0].contacts = 0, run.steps[1][1].contacts = 0;
+    const GridSurface surface{{{0, 0, 0}, {1e-5, 0, 0}, {0, 1e-5, 0}}, {{0, 1, 2}}};
+    const std::vector<RecordedObstacle> obstacles{{"ball", surface, false}};
+    const auto pose = [](double height) {
+        Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+        pose.translation() << 0.1, 0.03, height;
+        return std::vector{pose};
+    };
+    {
+        RecordingWriter writer(folder.path / "run.h5", run.header, false, obstacles);
+        for (std::size_t k = 0; k < run.frames.size(); ++k)
+            writer.append(run.frames[k], run.steps[k], run.events[k], pose(0.005 * (3.0 - 2.0 * k)));
+        writer.finish(1, "complete");
+    }
+    const Recording recording(folder.path / "run.h5");
+    const Positions rest = synthetic::whole_positions();
+    const Vector3d touched = measures_of(recording, 0, {.obstacle = "ball"}).about->point;
+    EXPECT_LT((touched - rest.col(10 * (synthetic::rows + 1) + 3)).norm(), 1e-15);
+    EXPECT_EQ(measures_of(recording, 0, {.obstacle = "obstacle.ball"}).about->point, touched);
+    EXPECT_THROW(measures_of(recording, 0, {.obstacle = "bell"}), Error);
+    const Measures given = measures_of(recording, 0, {.point = Vector3d(1, 2, 3), .radii = {0.04}});
+    EXPECT_EQ(given.about->point, Vector3d(1, 2, 3));
+    EXPECT_EQ(given.about->circles.size(), 1u);
+    const Measures first = measures_of(recording, 0);
+    EXPECT_EQ(first.about->point, first.first_crack->position);
+}
+
 TEST(Measures, AreOneObjectForScriptsWithNullForWhatIsNotThere) {
     const Measures nothing;
     const nlohmann::json json = nlohmann::json::parse(measures_json(nothing));
@@ -89,6 +138,11 @@ TEST(Measures, AreOneObjectForScriptsWithNullForWhatIsNotThere) {
     EXPECT_EQ(all["fragments"].size(), 3u);
     EXPECT_EQ(all["mass_law"]["interval"].size(), 2u);
     EXPECT_EQ(all["peak_forces"][0]["kind"], "pin");
+    EXPECT_EQ(all["peak_forces"][0]["history"].size(), all["times"].size());
+    EXPECT_EQ(all["about"]["circles"].size(), 7u);
+    EXPECT_EQ(all["directions"]["histogram"].size(), 12u);
+    EXPECT_TRUE(all["energies"].contains("lost_to_cracks"));
+    EXPECT_TRUE(json["tip_speeds"].is_null() && json["about"].is_null() && json["tortuosity"].is_null());
     EXPECT_NE(measures_text(measured(synthetic_run()), "s").find("fragments    3 heavier than 0 kg"),
               std::string::npos);
 }

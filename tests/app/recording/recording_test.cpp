@@ -379,5 +379,22 @@ TEST(Recording, IsDamagedWhenAFieldIsNotOfItsFaces) {
                  {"face/vertices and face/curvature differ in length"});
 }
 
+// Directions of cracks are told against it. What does not matter takes no room.
+TEST(Recording, HasTheAxesOfTheMaterial) {
+    const TemporaryDirectory folder;
+    SyntheticRun run = synthetic_run();
+    record(run, folder.path / "none.h5");
+    EXPECT_TRUE(Recording(folder.path / "none.h5").header().rest_axis.empty());
+    EXPECT_FALSE(hdf5::contains(hdf5::ReadableFile(folder.path / "none.h5"), "rest/axis"));
+    for (std::size_t f = 0; f < run.header.rest_faces.size(); ++f)
+        run.header.rest_axis.emplace_back(std::cos(0.1 * f), std::sin(0.1 * f), -0.0);
+    record(run, folder.path / "run.h5");
+    EXPECT_TRUE(same(Recording(folder.path / "run.h5").header().rest_axis, run.header.rest_axis));
+    run.header.rest_axis.pop_back();
+    record(run, folder.path / "damaged.h5");
+    expect_error([&] { Recording(folder.path / "damaged.h5").header(); }, Fault::input,
+                 {"/rest/faces and /rest/axis differ in length"});
+}
+
 }  // namespace
 }  // namespace sherd::test

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/run/recording_header.h"
 #include "app/run/run_totals.h"
 #include "app/scene/read/scene.h"
 #include "meshops/error.h"
@@ -104,6 +105,24 @@ TEST(Runner, GoesOnFromWhereSingleStepsHaveLed) {
     const Snapshot one = whole.simulation().snapshot(), other = stepped.simulation().snapshot();
     EXPECT_TRUE(one.position == other.position);
     EXPECT_TRUE(one.velocity == other.velocity);
+}
+
+// Against a wrong axis cracks that follow the grain would seem to cross it.
+TEST(RecordingHeader, HasTheAxesOfAMaterialThatHasDirections) {
+    const auto header_of = [](const std::string& text) {
+        const Scene scene = parse_scene(text, "scene.toml");
+        std::vector<std::string> warnings;
+        return recording_header(scene, Runner(scene, build_scene(scene, warnings)).simulation());
+    };
+    EXPECT_TRUE(header_of(falling).rest_axis.empty());
+    std::string wooden = falling;
+    const std::string preset = "{ preset = \"stoneware\" }";
+    wooden.replace(wooden.find(preset), preset.size(),
+                   "{ preset = \"stoneware\", young = [1e10, 1e9], poisson = 0.3, axis = { degrees = 60 } }");
+    const RecordingHeader header = header_of(wooden);
+    ASSERT_EQ(header.rest_axis.size(), header.rest_faces.size());
+    for (const Vector3d& axis : header.rest_axis)
+        EXPECT_LT((axis - Vector3d(0.5, std::sqrt(0.75), 0)).norm(), 1e-12);
 }
 
 }  // namespace

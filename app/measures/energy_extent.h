@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fracture/step_report.h"
+
+namespace sherd {
+
+/// An energy of a run, J, by the name of its column in /steps.
+struct EnergyExtent {
+    std::string name;
+    double last = 0;     ///< at the last step
+    double largest = 0;  ///< of all steps, in magnitude; signed
+    double time = 0;     ///< s, when that was
+};
+
+/// Of all columns of energy; without the balance if there is none. Nothing without a step.
+std::vector<EnergyExtent> energy_extents(const std::vector<StepReport>& steps, bool has_balance);
+
+}  // namespace sherd

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/measures/fragment_distance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include "app/json/json.h"
+#include "meshops/error.h"
+#include "meshops/nearest_triangle.h"
+
+namespace sherd {
+namespace {
+
+/// Calls take(fragment of `from`, fragment of `to`, share of the area of `from`) for its points; returns how
+/// far the farthest of them is away.
+template <class Take>
+double overlay(const Snapshot& from, const Snapshot& to, Take take) {
+    const NearestTriangle nearest(to.rest.position, to.rest.faces);
+    const double area = std::accumulate(from.rest.area.begin(), from.rest.area.end(), 0.0);
+    // The points of the rule of degree 2 (Strang and Fix 1973), which lie inside a face, so that none of an
+    // equal mesh has two faces.
+    const Matrix3d weights = Matrix3d::Constant(1.0 / 6) + 0.5 * Matrix3d::Identity();
+    double farthest = 0;
+    for (std::size_t f = 0; f < from.faces.size(); ++f) {
+        const Matrix3d points = columns(from.rest.position, from.rest.faces[f]) * weights;
+        for (int i = 0; i < 3; ++i) {
+            const NearestTriangle::Found found = nearest(points.col(i));
+            take(from.face_fragment[f], to.face_fragment[found.triangle], from.rest.area[f] / (3 * area));
+            farthest = std::max(farthest, found.distance);
+        }
+    }
+    return farthest;
+}
+
+Snapshot last_frame(const Recording& recording) {
+    const std::size_t frames = recording.frame_count();
+    if (frames == 0) throw Error("a recording has no frame yet: there is nothing to compare");
+    return recording.frame(frames - 1);
+}
+
+}  // namespace
+
+FragmentDistance fragment_distance(const Snapshot& first, const Snapshot& second) {
+    PartitionOverlap overlap;
+    const double there = overlay(first, second, [&](Index of_first, Index of_second, double share) {
+        overlap[{of_first, of_second}] += share / 2;
+    });
+    const double back = overlay(second, first, [&](Index of_second, Index of_first, double share) {
+        overlap[{of_first, of_second}] += share / 2;
+    });
+    return {partition_distance(overlap), std::max(there, back)};
+}
+
+FragmentDistance fragment_distance(const Recording& first, const Recording& second) {
+    return fragment_distance(last_frame(first), last_frame(second));
+}
+
+std::string distance_json(const FragmentDistance& distance) {
+    const PartitionDistance& partition = distance.partition;
+    Json matches = Json::array();
+    for (const auto& [first, second, common, over_union] : partition.matches)
+        matches.push_back(
+            {{"first", first}, {"second", second}, {"common", common}, {"over_union", over_union}});
+    const Json json{{"rand", partition.rand},
+                    {"adjusted_rand", partition.adjusted_rand},
+                    {"variation", partition.variation},
+                    {"matched", partition.matched()},
+                    {"gap", distance.gap},
+                    {"matches", matches}};
+    return json.dump(2) + "\n";
+}
+
+std::string distance_text(const FragmentDistance& distance) {
+    constexpr std::size_t most = 20;
+    const PartitionDistance& partition = distance.partition;
+    std::string text;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out,
+                   "Rand index   {:.6g}, adjusted {:.6g}\nvariation    {:.6g} nats of information\n"
+                   "matches      {} fragments, {:.4g} % of the area\n",
+                   partition.rand, partition.adjusted_rand, partition.variation, partition.matches.size(),
+                   100 * partition.matched());
+    fmt::format_to(out, "gap          {:.4g} m at most from one sheet to the other, at rest\n", distance.gap);
+    fmt::format_to(out, "  {:>6} {:>6} {:>12} {:>12}\n", "first", "second", "common %", "of both %");
+    for (std::size_t i = 0; i < std::min(most, partition.matches.size()); ++i) {
+        const auto& [first, second, common, over_union] = partition.matches[i];
+        fmt::format_to(out, "  {:>6} {:>6} {:>12.4g} {:>12.4g}\n", first, second, 100 * common,
+                       100 * over_union);
+    }
+    if (partition.matches.size() > most)
+        fmt::format_to(out, "  and {} smaller ones\n", partition.matches.size() - most);
+    return text;
+}
+
+}  // namespace sherd
