@@ -88,7 +88,7 @@ void RowRun::end_process() {
 }
 
 void RowRun::measure() try {
-    result.values = measure_values(measures_of(Recording(recording), study.over));
+    result.values = measure_values(measures_of(Recording(recording), study.over, study.centre));
     if (measuring)
         result.python =
             with_context(rows.python.filename().string(), [&] { return python_values(process->results); });

@@ -76,12 +76,21 @@ void require_rows(TomlTable& root, const Study& study) {
                                               static_cast<double>(most_samples)));
 }
 
+void read_centre(TomlTable& root, CrackCentre& centre) {
+    if (root.is_string("about"))
+        centre.obstacle = root.string("about", "the name of an obstacle");
+    else if (root.has("about"))
+        centre.point = root.vector("about", "m");
+    if (root.has("radius")) centre.radii = {root.number("radius", "m", positive)};
+}
+
 void read_measures(TomlTable& root, const toml::table& document, Study& study) {
     study.measures = read_texts(root, document, "measures", "names of measures");
     for (const std::string& name : study.measures)
         if (const std::string mistake = measure_mistake(name); !mistake.empty())
             root.report("measures", mistake);
     study.over = root.number("over", "kg", not_negative, 0.);
+    read_centre(root, study.centre);
     if (root.has("python")) study.python = root.string("python", "a Python file");
     constexpr std::array<std::string_view, 3> keeps{"none", "failed", "all"};
     if (root.has("keep")) study.keep = static_cast<Keep>(root.choice_number("keep", keeps));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/measures/measures.h"
 #include "app/sweep/distribution.h"
 #include "app/sweep/slurm_options.h"
 
@@ -44,6 +45,7 @@ struct Study {
     std::vector<StudyParameter> parameters;
     std::vector<std::string> measures;  ///< names of study_measures(); empty: all
     double over = 0;                    ///< kg, of fragments that count
+    CrackCentre centre;                 ///< where radial and ring cracks are counted
     std::string python;                 ///< file with measure(recording); empty: none
     Keep keep = Keep::none;
     SlurmOptions slurm;

@@ -37,6 +37,27 @@ auto of_first_crack(Value value) {
     };
 }
 
+template <class Value>
+auto of_directions(Value value) {
+    return [value](const Measures& measures) {
+        return measures.directions.length > 0 ? Number(value(measures.directions)) : Number();
+    };
+}
+
+template <class Value>
+auto of_centre(Value value) {
+    return [value](const Measures& measures) {
+        return measures.about ? Number(value(*measures.about)) : Number();
+    };
+}
+
+template <class Value>
+auto of_tips(Value value) {
+    return [value](const Measures& measures) {
+        return measures.tip_speeds ? Number(value(*measures.tip_speeds)) : Number();
+    };
+}
+
 Number median_mass(const Measures& measures) {
     const auto& fragments = measures.fragments;  // by mass
     if (fragments.empty()) return std::nullopt;
@@ -67,6 +88,9 @@ const std::vector<StudyMeasure>& study_measures() {
     using F = const MeasuredFragment&;
     using Law = const PowerLaw&;
     using First = const FirstFailure&;
+    using Directions = const CrackDirections&;
+    using About = const CracksAbout&;
+    using Tips = const TipSpeeds&;
     static const std::vector<StudyMeasure> all{
         {"fragments", "", "number of fragments heavier than `over`",
          [](const Measures& m) { return Number(m.fragments.size()); }},
@@ -88,6 +112,23 @@ const std::vector<StudyMeasure>& study_measures() {
          [](const Measures& m) { return Number(m.cracks.length); }},
         {"crack_area", "m^2", "the same with the thickness",
          [](const Measures& m) { return Number(m.cracks.area); }},
+        {"tortuosity", "", "of cracks, path over chord", [](const Measures& m) { return m.tortuosity; }},
+        {"crack_direction.mean", "deg", "mean direction of cracks against the material's axis",
+         of_directions([](Directions d) { return d.mean; })},
+        {"crack_direction.resultant", "", "how much they agree: 1 all, 0 in all directions",
+         of_directions([](Directions d) { return d.resultant; })},
+        {"branchings", "", "places where cracks branch or meet",
+         [](const Measures& m) { return Number(m.junctions.size()); }},
+        {"branching_angle", "deg", "mean of the smallest angles there",
+         [](const Measures& m) { return branching_angle(m.junctions); }},
+        {"radial_cracks", "", "about `about`, median over circles",
+         of_centre([](About about) { return about.radial(); })},
+        {"ring_cracks", "", "about `about`, median over rays",
+         of_centre([](About about) { return about.ring(); })},
+        {"tip_speed.mean", "m/s", "of tips of cracks, over time",
+         of_tips([](Tips tips) { return tips.mean(); })},
+        {"tip_speed.largest", "m/s", "of the fastest tip",
+         of_tips([](Tips tips) { return tips.fastest().fastest; })},
         {"lost_to_cracks", "J", "energy of breaking",
          [](const Measures& m) { return Number(m.lost_to_cracks); }},
         {"energy_per_area", "J/m^2", "the same per crack_area", &Measures::energy_per_area},

@@ -101,13 +101,20 @@ std::uint64_t files_hash(const Scene& scene, FileHashes& hashes) {
     return sum;
 }
 
+std::string centre_words(const CrackCentre& centre) {
+    std::string words = centre.obstacle;
+    if (centre.point)
+        words += fmt::format("{} {} {}", centre.point->x(), centre.point->y(), centre.point->z());
+    return words + fmt::format(" radii {}", fmt::join(centre.radii, " "));
+}
+
 /// Reads scenes row by row, and keeps what they are refused for.
 class RowReader {
   public:
     RowReader(const Study& study, StudyRows& all) : study(study), all(all) {
         text = read_toml_text(all.scene, "scene");
         has_variants = !variant_names(all.scene).empty();
-        measured = checksum(fmt::format("over {}\n", study.over));
+        measured = checksum(fmt::format("over {} about {}\n", study.over, centre_words(study.centre)));
         if (!all.python.empty()) measured = checksum(text_of(all.python), measured);
     }
 

@@ -1,86 +1,159 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
-#include <numbers>
-#include <span>
-#include <vector>
+#include <gtest/gtest.h>
 
-#include "fracture/snapshot.h"
+#include <cstdio>
+
+#include "core/bending/coupled_bending.h"
+#include "core/membrane/membrane_energy.h"
+#include "core/solver/newton.h"
+#include "core/tips/crack_tip.h"
+#include "fracture/breakable_shell.h"
+#include "meshops/edge_path.h"
+#include "meshops/generate.h"
+#include "tests/support/crack_fields.h"
 
 namespace sherd::test {
 
-/// A frame of one sheet without a crack, 1 mm thick, of 1 kg a square metre.
-inline Snapshot whole_sheet(const Positions& position, const std::vector<std::array<Index, 3>>& faces) {
-    Snapshot frame;
-    std::vector<double> area;
-    frame.mass = VectorXd::Zero(position.cols());
-    for (const auto& [a, b, c] : faces) {
-        const Vector3d ab = position.col(b) - position.col(a), ac = position.col(c) - position.col(a);
-        area.push_back(ab.cross(ac).norm() / 2);
-        for (const Index corner : {a, b, c}) frame.mass[corner] += area.back() / 3;
-    }
-    frame.rest = unbroken_mesh(position, faces, area, std::vector<double>(faces.size(), 1e-3));
-    frame.position = position;
-    frame.velocity = Positions::Zero(3, position.cols());
-    for (Index v = 0; v < position.cols(); ++v) frame.original.push_back(v);
-    frame.faces = faces;
-    frame.face_fragment.assign(faces.size(), 0);
-    frame.face_sheet.assign(faces.size(), 0);
-    return frame;
+/// A square sheet, 6 wide, about the origin, with a crack from -1 to 1 on the x axis, and what its theory
+/// needs.
+struct CrackedSheet {
+    Shell shell;
+    std::vector<CrackTip> tips;  ///< at -1, and at 1
+    Material material;
+};
+
+inline constexpr double half_width = 6;
+inline const Material cracked_material{.density = 1, .thickness = 0.01, .young = 1, .poisson = 0.3};
+
+/// [V] whether vertices are on the outline, or nearer to it than `margin`.
+inline std::vector<char> near_outline(const Shell& shell, double margin) {
+    std::vector<char> is_near(shell.rest.cols());
+    for (Index v = 0; v < shell.rest.cols(); ++v)
+        is_near[v] = shell.rest.col(v).head<2>().cwiseAbs().maxCoeff() > half_width - margin;
+    return is_near;
 }
 
-/// columns x rows squares with sides of `edge`, each cut from its lower left to its upper right corner. The
-/// vertex in column x and row y has the number grid_vertex(rows, x, y).
-inline Index grid_vertex(Index rows, Index x, Index y) {
-    return x * (rows + 1) + y;
+/// The tips at given places, which are the only ones.
+inline std::vector<CrackTip> tips_at(const Shell& shell, const std::vector<Vector3d>& places) {
+    const VertexFaces around(shell);
+    std::vector<char> foreign = near_outline(shell, 1e-9);
+    std::vector<Index> vertices;
+    for (const Vector3d& place : places) {
+        Index nearest = 0;
+        (shell.rest.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+        vertices.push_back(nearest);
+        foreign[nearest] = 1;
+    }
+    std::vector<CrackTip> tips;
+    for (const Index vertex : vertices) tips.push_back(crack_tip(shell, around, vertex, foreign));
+    return tips;
 }
-inline Snapshot grid_sheet(Index columns, Index rows, double edge = 1) {
-    Positions position(3, (columns + 1) * (rows + 1));
-    for (Index x = 0; x <= columns; ++x)
-        for (Index y = 0; y <= rows; ++y) position.col(grid_vertex(rows, x, y)) << edge * x, edge * y, 0;
-    std::vector<std::array<Index, 3>> faces;
-    for (Index x = 0; x < columns; ++x)
-        for (Index y = 0; y < rows; ++y) {
-            const Index corner = grid_vertex(rows, x, y), next = grid_vertex(rows, x + 1, y);
-            faces.push_back({corner, next, next + 1});
-            faces.push_back({corner, next + 1, corner + 1});
+
+inline Mesh square_mesh(double edge_length, unsigned seed, const std::vector<Polyline>& slits) {
+    Polygon polygon;
+    for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+        polygon.outline.emplace_back(half_width * x, half_width * y);
+    polygon.slits = slits;
+    return generate_polygon(polygon, {edge_length, Layout::delaunay, seed});
+}
+
+inline BreakableShell sheet_of(const Mesh& mesh, const Material& material = cracked_material) {
+    SheetInput input;
+    input.mesh = mesh;
+    input.material = material;
+    return BreakableShell({input});
+}
+
+/// slit: along the x axis, from and to; tips: those of its ends that are inside.
+inline CrackedSheet slit_sheet(double edge_length, unsigned seed, std::array<double, 2> slit) {
+    const Mesh mesh = square_mesh(edge_length, seed, {{{slit[0], 0}, {slit[1], 0}}});
+    CrackedSheet sheet{sheet_of(mesh).mechanics(), {}, cracked_material};
+    std::vector<Vector3d> tips;
+    for (const double end : slit)
+        if (std::abs(end) < half_width) tips.emplace_back(end, 0, 0);
+    sheet.tips = tips_at(sheet.shell, tips);
+    return sheet;
+}
+
+inline CrackedSheet cracked_sheet(double edge_length, unsigned seed) {
+    return slit_sheet(edge_length, seed, {-1, 1});
+}
+
+/// The same with the crack along edges of a mesh that knows nothing of it.
+inline CrackedSheet zigzag_sheet(double edge_length, unsigned seed) {
+    BreakableShell breakable = sheet_of(square_mesh(edge_length, seed, {}));
+    const std::vector<Edge> path = edge_path(breakable.mesh(), std::vector<Vector3d>{{-1, 0, 0}, {1, 0, 0}});
+    breakable.fail(path);
+    CrackedSheet sheet{breakable.mechanics(), {}, cracked_material};
+    sheet.tips = tips_at(sheet.shell, {{-1, 0, 0}, {1, 0, 0}});
+    return sheet;
+}
+
+/// A place at rest; on the x axis its y is 0 or -0, as its faces lie above or below.
+inline Vector2d sided_place(const Shell& shell, const VertexFaces& around, Index vertex) {
+    Vector2d at = shell.rest.col(vertex).head<2>();
+    double above = 0;
+    for (const Index face : around[vertex])
+        above += columns(shell.rest, shell.triangles[face].vertices).row(1).sum();
+    if (std::abs(at.y()) < 1e-9) at.y() = std::copysign(0.0, above);
+    return at;
+}
+
+/// The equilibrium of some energies, where fixed vertices are moved by `displacement` and the others are free
+/// along the directions of `guide`.
+template <class Displacement>
+Positions equilibrium(Shell shell, const std::vector<char>& fixed, const Matrix3d& guide,
+                      const std::vector<Energy*>& energies, Displacement displacement) {
+    shell.fixed = fixed;
+    shell.guides = {guide};
+    shell.guide.assign(fixed.size(), 1);
+    Positions x = shell.rest;
+    const VertexFaces around(shell);
+    for (Index v = 0; v < x.cols(); ++v)
+        if (fixed[v] != 0) {
+            if constexpr (std::is_invocable_v<Displacement, Index>)
+                x.col(v) += displacement(v);
+            else
+                x.col(v) += displacement(sided_place(shell, around, v));
         }
-    return whole_sheet(position, faces);
+    TimeSpent spent;
+    Potential potential(shell, energies, spent);
+    EXPECT_TRUE(Newton(1e-12).minimise(potential, 20, x).converged);
+    return x;
 }
 
-/// A disk about the origin: vertex 0 in the middle, and rings of `sectors` vertices at the radii 1, 2, ...,
-/// `rings`. Vertex `sector` of a ring, from 1, at the angle 2 pi sector / sectors is polar_vertex().
-inline Index polar_vertex(Index sectors, Index ring, Index sector) {
-    return 1 + (ring - 1) * sectors + sector % sectors;
-}
-inline Snapshot polar_sheet(Index rings, Index sectors) {
-    Positions position = Positions::Zero(3, 1 + rings * sectors);
-    std::vector<std::array<Index, 3>> faces;
-    for (Index s = 0; s < sectors; ++s) {
-        const double angle = 2 * std::numbers::pi * s / sectors;
-        for (Index r = 1; r <= rings; ++r)
-            position.col(polar_vertex(sectors, r, s)) << r * std::cos(angle), r * std::sin(angle), 0;
-        faces.push_back({0, polar_vertex(sectors, 1, s), polar_vertex(sectors, 1, s + 1)});
-        for (Index r = 1; r < rings; ++r) {
-            const Index corner = polar_vertex(sectors, r, s), beside = polar_vertex(sectors, r, s + 1);
-            faces.push_back({corner, corner + sectors, beside + sectors});
-            faces.push_back({corner, beside + sectors, beside});
-        }
-    }
-    return whole_sheet(position, faces);
+/// The sheet under a remote stress (xx, yy, xy), as a share of Young's modulus: its outline is where it is in
+/// an infinite one.
+inline Positions stretched(const CrackedSheet& sheet, const Vector3d& stress) {
+    MembraneEnergy membrane(sheet.shell.triangles);
+    return equilibrium(sheet.shell, near_outline(sheet.shell, 1e-9), Vector3d(1, 1, 0).asDiagonal(),
+                       {&membrane}, [&](const Vector2d& at) {
+                           Vector3d displacement = Vector3d::Zero();
+                           displacement.head<2>() = crack_displacement(at, 1, sheet.material.poisson, stress);
+                           return displacement;
+                       });
 }
 
-/// Lets the edges along a path of vertices fail, still closed.
-inline void crack(Snapshot& frame, std::span<const Index> path) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        frame.edges.push_back({path[i], path[i + 1]});
-        frame.edge_state.push_back(EdgeState::fractured_interior);
-        frame.edge_strain.push_back(0);
-    }
+/// The sheet with a remote curvature (xx, yy, xy), 1/m, linearly: its outer rows, `margin` wide, are where
+/// they are in an infinite one.
+inline Positions bent(const CrackedSheet& sheet, double margin, const Vector3d& curvature) {
+    CoupledBending bending(sheet.shell, {});
+    return equilibrium(sheet.shell, near_outline(sheet.shell, margin), Vector3d(0, 0, 1).asDiagonal(),
+                       {&bending}, [&](const Vector2d& at) {
+                           return Vector3d(0, 0, crack_deflection(at, 1, sheet.material.poisson, curvature));
+                       });
 }
-inline void crack(Snapshot& frame, const std::vector<Index>& path) {
-    crack(frame, std::span<const Index>(path));
+
+/// The mean of some numbers, and how they scatter about it.
+struct Spread {
+    double mean, deviation;
+};
+
+inline Spread spread(const std::vector<double>& values) {
+    const Eigen::Map<const VectorXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+    return {all.mean(), std::sqrt((all.array() - all.mean()).square().mean())};
 }
 
 }  // namespace sherd::test

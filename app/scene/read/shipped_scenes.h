@@ -19,7 +19,8 @@ struct ShippedScene {
 /// is not there.
 std::filesystem::path shipped_scene_folder();
 
-/// Returns the scenes in `folder`, but not the studies, those below subfolders last, in the order of their names.
+/// Returns the scenes in `folder`, but not the studies, those below subfolders last, in the order of their
+/// names.
 std::vector<ShippedScene> shipped_scenes(const std::filesystem::path& folder);
 
 /// Returns the scene of this name, with or without .toml. Throws Error (input) with the nearest name when
@@ -30,8 +31,8 @@ ShippedScene shipped_scene(const std::string& name, const std::vector<ShippedSce
 /// shipped scene. Throws Error (input) with the nearest shipped one when there is none of them.
 std::filesystem::path find_scene(const std::string& given);
 
-/// Returns what is meant by `given`: the file of this name, or the one with .toml behind it, or else the study of
-/// this name that comes with the program; if there is none of them, `given`.
+/// Returns what is meant by `given`: the file of this name, or the one with .toml behind it, or else the
+/// study of this name that comes with the program; if there is none of them, `given`.
 std::filesystem::path find_study(const std::string& given);
 
 /// Returns the files that a scene names and that are there, relative to the scene's folder.

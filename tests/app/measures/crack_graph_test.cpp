@@ -10,7 +10,7 @@
 
 #include "app/measures/crack_branching.h"
 #include "app/measures/crack_directions.h"
-#include "tests/support/cracked_sheet.h"
+#include "tests/support/broken_grid.h"
 
 namespace sherd::test {
 namespace {

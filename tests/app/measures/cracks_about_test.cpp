@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/measures/disjoint_paths.h"
-#include "tests/support/cracked_sheet.h"
+#include "tests/support/broken_grid.h"
 
 namespace sherd::test {
 namespace {

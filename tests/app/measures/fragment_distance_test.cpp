@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meshops/error.h"
-#include "tests/support/cracked_sheet.h"
+#include "tests/support/broken_grid.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/measures/crack_graph.h"
 #include "app/measures/energy_extent.h"
-#include "tests/support/cracked_sheet.h"
+#include "tests/support/broken_grid.h"
 
 namespace sherd::test {
 namespace {

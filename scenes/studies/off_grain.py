@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which way a crack ran from its notch, without the notch."""
+import collections
+
+import numpy
+
+NOTCH = 0.0201  # m
+
+
+def crack(recording):
+    """Ends at rest of the edges that have failed: [N, 2, 2] m, each once, without the notch and the rim."""
+    frame = recording.frame(len(recording) - 1)
+    faces, rest = frame.rest_faces, frame.rest_positions[:, :2]
+    sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
+    edges = frame.originals[frame.edges][frame.edge_states > 0]
+    ends = rest[[edge for edge in {tuple(sorted(edge)) for edge in edges} if sides[edge] == 2]]
+    return ends[ends[:, :, 0].max(axis=1) > NOTCH]
+
+
+def measure(recording):
+    """crack_angle: degrees from the notch, 0 to 180, mean of doubled angles by length; alike: 1 when all of it runs that
+    way."""
+    way = numpy.diff(crack(recording), axis=1)[:, 0]
+    if len(way) == 0:
+        return {}
+    way = way[:, 0] + 1j * way[:, 1]
+    mean = (way**2 / abs(way)).sum() / abs(way).sum()
+    return {"crack_angle": numpy.degrees(numpy.angle(mean)) / 2 % 180, "alike": abs(mean)}
