@@ -253,7 +253,9 @@ void add_sweep(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand(
         "sweep", "Run a study: a scene many times, with parameters that vary, into one table");
     auto options = std::make_shared<SweepOptions>();
-    command->add_option("study", options->study, "Study file (.toml; keys in app/README.md), or one of those in scenes/studies")
+    command
+        ->add_option("study", options->study,
+                     "Study file (.toml; keys in app/README.md), or one of those in scenes/studies")
         ->required()
         ->option_text("STUDY.toml");
     command
@@ -275,7 +277,8 @@ void add_sweep(CLI::App& program, Command& chosen) {
                      "the tables")
         ->option_text("FIRST-LAST");
     add_slurm_options(*command, *options);
-    command->footer("Example:\n  sherd sweep study.toml -o study --jobs 4\n  sherd sweep studies/drop_height --quick");
+    command->footer(
+        "Example:\n  sherd sweep study.toml -o study --jobs 4\n  sherd sweep studies/drop_height --quick");
     command->callback([&chosen, options] { chosen = [options] { return sweep(*options); }; });
 }
 

@@ -4,7 +4,7 @@ import collections
 
 import numpy
 
-NOTCH = 0.0201  # m
+NOTCH_END, NOTCH_HEIGHT, NEAR = 0.02, 0.05, 1e-4  # m
 
 
 def crack(recording):
@@ -14,7 +14,9 @@ def crack(recording):
     sides = collections.Counter(tuple(sorted((face[i], face[(i + 1) % 3]))) for face in faces for i in range(3))
     edges = frame.originals[frame.edges][frame.edge_states > 0]
     ends = rest[[edge for edge in {tuple(sorted(edge)) for edge in edges} if sides[edge] == 2]]
-    return ends[ends[:, :, 0].max(axis=1) > NOTCH]
+    beyond = ends[:, :, 0].max(axis=1) > NOTCH_END + NEAR
+    beside = abs(ends[:, :, 1] - NOTCH_HEIGHT).max(axis=1) > NEAR
+    return ends[beyond | beside]
 
 
 def measure(recording):
