@@ -34,7 +34,7 @@ template <class Number>
 std::vector<Number> decoded(const std::string& text) {
     const std::string bytes = from_base64(text);
     std::vector<Number> numbers(bytes.size() / sizeof(Number));
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+    if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
     return numbers;
 }
 
