@@ -40,7 +40,7 @@ EliminationPart part_of(const Supernodes& pattern, Index begin, Index end) {
         part.outside.insert(part.outside.end(), rows.begin(), rows.end());
     }
     std::ranges::sort(part.outside);
-    part.outside.erase(std::ranges::unique(part.outside).begin(), part.outside.end());
+    part.outside.erase(std::unique(part.outside.begin(), part.outside.end()), part.outside.end());
     return part;
 }
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <ranges>
+#include <numeric>
 #include <utility>
 
 #include "core/solver/dense_elimination.h"
@@ -16,8 +16,10 @@ constexpr Index nodes_at_once = 64, columns_at_once = 512;
 template <class Real>
 using Part = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
-auto nodes_of(const EliminationPart& part) {
-    return std::views::iota(part.first, part.end);
+std::vector<Index> nodes_of(const EliminationPart& part) {
+    std::vector<Index> nodes(part.end - part.first);
+    std::iota(nodes.begin(), nodes.end(), part.first);
+    return nodes;
 }
 
 }  // namespace
@@ -66,8 +68,7 @@ std::size_t MultifrontalFactor<Real>::size_of_children(Index node) const {
 }
 
 template <class Real>
-template <class Nodes>
-std::size_t MultifrontalFactor<Real>::stack_size(const Nodes& nodes) const {
+std::size_t MultifrontalFactor<Real>::stack_size(const std::vector<Index>& nodes) const {
     std::size_t top = 0, highest = 0;
     for (const Index node : nodes) {
         top += update_size(node);
@@ -152,8 +153,9 @@ bool MultifrontalFactor<Real>::factorize(const BlockMatrix& matrix) {
     const auto parts = static_cast<Index>(shares.parts.size());
     std::vector<char> is_definite(parts, 1);
     threads.share(parts, [&](Index p) {
-        for (const Index node : nodes_of(shares.parts[p]))
-            if (is_definite[p] && !eliminate(node, stacks[p], Threads())) is_definite[p] = 0;
+        const EliminationPart& part = shares.parts[p];
+        for (Index node = part.first; node < part.end && is_definite[p] != 0; ++node)
+            is_definite[p] = eliminate(node, stacks[p], Threads()) ? 1 : 0;
     });
     return std::ranges::count(is_definite, 0) == 0 && std::ranges::all_of(shares.above, [&](Index node) {
                return eliminate(node, stacks.back(), threads);
@@ -213,7 +215,8 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
         of_part[p].setZero(own + outside);
         of_part[p].head(own) = y.segment(3 * parts[p].first_column, own);
         buffers[p].resize(own + outside);
-        for (const Index node : nodes_of(parts[p])) solve_forward(node, of_part[p], buffers[p]);
+        for (Index node = parts[p].first; node < parts[p].end; ++node)
+            solve_forward(node, of_part[p], buffers[p]);
     });
     const auto outside = [&](std::size_t p, const auto& with) {
         for (std::size_t i = 0; i < parts[p].outside.size(); ++i)
@@ -223,10 +226,11 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
     for (std::size_t p = 0; p < parts.size(); ++p)
         outside(p, [](auto&& all, auto&& of_this) { all += of_this; });
     for (const Index node : shares.above) solve_forward(node, y, below);
-    for (const Index node : std::views::reverse(shares.above)) solve_backward(node, y, below);
+    for (auto node = shares.above.rbegin(); node != shares.above.rend(); ++node)
+        solve_backward(*node, y, below);
     threads.share(static_cast<Index>(parts.size()), [&](Index p) {
         outside(p, [](auto&& all, auto&& of_this) { of_this = all; });
-        for (const Index node : std::views::reverse(nodes_of(parts[p])))
+        for (Index node = parts[p].end - 1; node >= parts[p].first; --node)
             solve_backward(node, of_part[p], buffers[p]);
         const Index own = 3 * parts[p].columns;
         y.segment(3 * parts[p].first_column, own) = of_part[p].head(own);

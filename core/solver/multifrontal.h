@@ -39,9 +39,8 @@ class MultifrontalFactor {
     const Index* places(Index node) const { return shares.place.data() + pattern->start[node]; }
 
     void find_children();
-    /// How large the stack of what is eliminated together becomes. nodes: a range of supernodes.
-    template <class Nodes>
-    std::size_t stack_size(const Nodes& nodes) const;
+    /// How large the stack becomes of supernodes that are eliminated together.
+    std::size_t stack_size(const std::vector<Index>& nodes) const;
     /// What the children of a supernode have left on its stack.
     std::size_t size_of_children(Index node) const;
     void scatter(const BlockMatrix& matrix);
