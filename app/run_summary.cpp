@@ -48,8 +48,8 @@ std::string load_words(const LoadHistory& load) {
 
 /// How long, how often and why explicit steps were made between implicit ones.
 std::string explicit_words(const RunTotals& totals) {
-    constexpr std::array<const char*, urgency_count> names{"",       "strikes",        "stress",
-                                                           "cracks", "unsolved steps", "blows"};
+    constexpr std::array<const char*, urgency_count> names{"", "strikes", "stress", "cracks",
+                                                           "unsolved steps"};
     std::vector<std::string> causes;
     for (std::size_t u = 1; u < urgency_count; ++u)
         if (totals.urgencies[u] > 0) causes.push_back(fmt::format("{} {}", names[u], totals.urgencies[u]));

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/contact/colliders/start_depth.h"
-#include "core/contact/explicit/overwhelmed_springs.h"
 #include "core/shell/mean_edge_length.h"
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
@@ -151,20 +150,8 @@ void Simulation::give_up(const StepReport& report) const {
 
 bool Simulation::attempt(StepReport& report) {
     urgency = Urgency::unsolved;
-    MinimiserResult newton;
-    try {
-        if (!stepper->begin(step_size.size())) return false;
-        newton = solve_stage(report, options.max_iterations);
-    } catch (const OverwhelmedSprings& error) {
-        if (!options.alternates) throw;
-        urgency = Urgency::blow;
-        blow = error.what();
-        return false;
-    } catch (const std::runtime_error&) {
-        // Implicit steps may not begin where springs have been pressed too far: what did is what is wrong.
-        if (report.urgency == Urgency::blow) throw std::runtime_error(blow);
-        throw;
-    }
+    if (!stepper->begin(step_size.size())) return false;
+    MinimiserResult newton = solve_stage(report, options.max_iterations);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
     breakable.set_time(time() + step_size.size());
@@ -341,8 +328,8 @@ void Simulation::read_gauges(StepReport& report) const {
 
 void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
-           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, blow, ends_at_crack,
-           forbidden, grown, scripts] = *this;
+           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, ends_at_crack, forbidden,
+           grown, scripts] = *this;
     // What is put back is that of the scheme which the stepper had.
     Scheme scheme = stepper->scheme();
     visit(scheme);

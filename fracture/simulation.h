@@ -169,7 +169,6 @@ class Simulation {
     StepSize step_size;
     StepPace pace;
     Urgency urgency = Urgency::none;  ///< of the last attempt
-    std::string blow;                 ///< what overwhelmed the last explicit step
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
     std::size_t scripts = 0;  ///< motions of the start

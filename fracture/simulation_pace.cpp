@@ -31,14 +31,7 @@ Urgency Simulation::judged(const StepReport& report, const Measured& measured) {
 }
 
 bool Simulation::try_otherwise(StepReport& report) {
-    if (urgency == Urgency::blow) {
-        report.urgency = urgency;
-        change_scheme(Scheme::implicit_euler);
-        pace.goes_implicit();
-        step_size.resume();
-        return true;
-    }
-    if (options.alternates && stepper->scheme() != Scheme::explicit_differences && !pace.is_held()) {
+    if (options.alternates && stepper->scheme() != Scheme::explicit_differences) {
         report.urgency = urgency;
         change_scheme(Scheme::explicit_differences);
         pace.goes_explicit();

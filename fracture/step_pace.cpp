@@ -25,7 +25,6 @@ bool StepPace::strikes(const StepActivity& solved) const {
 }
 
 Urgency StepPace::judge(const StepActivity& solved) const {
-    if (held > 0) return Urgency::none;
     if (solved.fails) return Urgency::crack;
     if (implicit_steps < calming) return Urgency::none;
     if (solved.overload > near_failure) return Urgency::stress;
@@ -39,7 +38,6 @@ bool StepPace::is_too_long(const StepActivity& solved) const {
 void StepPace::implicit_finished(const StepActivity& step) {
     largest_energy = std::max(largest_energy, step.energy);
     ++implicit_steps;
-    held = std::max(held - 1, 0);
 }
 
 void StepPace::goes_explicit() {

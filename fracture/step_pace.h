@@ -9,17 +9,16 @@
 
 namespace sherd {
 
-/// Why an implicit step should be shorter, or be made of explicit ones; and why explicit ones may not be.
+/// Why an implicit step should be shorter, or be made of explicit ones.
 enum class Urgency : std::uint8_t {
     none,
     strike,    ///< something strikes, and the time scheme takes much of its energy
     stress,    ///< something may fail soon
     crack,     ///< something fails
     unsolved,  ///< the step cannot be solved
-    blow,      ///< an explicit step cannot hold what strikes (OverwhelmedSprings)
 };
 
-inline constexpr std::size_t urgency_count = 6;
+inline constexpr std::size_t urgency_count = 5;
 
 /// What a step has done, or would do.
 struct StepActivity {
@@ -43,24 +42,19 @@ class StepPace {
     bool is_too_long(const StepActivity& solved) const;
     /// An implicit step has been finished.
     void implicit_finished(const StepActivity& step);
-    /// Implicit steps follow, whatever happens in them, until the blow that overwhelmed an explicit one is
-    /// over.
-    void goes_implicit() { held = through_a_blow; }
-    bool is_held() const { return held > 0; }
     /// Explicit steps follow.
     void goes_explicit();
     /// An explicit step has been finished; whole: at a multiple of the nominal length. Returns whether
     /// implicit steps shall follow.
     bool explicit_finished(const StepActivity& step, bool whole);
     void visit_state(StateVisitor& visit) {
-        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps, held] = *this;
-        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps, held);
+        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps] = *this;
+        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps);
     }
 
   private:
-    static constexpr int least_quiet = 4;      // whole steps
-    static constexpr int through_a_blow = 16;  // implicit steps
-    static constexpr int calming = 3;          // implicit steps that take what still rings
+    static constexpr int least_quiet = 4;  // whole steps
+    static constexpr int calming = 3;      // implicit steps that take what still rings
 
     /// Of energies, J. What lies on something, or is pressed, keeps its contact; a blow makes and ends one.
     struct Range {
@@ -80,7 +74,6 @@ class StepPace {
     int quiet = 0;                 ///< whole steps in which nothing has
     int enough = least_quiet;      ///< of them, for implicit steps to follow
     int implicit_steps = calming;  ///< since the last explicit one
-    int held = 0;                  ///< implicit steps that still have to come
 };
 
 }  // namespace sherd

@@ -32,13 +32,12 @@ struct StepReport : EnergyBalance {
     Index halvings = 0;  ///< halvings of this step because longer ones could not be solved
     Index stages = 0;    ///< stages of breaking
     bool stage_cap_reached = false;
-    bool is_explicit = false;  ///< whether it was made of substeps
-    Urgency urgency =
-        Urgency::none;   ///< why another scheme begins with it: explicit steps, or after a blow implicit ones
-    Index contacts = 0;  ///< number of vertices in contact with obstacles or bodies
-    double obstacle_overlap = 0;  ///< m, largest overlap of a sheet with an obstacle or a body
-    double lip_overlap = 0;       ///< m, largest overlap of lips of cracks that have not moved apart yet
-    Index exempt_pairs = 0;       ///< pairs of vertices whose faces overlap since the start
+    bool is_explicit = false;         ///< whether it was made of substeps
+    Urgency urgency = Urgency::none;  ///< why explicit steps begin with it, after implicit ones
+    Index contacts = 0;               ///< number of vertices in contact with obstacles or bodies
+    double obstacle_overlap = 0;      ///< m, largest overlap of a sheet with an obstacle or a body
+    double lip_overlap = 0;           ///< m, largest overlap of lips of cracks that have not moved apart yet
+    Index exempt_pairs = 0;           ///< pairs of vertices whose faces overlap since the start
     Index fragments = 0;
 
     std::vector<Reaction> reactions;   ///< of the supports, then of the obstacles

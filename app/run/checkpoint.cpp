@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view magic = "sherd checkpoint 4\n";
+constexpr std::string_view magic = "sherd checkpoint 3\n";
 
 /// What stands behind the rest of a file.
 struct Seal {
@@ -80,8 +80,16 @@ std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording
 
 void remove_checkpoints(const std::filesystem::path& recording) {
     std::error_code ignored;
-    for (const std::filesystem::path& file : checkpoint_files(recording))
+    for (const std::filesystem::path& file : checkpoint_files(recording)) {
         std::filesystem::remove(file, ignored);
+        std::filesystem::remove(file.string() + ".part", ignored);
+        // What a program leaves that is killed while it writes one: taking the lock removes it.
+        if (std::filesystem::exists(file.string() + ".lock", ignored)) try {
+                const OutputLock left(file);
+            } catch (const Error&) {
+                continue;  // somebody writes it
+            }
+    }
 }
 
 }  // namespace sherd

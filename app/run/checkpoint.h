@@ -43,7 +43,7 @@ void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording,
                                           std::vector<std::string>& warnings);
 
-/// Removes both.
+/// Removes both, and what a killed writer left.
 void remove_checkpoints(const std::filesystem::path& recording);
 
 }  // namespace sherd

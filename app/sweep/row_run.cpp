@@ -41,19 +41,6 @@ std::string reason_in(const std::string& words) {
     return last;
 }
 
-/// What a run, and those that were killed before it, have left beside the recording; with that if it is not
-/// kept.
-void remove_leftovers(const fs::path& recording, bool kept) {
-    std::vector<fs::path> leftovers;
-    for (const fs::directory_entry& entry : fs::directory_iterator(recording.parent_path())) {
-        const fs::path name = entry.path().filename();
-        const bool is_recording = name == recording.filename() || name.extension() == ".xdmf";
-        if (name.string().starts_with(recording.stem().string()) && !(kept && is_recording))
-            leftovers.push_back(entry.path());
-    }
-    for (const fs::path& file : leftovers) fs::remove(file);
-}
-
 }  // namespace
 
 fs::path row_recording(const fs::path& folder, const StudyRow& row) {
@@ -114,8 +101,10 @@ RowResult RowRun::finish() {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     result.wall_seconds = spent.count();
     if (result.exit_code > signal_base) return result;  // it may go on
+    remove_checkpoints(recording);
     const bool kept = study.keep == Keep::all || (study.keep == Keep::failed && result.exit_code != 0);
-    remove_leftovers(recording, kept);
+    if (!kept)
+        for (const char* ending : {".h5", ".xdmf"}) fs::remove(fs::path(recording).replace_extension(ending));
     return result;
 }
 

@@ -78,7 +78,6 @@ bool ExplicitStepper::begin(double of_step) {
     velocity = shell.velocity;
     measure_vertices();
     contact.begin(time, first);
-    is_open = true;
     if (first || made) {
         energies_now.reset();
         place_clamps_at_start(step);
@@ -117,11 +116,11 @@ void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
         has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
                  decltype(opening), decltype(elastic), decltype(step), decltype(of_shell), decltype(substeps),
-                 decltype(length), decltype(first), decltype(is_open), decltype(made), decltype(changed),
-                 decltype(strain_then), decltype(mode), decltype(velocity), decltype(acceleration),
-                 decltype(forces_now), decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided),
-                 decltype(moved), decltype(acceleration_before), decltype(forces_before),
-                 decltype(energies_now), decltype(work), decltype(inertia_work)>());
+                 decltype(length), decltype(first), decltype(made), decltype(changed), decltype(strain_then),
+                 decltype(mode), decltype(velocity), decltype(acceleration), decltype(forces_now),
+                 decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided), decltype(moved),
+                 decltype(acceleration_before), decltype(forces_before), decltype(energies_now),
+                 decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
     if (visit.reads()) elastic_gradient.shell_changed();
     visit(contact, opening, step, of_shell, substeps, length, first, made, changed, strain_then, mode,
@@ -356,17 +355,12 @@ StepWork ExplicitStepper::all_work() const {
     return all;
 }
 
-void ExplicitStepper::discard() {
-    if (is_open) contact.of_bodies().restart();
-    is_open = made = false;
-}
-
 void ExplicitStepper::finish() {
     ledger.finish(all_work(), stored(), moving(velocity, position));
     shell.position = position;
     shell.velocity = velocity;
     time = step.end();
-    is_open = made = false;
+    made = false;
 }
 
 std::vector<Reaction> ExplicitStepper::reactions() const {

@@ -31,7 +31,6 @@ class ExplicitStepper : public Stepper {
     double held(Index edge) const override { return opening.held(edge); }
     double taken_by_scheme() override { return ledger.taken_by_scheme(all_work(), stored()); }
     void topology_changed(const ShellChange& change) override;
-    void discard() override;
     void finish() override;
 
     std::vector<Reaction> reactions() const override;
@@ -104,7 +103,6 @@ class ExplicitStepper : public Stepper {
     int substeps = 0;                  ///< of the open step, or of the last one
     double length = 0;                 ///< s, of each of them
     bool first = true;                 ///< whether no step has begun yet
-    bool is_open = false;              ///< whether a step is
     bool made = false;                 ///< whether the open step has been made
     bool changed = true;               ///< whether the shell has changed since the frequency was estimated
     double strain_then = 0;            ///< largest of all faces then

@@ -43,7 +43,6 @@ std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& option
 std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme) {
     StepperOptions options = before->options;
     options.scheme = scheme;
-    before->discard();
     options.contact.bodies = before->bodies();
     options.contact.crossed = before->crossed();
     before->forces.damp(shell_options(before->shell, options));

@@ -73,9 +73,6 @@ class Stepper {
     virtual void topology_changed(const ShellChange& change) = 0;
     /// Forces that act from the next step on: see ShellEnergies::give().
     void give_forces(const Positions& force) { forces.give(force); }
-    /// Puts back what an open step has changed beside `position`, for another stepper to go on from the end
-    /// of the last one.
-    virtual void discard() {}
     /// Ends the step: the shell gets `position` as positions, and new velocities.
     virtual void finish() = 0;
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "core/contact/explicit/moving_collider.h"
-#include "core/contact/explicit/overwhelmed_springs.h"
 #include "core/contact/explicit/pair_friction.h"
 #include "core/energy_balance.h"
 
@@ -196,7 +195,7 @@ void ExplicitContact::require_no_passage(const StepContext& step, const Position
     const bool free = sheets->safe_fraction_of_step(step.origin, end - step.origin) == 1;
     sheets->begin(substep);
     if (!free)
-        throw OverwhelmedSprings(
+        throw std::runtime_error(
             "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
             "contact are overwhelmed; a stiffer or a thicker sheet, or less speed, may help");
 }

@@ -19,10 +19,10 @@ SlurmJob job_of(std::vector<std::size_t> tasks) {
 }
 
 TEST(SlurmScript, RunsTheRowsOfEachTask) {
-    const std::string script = slurm_script(job_of({0, 1, 2, 5, 7, 8}), {}, {1, 1e9}, "/work/study");
+    const std::string script = slurm_script(job_of({0, 1, 2, 5, 7, 8}), {}, {1, 1e9}, "/data/study");
     EXPECT_TRUE(contains(script, "#SBATCH --array=0-2,5,7-8\n")) << script;
     EXPECT_TRUE(contains(script, "#SBATCH --cpus-per-task=2\n")) << script;
-    EXPECT_TRUE(contains(script, "#SBATCH --output=/work/study/slurm/%A_%a.log\n")) << script;
+    EXPECT_TRUE(contains(script, "#SBATCH --output=/data/study/slurm/%A_%a.log\n")) << script;
     EXPECT_TRUE(
         contains(script,
                  "first=$((SLURM_ARRAY_TASK_ID * 100))\n"
@@ -32,7 +32,7 @@ TEST(SlurmScript, RunsTheRowsOfEachTask) {
 }
 
 TEST(SlurmScript, TimeAndMemoryFollowFromTheCostUnlessTheyAreGiven) {
-    const std::string by_cost = slurm_script(job_of({0}), {}, {60, 1e9}, "/work/study");
+    const std::string by_cost = slurm_script(job_of({0}), {}, {60, 1e9}, "/data/study");
     EXPECT_TRUE(contains(by_cost, "#SBATCH --time=250\n"))
         << "min: 5 times 50 rows of a minute after each other";
     EXPECT_TRUE(contains(by_cost, "#SBATCH --mem=3600M\n")) << "of two rows at a time";
