@@ -64,6 +64,19 @@ class Studies(unittest.TestCase):
                 self.table(name)
             self.run_program(PROGRAM, "plot", table, *rest)
 
+    def fitted(self, script, header, rows, *names):
+        table = pathlib.Path(self.room.name, "made.csv")
+        table.write_text("\n".join([header] + [",".join(map(str, row)) for row in rows]) + "\n", encoding="utf-8")
+        return self.run_program("/usr/bin/python3", str(STUDIES / script), str(table), *names)
+
+    def test_the_height_and_the_power_of_tables_that_are_made_are_found(self):
+        # As many break at 1/f of the height of a half as do not at f times that.
+        rows = [(h, int(i < share), 0) for h, share in ((0.125, 1), (0.25, 5), (1, 15), (2, 19)) for i in range(20)]
+        self.assertIn("half of 80 break from 0.500 m", self.fitted("half_height.py", "height,broken,exit", rows))
+        rows = [(x, 3 * x**0.5, 0) for x in (1, 4, 9, 16)] + [(25, 0, 0), (36, "", 0), (49, 1, 1)]
+        self.assertIn("y ~ x^0.50, with a deviation of 0.00, of 4 rows",
+                      self.fitted("power.py", "x,y,exit", rows, "x", "y"))
+
 
 if __name__ == "__main__":
     unittest.main()
