@@ -143,7 +143,7 @@ constexpr bool has_only() {
         alignment = std::max(alignment, aligned);
     };
     const auto add_member = [&]<class Member>(std::type_identity<Member>) {
-        if constexpr (std::is_reference_v<Member>)
+        if constexpr (std::is_reference_v<Member> || std::is_pointer_v<Member>)
             add(sizeof(void*), alignof(void*));
         else
             add(sizeof(Member), alignof(Member));
