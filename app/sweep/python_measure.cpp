@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/json/json.h"
-#include "app/sweep/study_table.h"
+#include "app/sweep/study_column_names.h"
 #include "meshops/error.h"
 
 namespace sherd {

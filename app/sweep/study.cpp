@@ -10,9 +10,9 @@
 #include "app/scene/toml/override.h"
 #include "app/scene/toml/toml_file.h"
 #include "app/scene/toml/toml_table.h"
+#include "app/sweep/study_column_names.h"
 #include "app/sweep/study_measures.h"
 #include "app/sweep/study_parameter.h"
-#include "app/sweep/study_table.h"
 
 namespace sherd {
 namespace {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "app/files/checksum.h"
@@ -17,11 +16,6 @@
 
 namespace sherd {
 namespace {
-
-/// Of every table, beside those of the study.
-constexpr std::array fixed_columns{"row",         "seed",         "exit",     "wall_seconds",
-                                   "cpu_seconds", "message",      "command",  "scene_hash",
-                                   "files_hash",  "program_hash", "recording"};
 
 /// What one row, and its result if it has one, says in a column.
 template <class Cell>
@@ -120,11 +114,6 @@ std::vector<double> StudyColumn::numbers() const {
     for (const std::string& cell : cells)
         values.push_back(number_of(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
     return values;
-}
-
-bool is_study_column(std::string_view name) {
-    return std::ranges::find(fixed_columns, name) != fixed_columns.end() ||
-           measure_mistake(std::string(name)).empty();
 }
 
 StudyTable study_table(const Study& study, const StudyRows& rows, const RowResults& results,

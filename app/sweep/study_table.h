@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/files/output_lock.h"
@@ -26,9 +25,6 @@ struct StudyColumn {
 
 /// One row a run, in the order of the study, whether it has been run or not.
 using StudyTable = std::vector<StudyColumn>;
-
-/// Whether tables have a column of this name beside the parameters.
-bool is_study_column(std::string_view name);
 
 /// folder: where the recordings are.
 StudyTable study_table(const Study& study, const StudyRows& rows, const RowResults& results,

@@ -9,7 +9,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The sources whose words an input is made of.
 SOURCES = {"obj": ["meshops/parse_obj.cpp", "meshops/material_library.cpp"], "off": ["meshops/parse_off.cpp"],
            "ply": ["meshops/parse_ply.cpp", "meshops/ply_header.cpp"], "stl": ["meshops/parse_stl.cpp"],
-           "scene": ["app/scene/read", "app/scene/toml"], "cache": ["app/files/point_cache.cpp"], "edges": [], "png": []}
+           "scene": ["app/scene/read", "app/scene/toml"], "cache": ["app/files/point_cache.cpp"],
+           "study": ["app/sweep/study.cpp", "app/sweep/study_parameter.cpp", "app/sweep/study_measures.cpp"],
+           "csv": [], "edges": [], "png": []}
 NUMBERS = ["0", "1", "-1", "4", "0.5", "1e999", "1e-320", "nan", "inf", "4294967295", "4294967296", "99999999999",
            "18446744073709551615", "\n", " ", "#"]
 
@@ -97,6 +99,22 @@ def scene():
         text = "\n".join(line for line in file.read_text().splitlines() if not line.lstrip().startswith("#"))
         variant = re.search(r"^\[variant\.(\w+)", text, re.MULTILINE)
         yield (f"#{variant.group(1)}\n" if variant else "").encode() + text.encode()
+
+
+def study():
+    for file in sorted(ROOT.glob("scenes/studies/*.toml")):
+        yield file.read_bytes()
+    yield (b'scene = "a"\nvariant = "b"\nset = ["c=1"]\ndesign = "latin"\nsamples = 5\nseed = 2\nrepeats = 2\n'
+           b'about = [0, 0, 1]\nradius = 0.1\npython = "d.py"\nkeep = "failed"\nmeasures = ["peak_force.floor"]\n'
+           b'[parameters]\nsheet.a.b = { uniform = [1, 2] }\nc = { set = ["d={}", "e=[{}, 0]"], values = ["x", 2, true] }\n'
+           b'n = { normal = [0, 1] }\nl = { log_uniform = [1e-3, 1] }\nm = { lognormal = [1, 2] }\n'
+           b'[slurm]\npartition = "p"\naccount = "q"\ntime = "1:00"\nmemory = "1G"\nchunk = 3\n')
+    yield (b'scene = "a"\ndesign = "zip"\n[parameters]\na = { from = 1, to = 8, steps = 4, log = true }\n'
+           b'b = { from = 0, to = 0.3, step = 0.1 }\n')
+
+
+def csv():
+    yield b'row,sheet.velocity,message\n0,1.5,\n1,"a, ""b""\nc",nan\r\n'
 
 
 def seeds(name):
