@@ -2,6 +2,7 @@
 #include "core/contact/detection/pair_blocks.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/contact/detection/box_tree.h"
@@ -39,32 +40,38 @@ std::vector<PairBlocks::Entry> sorted_in_space(const std::vector<PairBlocks::Ent
 
 }  // namespace
 
-PairBlocks::Block::Block(std::span<const Entry> given, const Positions& x, std::vector<char>& seen)
+PairBlocks::Block::Block(std::span<const Entry> given, const Positions& x, const MotionCells& in,
+                         std::vector<char>& seen)
     : entries(given.begin(), given.end()) {
     std::ranges::sort(entries, {}, &Entry::room);
     for (const Entry& entry : entries)
         largest_activation = std::max(largest_activation, entry.pair.activation_distance);
-    list_vertices(seen);
+    list_vertices(in, seen);
     reference = x(Eigen::all, vertices);
 }
 
-void PairBlocks::Block::list_vertices(std::vector<char>& seen) {
+void PairBlocks::Block::list_vertices(const MotionCells& in, std::vector<char>& seen) {
     vertices.clear();
     for (const Entry& entry : entries)
         for (const Index v : entry.pair.vertices)
             if (!std::exchange(seen[v], 1)) vertices.push_back(v);
     for (const Index v : vertices) seen[v] = 0;
     std::ranges::sort(vertices);
+    cells.clear();
+    for (const Index v : vertices) cells.push_back(in.of(v));
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
 
-void PairBlocks::Block::remove(const std::vector<char>& changed, std::vector<char>& seen) {
+void PairBlocks::Block::remove(const std::vector<char>& changed, const MotionCells& in,
+                               std::vector<char>& seen) {
     stale = true;
     const auto has_changed = [&](Index v) { return changed[v] != 0; };
     if (std::ranges::none_of(vertices, has_changed)) return;
     std::erase_if(entries,
                   [&](const Entry& entry) { return std::ranges::any_of(entry.pair.vertices, has_changed); });
     const std::vector<Index> before = vertices;
-    list_vertices(seen);
+    list_vertices(in, seen);
     for (std::size_t i = 0, old = 0; i < vertices.size(); ++i) {
         while (before[old] != vertices[i]) ++old;
         reference.col(i) = reference.col(old);
@@ -77,6 +84,7 @@ void PairBlocks::Block::measure(const Positions& x) {
         entry.room = distance(entry.pair, columns(x, entry.pair.vertices)) - entry.pair.activation_distance;
     std::ranges::sort(entries, {}, &Entry::room);
     reference = x(Eigen::all, vertices);
+    measured = true;
     idle = 0;
 }
 
@@ -87,28 +95,40 @@ double PairBlocks::Block::spread(const Positions& x, const Positions* from) cons
         if (from) way -= from->col(static_cast<Eigen::Index>(i)).array();
         moved.include({way, way});
     }
-    return (moved.upper - moved.lower).matrix().norm();
+    return sherd::spread(moved);
+}
+
+double PairBlocks::Block::cell_spread(const std::vector<Box>& boxes) const {
+    if (boxes.empty()) return 0;
+    if (measured) return std::numeric_limits<double>::infinity();
+    Box moved;
+    for (const Index cell : cells) moved.include(boxes[cell]);
+    return sherd::spread(moved);
 }
 
 void PairBlocks::add(const std::vector<Entry>& entries, const Positions& x) {
     const std::vector<Entry> sorted = sorted_in_space(entries, x);
+    cells.cover(x);
+    start = x;
     std::vector<char> seen(x.cols(), 0);
     for (std::size_t first = 0; first < sorted.size(); first += block_size)
         blocks.emplace_back(std::span(sorted).subspan(first, std::min(block_size, sorted.size() - first)), x,
-                            seen);
+                            cells, seen);
 }
 
 void PairBlocks::remove(const std::vector<char>& changed) {
     std::vector<char> seen(changed.size(), 0);
-    for (Block& block : blocks) block.remove(changed, seen);
+    for (Block& block : blocks) block.remove(changed, cells, seen);
     std::erase_if(blocks, [](const Block& block) { return block.entries.empty(); });
 }
 
-void PairBlocks::Block::find_active(const ContactSurface& surface, const Positions& x, double round_off,
+void PairBlocks::Block::find_active(const ContactSurface& surface, const Positions& x,
+                                    const std::vector<Box>& moved_cells, double round_off,
                                     std::vector<ContactPair>& active) {
-    const double reach = spread(x, &reference) + round_off;
     if (std::exchange(stale, false))
         for (Entry& entry : entries) entry.pair.stiffness = 0;
+    if (least_room() > cell_spread(moved_cells) + round_off) return;
+    const double reach = spread(x, &reference) + round_off;
     for (Entry& entry : entries) {
         if (entry.room > reach) break;
         if (within(entry.pair.activation_distance, entry.pair, columns(x, entry.pair.vertices))) {
@@ -124,7 +144,9 @@ void PairBlocks::Block::find_active(const ContactSurface& surface, const Positio
 void PairBlocks::find_active(const ContactSurface& surface, const Positions& x, double round_off,
                              std::vector<ContactPair>& active) {
     active.clear();
-    for (Block& block : blocks) block.find_active(surface, x, round_off, active);
+    if (blocks.empty()) return;
+    const std::vector<Box> moved_cells = cells.boxes(x - start);
+    for (Block& block : blocks) block.find_active(surface, x, moved_cells, round_off, active);
     sort(active);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/contact/detection/contact_surface.h"
+#include "core/contact/detection/motion_cells.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
@@ -12,7 +13,8 @@ namespace sherd {
 /// Pairs of elements, each with the room that was left before it is active when it was last measured. Pairs
 /// beside each other form a block. As long as no two vertices of a block have moved by more than a pair's
 /// room relative to each other, nothing has to be computed for that pair: most pairs of a sheet that stays in
-/// one piece are never looked at. No result depends on when which block was measured.
+/// one piece are never looked at. Whether a block has such a pair its cells of vertices tell first, which are
+/// far fewer. No result depends on when which block was measured.
 class PairBlocks {
   public:
     struct Entry {
@@ -20,7 +22,7 @@ class PairBlocks {
         double room;  ///< m, distance less activation distance
     };
 
-    /// Adds pairs, with their room at x.
+    /// Adds pairs, with their room at x, which is the same each time but for vertices that have changed.
     void add(const std::vector<Entry>& entries, const Positions& x);
     /// Removes the pairs with a vertex that has changed. The others may have another stiffness than before.
     void remove(const std::vector<char>& changed);
@@ -35,10 +37,16 @@ class PairBlocks {
     template <class Visit>
     void visit_near(const Positions& x, const Positions& motion, double nearness, double reserve,
                     const Visit& visit) const {
+        if (blocks.empty()) return;
+        const std::vector<Box> moved_cells = cells.boxes(x - start);
+        const std::vector<Box> moving_cells = motion.cols() > 0 ? cells.boxes(motion) : std::vector<Box>();
         for (const Block& block : blocks) {
+            const double around = reserve + (nearness - 1) * block.largest_activation;
+            if (block.least_room() >
+                block.cell_spread(moved_cells) + block.cell_spread(moving_cells) + around)
+                continue;
             const double moved = block.spread(x, &block.reference);
-            const double reach = moved + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0) + reserve +
-                                 (nearness - 1) * block.largest_activation;
+            const double reach = moved + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0) + around;
             for (const Entry& entry : block.entries) {
                 if (entry.room > reach) break;
                 visit(entry.pair, entry.room + entry.pair.activation_distance - moved);
@@ -47,8 +55,8 @@ class PairBlocks {
     }
 
     void visit_state(StateVisitor& visit) {
-        auto& [blocks] = *this;
-        visit(blocks);
+        auto& [blocks, cells, start] = *this;
+        visit(blocks, cells, start);
     }
 
   private:
@@ -59,24 +67,34 @@ class PairBlocks {
         double largest_activation = 0;  ///< m, no activation distance is larger
         std::size_t idle = 0;           ///< how often a pair was looked at since then and was not active
         bool stale = false;             ///< whether the stiffness of pairs may be another one
+        bool measured = false;          ///< whether the room was measured elsewhere than at the start
+        std::vector<Index> cells;       ///< of the vertices, ascending
 
         /// With the vertices at x. seen: zeros, one for each vertex.
-        Block(std::span<const Entry> given, const Positions& x, std::vector<char>& seen);
+        Block(std::span<const Entry> given, const Positions& x, const MotionCells& in,
+              std::vector<char>& seen);
         Block() = default;
-        void remove(const std::vector<char>& changed, std::vector<char>& seen);
-        void list_vertices(std::vector<char>& seen);
+        void remove(const std::vector<char>& changed, const MotionCells& in, std::vector<char>& seen);
+        void list_vertices(const MotionCells& in, std::vector<char>& seen);
         void measure(const Positions& x);
-        void find_active(const ContactSurface& surface, const Positions& x, double round_off,
+        void find_active(const ContactSurface& surface, const Positions& x,
+                         const std::vector<Box>& moved_cells, double round_off,
                          std::vector<ContactPair>& active);
+        double least_room() const { return entries.front().room; }
         /// Bound, m, on how far any two of the vertices have moved relative to each other.
         double spread(const Positions& x, const Positions* from) const;
+        /// One that is found faster, and no smaller, with the boxes of all cells; without any: none has
+        /// moved.
+        double cell_spread(const std::vector<Box>& boxes) const;
         void visit_state(StateVisitor& visit) {
-            auto& [entries, vertices, reference, largest_activation, idle, stale] = *this;
-            visit(entries, vertices, reference, largest_activation, idle, stale);
+            auto& [entries, vertices, reference, largest_activation, idle, stale, measured, cells] = *this;
+            visit(entries, vertices, reference, largest_activation, idle, stale, measured, cells);
         }
     };
 
     std::vector<Block> blocks;
+    MotionCells cells;
+    Positions start;  ///< m, where blocks were made
 };
 
 }  // namespace sherd
