@@ -6,7 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SHERD_SANITIZES_THREADS
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -23,7 +23,7 @@ class LoopOrder {
     ~LoopOrder() { happens_after(end); }
 
   private:
-#ifdef __SANITIZE_THREAD__
+#ifdef SHERD_SANITIZES_THREADS
     static void happened(char& what) {
         __tsan_release(&what);
     }
