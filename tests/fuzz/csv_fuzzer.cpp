@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is read and written again says the same.
+#include <cstdlib>
+
 #include "app/sweep/csv.h"
 #include "tests/fuzz/read_input.h"
 
