@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/state_visitor.h"
+#include "core/threads.h"
 #include "core/vector.h"
 
 namespace sherd {
@@ -37,10 +38,16 @@ class BlockMatrix {
     /// Adds `block` at block row i, block column j. The caller adds each unordered pair once, since (j, i) is
     /// implied. A block on the diagonal must be symmetric. Blocks of fixed vertices are ignored.
     void add(Index i, Index j, const Matrix3d& block);
-    /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add() but
-    /// faster where there are many. The vertices ascend, and all their pairs have blocks.
-    template <class Block>
-    void add_all(std::span<const Index> vertices, const Block& block);
+    class Columns;
+    /// Adds what `size` elements have. find(i, local) finds that of element i in a `Local` that may be of
+    /// another one, and returns whether it has any; it is called in any order, in several threads at a time.
+    /// add(columns, i, local) adds it; each thread has columns of its own. Every block is a sum in the order
+    /// of elements, with the same bits whatever the number of threads.
+    template <class Local, class Find, class Add>
+    void add_elements(std::size_t size, const Find& find, const Add& add);
+    /// Who shares such sums; by default it is this thread alone.
+    void share_among(Threads team) { threads = std::move(team); }
+    const Threads& shared_among() const { return threads; }
 
     bool is_part() const { return !number.empty(); }
     /// Whether an element with these vertices, those below zero left out, has blocks of nothing else.
@@ -67,8 +74,8 @@ class BlockMatrix {
     std::span<const Index> block_rows() const { return block_row; }
     /// The blocks, without their values.
     void visit_state(StateVisitor& visit) {
-        auto& [block_start, block_row, column_start, row, value, fixed, guide, guides, number,
-               only_diagonal] = *this;
+        auto& [block_start, block_row, column_start, row, value, fixed, guide, guides, number, only_diagonal,
+               threads] = *this;
         visit(block_start, block_row, column_start, row, fixed, guide, guides, number, only_diagonal);
         value.resize(row.size());
     }
@@ -96,6 +103,7 @@ class BlockMatrix {
     std::vector<Matrix3d> guides;
     std::vector<Index> number;  ///< of the vertices in a part, -1: not in it; empty: the whole
     bool only_diagonal = false;
+    Threads threads;
 };
 
 inline void BlockMatrix::add_free(Index rank, Index i, Index j, const Matrix3d& block) {
@@ -119,29 +127,11 @@ inline void BlockMatrix::add_at(Index rank, Index i, Index j, const Matrix3d& bl
         add_free(rank, i, j, block);
 }
 
-template <class Block>
-void BlockMatrix::add_all(std::span<const Index> vertices, const Block& block) {
-    if (!number.empty() || only_diagonal) {
-        for (std::size_t b = 0; b < vertices.size(); ++b)
-            for (std::size_t a = b; a < vertices.size(); ++a) add(vertices[a], vertices[b], block(a, b));
-        return;
-    }
-    for (std::size_t b = 0; b < vertices.size(); ++b) {
-        const Index column = vertices[b];
-        add_at(0, column, column, block(b, b));
-        const Index* const rows = block_row.data() + block_start[column];
-        Index rank = 0;
-        for (std::size_t a = b + 1; a < vertices.size(); ++a) {
-            while (rows[rank] < vertices[a]) ++rank;
-            add_at(rank, vertices[a], column, block(a, b));
-        }
-    }
-}
-
-/// Adds the symmetric Hessian `local` [3 N, 3 N] of an element with `vertices` [N] (coordinate fastest).
+/// Adds the symmetric Hessian `local` [3 N, 3 N] of an element with `vertices` [N] (coordinate fastest) to a
+/// BlockMatrix or to some of its columns.
 /// Vertices with negative numbers are skipped.
-template <std::size_t N>
-void add_element(BlockMatrix& matrix, const std::array<Index, N>& vertices,
+template <class Matrix, std::size_t N>
+void add_element(Matrix& matrix, const std::array<Index, N>& vertices,
                  const Eigen::Matrix<double, 3 * N, 3 * N>& local) {
     for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b <= a; ++b)

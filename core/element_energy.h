@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
+#include "core/block_columns.h"
 #include "core/energy.h"
 #include "core/state_visitor.h"
 
@@ -33,20 +35,36 @@ double sum_of_values(const Elements& elements, const Positions& x) {
 }
 
 template <class Elements>
-void add_gradients(const Elements& elements, const Positions& x, Positions& gradient) {
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        const auto local = elements.gradient(i, local_positions(elements, i, x));
-        const auto vertices = elements.vertices(i);
-        for (std::size_t v = 0; v < vertices.size(); ++v)
-            if (vertices[v] >= 0) gradient.col(vertices[v]) += local.col(static_cast<Eigen::Index>(v));
-    }
+void add_gradients(const Elements& elements, const Positions& x, Positions& gradient,
+                   const Threads& threads = Threads()) {
+    using Local = std::remove_cvref_t<decltype(elements.gradient(0, local_positions(elements, 0, x)))>;
+    threads.share_lots<Local>(
+        elements.size(),
+        [&](std::size_t i, Local& local) { local = elements.gradient(i, local_positions(elements, i, x)); },
+        [&](std::size_t first, std::span<const Local> lot) {
+            for (std::size_t i = 0; i < lot.size(); ++i) {
+                const auto vertices = elements.vertices(first + i);
+                for (std::size_t v = 0; v < vertices.size(); ++v)
+                    if (vertices[v] >= 0)
+                        gradient.col(vertices[v]) += lot[i].col(static_cast<Eigen::Index>(v));
+            }
+        });
 }
 
 template <class Elements>
 void add_hessians(const Elements& elements, const Positions& x, Curvature curvature, BlockMatrix& hessian) {
-    for (std::size_t i = 0; i < elements.size(); ++i)
-        if (const auto vertices = elements.vertices(i); hessian.has_all(vertices))
-            add_element(hessian, vertices, elements.hessian(i, local_positions(elements, i, x), curvature));
+    using Local =
+        std::remove_cvref_t<decltype(elements.hessian(0, local_positions(elements, 0, x), curvature))>;
+    hessian.add_elements<Local>(
+        elements.size(),
+        [&](std::size_t i, Local& local) {
+            if (!hessian.has_all(elements.vertices(i))) return false;
+            local = elements.hessian(i, local_positions(elements, i, x), curvature);
+            return true;
+        },
+        [&](BlockMatrix::Columns& columns, std::size_t i, const Local& local) {
+            add_element(columns, elements.vertices(i), local);
+        });
 }
 
 /// Appends the pairs of vertices of each element.

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace sherd {
 
@@ -24,6 +25,13 @@ class Lanes {
     }
     Lanes(double all) : v{all, all, all, all} {}  // NOLINT: as of double
     Lanes(const Vector& v) : v(v) {}              // NOLINT
+    /// Four numbers in a row, wherever they are.
+    static Lanes load(const double* from) {
+        Vector v;
+        std::memcpy(&v, from, sizeof v);
+        return v;
+    }
+    void store(double* to) const { std::memcpy(to, &v, sizeof v); }
     double operator[](int lane) const { return v[lane]; }
     void set(int lane, double value) { v[lane] = value; }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/vector.h"
 
@@ -27,10 +29,34 @@ class Threads {
               [&](Index part) { range(part * length, std::min(size, (part + 1) * length)); });
     }
 
+    /// Calls find(i, local) for i from 0 to before `size`, in any order and several at a time, with a `Local`
+    /// that may be of another one, and take(first, locals) in this thread, in order, for those of each lot.
+    template <class Local, class Find, class Take>
+    void share_lots(std::size_t size, const Find& find, const Take& take) const;
+
   private:
     struct Arena;
     int number;
     std::shared_ptr<Arena> arena;  ///< null for one thread
 };
+
+template <class Local, class Find, class Take>
+void Threads::share_lots(std::size_t size, const Find& find, const Take& take) const {
+    // Few enough for a cache, and enough to share; one thread takes each while it is at hand.
+    const std::size_t of_lot = number == 1 ? 1 : 2048;
+    constexpr Index of_part = 64;
+    std::vector<Local> locals(std::min(size, of_lot));
+    for (std::size_t first = 0; first < size; first += of_lot) {
+        const std::span<Local> lot(locals.data(), std::min(of_lot, size - first));
+        const auto find_some = [&](Index begin, Index end) {
+            for (Index i = begin; i < end; ++i) find(first + i, lot[i]);
+        };
+        if (number == 1)
+            find_some(0, static_cast<Index>(lot.size()));
+        else
+            share_ranges(static_cast<Index>(lot.size()), of_part, find_some);
+        take(first, std::span<const Local>(lot));
+    }
+}
 
 }  // namespace sherd

@@ -21,7 +21,6 @@ void CoupledBending::count_all() {
     counted.resize(shell.triangles.size());
     std::iota(counted.begin(), counted.end(), 0);
     needed = folds.present();
-    reach.clear();
 }
 
 void CoupledBending::count_only(std::vector<Index> faces) {
@@ -36,13 +35,39 @@ void CoupledBending::find_needed() {
         for (const auto& [fold, per_angle] : curvature.terms(face)) is_needed[fold] = 1;
     needed = folds.present();
     std::erase_if(needed, [&](Index fold) { return is_needed[fold] == 0; });
+    forget_reach();
+}
+
+void CoupledBending::forget_reach() {
     reach.clear();
+    reach_is_known = false;
+}
+
+void CoupledBending::forget_reach(const ShellChange& change, std::span<const Index> changed) {
+    if (change.remeshes()) return forget_reach();
+    reach_is_known = false;
+    const auto forget = [&](std::size_t face) {
+        reach[face].vertices.clear();
+        reach[face].places.clear();
+    };
+    if (!reach.empty())
+        for (const Index face : changed) forget(face);
+    std::vector<char> was_split(shell.position.cols(), 0);
+    for (const Heir& heir : change.vertices)
+        for (const auto& [vertex, weight] : heir.parents) was_split[vertex] = 1;
+    for (std::size_t face = 0; face < reach.size(); ++face)
+        if (std::ranges::any_of(reach[face].vertices, [&](Index v) { return was_split[v] != 0; }))
+            forget(face);
 }
 
 const std::vector<CoupledBending::Reach>& CoupledBending::reach_of_counted() const {
-    if (!reach.empty()) return reach;
-    for (const Index face : counted) {
-        auto& [vertices, places] = reach.emplace_back();
+    if (reach_is_known) return reach;
+    reach_is_known = true;
+    reach.resize(counted.size());
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        const Index face = counted[i];
+        auto& [vertices, places] = reach[i];
+        if (!vertices.empty()) continue;
         for (const auto& [fold, per_angle] : curvature.terms(face)) folds.collect(fold, vertices);
         std::ranges::sort(vertices);
         for (const auto& [fold, per_angle] : curvature.terms(face)) {
@@ -102,10 +127,12 @@ std::vector<Index> CoupledBending::follow(const ShellChange& change) {
     std::vector<Index> changed = curvature.follow(change);
     folds.extend(change, start);
     if (!yields.empty()) append(kept, change.faces, Inheritance::first, KeptBend{});
-    if (of_all)
+    if (of_all) {
         count_all();
-    else
+        forget_reach(change, changed);
+    } else {
         find_needed();
+    }
     return changed;
 }
 
@@ -181,18 +208,19 @@ void CoupledBending::add_gradient(const Positions& x, Positions& gradient) const
 }
 
 void CoupledBending::find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds,
-                                 const VectorXd& changes, std::vector<Matrix3d>& of_face) const {
+                                 const VectorXd& changes, BlockMatrix::Columns::Rows& of_face) const {
     const auto& [vertices, places] = reach_of_counted()[i];
-    of_face.assign(vertices.size(), Matrix3d::Zero());
+    of_face.setZero(3, 3 * static_cast<Eigen::Index>(vertices.size()));
     auto place = places.begin();
     for (const auto& [fold, per_angle] : curvature.terms(counted[i])) {
         const HingePositions& gradient = of_folds[fold].gradient;
         for (int v = 0; v < 4; ++v)
-            if ((*place)[v] >= 0) of_face[(*place)[v]] += per_angle * gradient.col(v).transpose();
+            if ((*place)[v] >= 0)
+                of_face.middleCols<3>(3 * (*place)[v]) += per_angle * gradient.col(v).transpose();
         ++place;
     }
     const Matrix3d root = stiffness(counted[i], changes).llt().matrixU();
-    for (Matrix3d& slope : of_face) slope = (root * slope).eval();
+    of_face = (root * of_face).eval();
 }
 
 std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const {
@@ -204,16 +232,20 @@ std::vector<Index> CoupledBending::needed_for(const BlockMatrix& hessian) const 
 
 void CoupledBending::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
     const std::vector<Index> some = needed_for(hessian);
-    folds.find_slopes(x, some, slopes);
+    folds.find_slopes(x, some, slopes, hessian.shared_among());
     const VectorXd all = yields.empty() ? VectorXd() : changes_from(folds.angles(slopes, some));
-    std::vector<Matrix3d> of_face;
-    for (std::size_t i = 0; i < counted.size(); ++i) {
-        if (!hessian.has_all(reach_of_counted()[i].vertices)) continue;
-        find_slopes(i, slopes, all, of_face);
-        hessian.add_all(reach_of_counted()[i].vertices, [&](std::size_t a, std::size_t b) -> Matrix3d {
-            return of_face[a].transpose() * of_face[b];
+    const std::vector<Reach>& reached = reach_of_counted();
+    using Rows = BlockMatrix::Columns::Rows;
+    hessian.add_elements<Rows>(
+        counted.size(),
+        [&](std::size_t i, Rows& of_face) {
+            if (!hessian.has_all(reached[i].vertices)) return false;
+            find_slopes(i, slopes, all, of_face);
+            return true;
+        },
+        [&](BlockMatrix::Columns& columns, std::size_t i, const Rows& of_face) {
+            columns.add_square(reached[i].vertices, of_face);
         });
-    }
     // What the angles' own second derivatives add.
     if (kind == Curvature::exact) folds.add_hessian(x, moments(changes(x, some)), hessian, some);
 }

@@ -3,6 +3,7 @@
 
 #include "core/bending/face_curvature.h"
 #include "core/bending/yielding_section.h"
+#include "core/block_columns.h"
 #include "core/state_visitor.h"
 
 namespace sherd {
@@ -62,10 +63,10 @@ class CoupledBending : public Energy {
     void add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const override;
     void add_pattern(std::vector<std::pair<Index, Index>>& pairs) const override;
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, yields, kept, reach, slopes] =
-            *this;
+        auto& [shell, folds, curvature, of_all, counted, needed, start, scale, yields, kept, reach,
+               reach_is_known, slopes] = *this;
         visit(folds, curvature, of_all, counted, needed, start, scale, kept);
-        if (visit.reads()) reach.clear();
+        if (visit.reads()) forget_reach();
     }
 
   private:
@@ -78,12 +79,15 @@ class CoupledBending : public Energy {
     void count_all();
     void find_needed();
     const std::vector<Reach>& reach_of_counted() const;
+    void forget_reach();
+    /// Of faces that have changed, and of those that reach vertices which a crack has split, where all count.
+    void forget_reach(const ShellChange& change, std::span<const Index> changed);
     /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
     /// positions of the vertices in its reach, sqrt(J) / m.
     /// The needed folds whose vertices are all in a matrix.
     std::vector<Index> needed_for(const BlockMatrix& hessian) const;
     void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
-                     std::vector<Matrix3d>& of_face) const;
+                     BlockMatrix::Columns::Rows& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {
         return changes_from(folds.angles(x, some));
     }
@@ -111,9 +115,11 @@ class CoupledBending : public Energy {
     std::vector<Index> needed;   ///< present folds on which their curvature depends
     VectorXd start;              ///< angles of all folds, rad, from which changes are measured
     double scale = 1;
-    std::vector<double> yields;        ///< Pa, of each sheet; empty: nothing yields
-    std::vector<KeptBend> kept;        ///< [F], or none
-    mutable std::vector<Reach> reach;  ///< of each face that counts, once a Hessian has asked for it; or none
+    std::vector<double> yields;  ///< Pa, of each sheet; empty: nothing yields
+    std::vector<KeptBend> kept;  ///< [F], or none
+    /// Of each face that counts, once a Hessian has asked for it; without vertices where it is not known.
+    mutable std::vector<Reach> reach;
+    mutable bool reach_is_known = false;
     mutable std::vector<Folds::Slope> slopes;  ///< buffer, kept to save allocations
 };
 

@@ -4,9 +4,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/block_columns.h"
 #include "core/elements/hinge_angles.h"
 
 namespace sherd {
+namespace {
+
+constexpr Index folds_at_once = 512;
+
+}  // namespace
 
 std::array<Index, 4> Folds::vertices(Index fold) const {
     if (fold < folds_of_edges()) {
@@ -69,9 +75,12 @@ VectorXd Folds::angles(const Positions& x, std::span<const Index> some) const {
     return all;
 }
 
-void Folds::find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all) const {
+void Folds::find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all,
+                        const Threads& threads) const {
     all.resize(size());
-    for (const Index fold : some) all[fold] = slope(fold, x);
+    threads.share_ranges(static_cast<Index>(some.size()), folds_at_once, [&](Index begin, Index end) {
+        for (Index i = begin; i < end; ++i) all[some[i]] = slope(some[i], x);
+    });
 }
 
 VectorXd Folds::angles(std::span<const Slope> slopes, std::span<const Index> some) const {
@@ -104,15 +113,20 @@ void Folds::extend(const ShellChange& change, VectorXd& angles) const {
 
 void Folds::add_hessian(const Positions& x, const VectorXd& of_angles, BlockMatrix& hessian,
                         std::span<const Index> some) const {
-    for (const Index fold : some) {
-        if (!hessian.has_all(vertices(fold))) continue;
-        HingeHessian full = HingeHessian::Zero();
-        DihedralAngle(positions(fold, x)).add_hessian(of_angles[fold], full);
-        if (fold < folds_of_edges())
-            add_element(hessian, mirrors.vertices(fold), mirrors.folded(fold, full));
-        else
-            add_element(hessian, vertices(fold), full);
-    }
+    hessian.add_elements<HingeHessian>(
+        some.size(),
+        [&](std::size_t i, HingeHessian& full) {
+            if (!hessian.has_all(vertices(some[i]))) return false;
+            full.setZero();
+            DihedralAngle(positions(some[i], x)).add_hessian(of_angles[some[i]], full);
+            return true;
+        },
+        [&](BlockMatrix::Columns& columns, std::size_t i, const HingeHessian& full) {
+            if (some[i] < folds_of_edges())
+                add_element(columns, mirrors.vertices(some[i]), mirrors.folded(some[i], full));
+            else
+                add_element(columns, vertices(some[i]), full);
+        });
 }
 
 std::vector<MirrorGradient> Folds::mirror_gradients(const Positions& x, const VectorXd& of_angles) const {

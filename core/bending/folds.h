@@ -52,7 +52,8 @@ class Folds {
         return all;
     }
     /// The same in a buffer, which is made large enough.
-    void find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all) const;
+    void find_slopes(const Positions& x, std::span<const Index> some, std::vector<Slope>& all,
+                     const Threads& threads = Threads()) const;
     VectorXd angles(std::span<const Slope> slopes, std::span<const Index> some) const;  ///< rad
     /// Adds the gradient of an energy with the derivatives of_angles, N m, by the angles of all folds.
     void add_gradient(std::span<const Slope> slopes, const VectorXd& of_angles, Positions& gradient,

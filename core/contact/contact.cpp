@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
+Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravity, const Threads& threads)
     : shell(shell), options(std::move(given)), lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
     if (!options.bodies.empty())
@@ -17,7 +17,7 @@ Contact::Contact(const Shell& shell, ContactOptions given, const Vector3d& gravi
     const bool surfaces = std::any_of(obstacles.begin(), obstacles.end(),
                                       [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
     if (!options.sheets && !surfaces) return;
-    sheet_contact = std::make_unique<SheetContact>(shell, obstacles, options.sheets);
+    sheet_contact = std::make_unique<SheetContact>(shell, obstacles, options.sheets, false, threads);
     sheet_friction = std::make_unique<SheetFriction>(shell, *sheet_contact, options.friction);
 }
 

@@ -17,8 +17,10 @@ namespace sherd {
 /// All contact of a run: of sheets and their fragments, obstacles and free bodies.
 class Contact {
   public:
-    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
-    Contact(const Shell& shell, ContactOptions options, const Vector3d& gravity);
+    /// The shell must outlive this object. gravity: m/s^2, acts on the bodies. threads: who shares contact of
+    /// sheets.
+    Contact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
+            const Threads& threads = Threads());
     Contact(const Contact&) = delete;  // its energies refer to its obstacles
 
     /// The contact energies, in the order in which they begin a step and are summed.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/block_columns.h"
+
 namespace sherd {
 namespace {
 
@@ -51,6 +53,13 @@ Matrix3d block(const BentSides& at, const ArcColumns& other) {
     if (at.corner >= 0) sum += other.middleRows<3>(3 * at.corner);
     return sum;
 }
+
+/// What the Hessian of a face is made of, for all vertices on which it depends.
+struct BentFace {
+    std::vector<BentSides> sides;
+    std::vector<Index> vertices;  ///< ascending
+    std::vector<ArcColumns> columns;
+};
 
 }  // namespace
 
@@ -140,21 +149,25 @@ void ArcMembrane::add_gradient(const Positions& x, Positions& gradient) const {
 void ArcMembrane::add_hessian(const Positions& x, Curvature kind, BlockMatrix& hessian) const {
     const VectorXd angles = folds.angles(x);
     const std::vector<Folds::Slope> slopes = folds.slopes(x);
-    std::vector<BentSides> local;
-    std::vector<Index> vertices;
-    std::vector<ArcColumns> columns;
-    for (std::size_t face = 0; face < triangles.size(); ++face) {
-        find_sides(shell.triangles[face].vertices, curvature, face, slopes, local);
-        const ArcHessian own = sherd::hessian(triangles[face], corners(x, face), curvature.of(face, angles),
-                                              kind == Curvature::convex);
-        vertices.clear();
-        columns.clear();
-        for (const BentSides& at : local) {
-            vertices.push_back(at.vertex);
-            columns.push_back(columns_of(at, own));
-        }
-        hessian.add_all(vertices, [&](std::size_t a, std::size_t b) { return block(local[a], columns[b]); });
-    }
+    hessian.add_elements<BentFace>(
+        triangles.size(),
+        [&](std::size_t face, BentFace& local) {
+            find_sides(shell.triangles[face].vertices, curvature, face, slopes, local.sides);
+            const ArcHessian own = sherd::hessian(triangles[face], corners(x, face),
+                                                  curvature.of(face, angles), kind == Curvature::convex);
+            local.vertices.clear();
+            local.columns.clear();
+            for (const BentSides& at : local.sides) {
+                local.vertices.push_back(at.vertex);
+                local.columns.push_back(columns_of(at, own));
+            }
+            return true;
+        },
+        [&](BlockMatrix::Columns& columns, std::size_t, const BentFace& local) {
+            columns.add_all(local.vertices, [&](std::size_t a, std::size_t b) {
+                return block(local.sides[a], local.columns[b]);
+            });
+        });
     if (kind == Curvature::exact) folds.add_hessian(x, moments(gradients(x, angles)), hessian);
 }
 

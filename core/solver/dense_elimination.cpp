@@ -46,6 +46,22 @@ void subtract_product(const double* lower, const double* upper, Index stride, In
                 stride, keep, target, stride_of_target);
 }
 
+void solve_triangle(CBLAS_TRANSPOSE how, const float* lower, Index stride, Index width, float* x) {
+    cblas_strsv(CblasColMajor, CblasLower, how, CblasNonUnit, width, lower, stride, x, 1);
+}
+void solve_triangle(CBLAS_TRANSPOSE how, const double* lower, Index stride, Index width, double* x) {
+    cblas_dtrsv(CblasColMajor, CblasLower, how, CblasNonUnit, width, lower, stride, x, 1);
+}
+/// target <- keep target + share matrix x, or its transpose. matrix: [rows, columns].
+void multiply(CBLAS_TRANSPOSE how, float share, const float* matrix, Index stride, Index rows, Index columns,
+              const float* x, float keep, float* target) {
+    cblas_sgemv(CblasColMajor, how, rows, columns, share, matrix, stride, x, 1, keep, target, 1);
+}
+void multiply(CBLAS_TRANSPOSE how, double share, const double* matrix, Index stride, Index rows,
+              Index columns, const double* x, double keep, double* target) {
+    cblas_dgemv(CblasColMajor, how, rows, columns, share, matrix, stride, x, 1, keep, target, 1);
+}
+
 template <class Real>
 using Column = Eigen::Map<Eigen::Matrix<Real, Eigen::Dynamic, 1>>;
 
@@ -72,39 +88,40 @@ void subtract_strips(const Real* panel, Index stride, Index rows, Index columns,
     });
 }
 
-/// Eliminates the columns of [width, width] in place, one after the other.
+/// Eliminates the columns of [width, width] in place, one after the other. Returns how many.
 template <class Real>
-bool eliminate_one_by_one(Real* square, Index stride, Index width) {
+Index eliminate_one_by_one(Real* square, Index stride, Index width) {
     for (Index j = 0; j < width; ++j) {
         Real* const column = column_of(square, stride, j);
-        if (!(column[j] > std::numeric_limits<Real>::min()) || !std::isfinite(column[j])) return false;
+        if (!(column[j] > std::numeric_limits<Real>::min()) || !std::isfinite(column[j])) return j;
         Column<Real>(column + j, width - j) *= 1 / std::sqrt(column[j]);
         for (Index k = j + 1; k < width; ++k)
             Column<Real>(column_of(square, stride, k) + k, width - k) -=
                 column[k] * ConstColumn<Real>(column + k, width - k);
     }
-    return true;
+    return width;
 }
 
-/// Cholesky factorization of [width, width] in place, by halves.
+/// The same by halves.
 template <class Real>
-bool eliminate_square(Real* square, Index stride, Index width, const Threads& threads) {
+Index eliminate_square(Real* square, Index stride, Index width, const Threads& threads) {
     if (width <= smallest_block) return eliminate_one_by_one(square, stride, width);
     const Index half = width / 2;
-    if (!eliminate_square(square, stride, half, threads)) return false;
+    if (const Index count = eliminate_square(square, stride, half, threads); count < half) return count;
     solve_strips(square, square + half, stride, width - half, half, threads);
     Real* const rest = column_of(square, stride, half) + half;
     subtract_strips(square + half, stride, width - half, half, Real(1), rest, stride, threads);
-    return eliminate_square(rest, stride, width - half, threads);
+    return half + eliminate_square(rest, stride, width - half, threads);
 }
 
 }  // namespace
 
 template <class Real>
-bool eliminate_columns(Real* matrix, Index height, Index width, const Threads& threads) {
-    if (!eliminate_square(matrix, height, width, threads)) return false;
-    if (height > width) solve_strips(matrix, matrix + width, height, height - width, width, threads);
-    return true;
+Index eliminate_columns(Real* matrix, Index height, Index width, const Threads& threads) {
+    const Index count = eliminate_square(matrix, height, width, threads);
+    if (count == width && height > width)
+        solve_strips(matrix, matrix + width, height, height - width, width, threads);
+    return count;
 }
 
 template <class Real>
@@ -113,9 +130,27 @@ void negative_square(const Real* panel, Index stride, Index rows, Index columns,
     if (rows > 0) subtract_strips(panel, stride, rows, columns, Real(0), target, rows, threads);
 }
 
-template bool eliminate_columns(float*, Index, Index, const Threads&);
-template bool eliminate_columns(double*, Index, Index, const Threads&);
+template <class Real>
+void substitute_forward(const Real* matrix, Index height, Index width, Real* own, Real* below) {
+    solve_triangle(CblasNoTrans, matrix, height, width, own);
+    if (height > width)
+        multiply(CblasNoTrans, Real(1), matrix + width, height, height - width, width, own, Real(0), below);
+}
+
+template <class Real>
+void substitute_back(const Real* matrix, Index height, Index width, Real* own, const Real* below) {
+    if (height > width)
+        multiply(CblasTrans, Real(-1), matrix + width, height, height - width, width, below, Real(1), own);
+    solve_triangle(CblasTrans, matrix, height, width, own);
+}
+
+template Index eliminate_columns(float*, Index, Index, const Threads&);
+template Index eliminate_columns(double*, Index, Index, const Threads&);
 template void negative_square(const float*, Index, Index, Index, float*, const Threads&);
 template void negative_square(const double*, Index, Index, Index, double*, const Threads&);
+template void substitute_forward(const float*, Index, Index, float*, float*);
+template void substitute_forward(const double*, Index, Index, double*, double*);
+template void substitute_back(const float*, Index, Index, float*, const float*);
+template void substitute_back(const double*, Index, Index, double*, const double*);
 
 }  // namespace sherd

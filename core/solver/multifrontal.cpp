@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -12,9 +13,6 @@ namespace sherd {
 namespace {
 
 constexpr Index nodes_at_once = 64, columns_at_once = 512;
-
-template <class Real>
-using Part = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 
 std::vector<Index> nodes_of(const EliminationPart& part) {
     std::vector<Index> nodes(part.end - part.first);
@@ -32,7 +30,8 @@ MultifrontalFactor<Real>::MultifrontalFactor(std::shared_ptr<const Supernodes> o
       children(pattern->size()),
       in_parent(pattern->row.size(), -1),
       stacks(shares.parts.size() + 1),
-      update(pattern->size()) {
+      update(pattern->size()),
+      diagonal_before(3 * pattern->place.size()) {
     start.push_back(0);
     for (Index node = 0; node < pattern->size(); ++node)
         start.push_back(start.back() + static_cast<std::size_t>(height(node)) * width(node));
@@ -94,6 +93,7 @@ void MultifrontalFactor<Real>::scatter_column(const BlockMatrix& matrix, Index j
     for (Index c = 0; c < 3; ++c) {
         const double* value = matrix.values().data() + matrix.columns()[3 * j + c];
         Real* const target = column_of(panel(node), height(node), 3 * diagonal + c) + 3 * diagonal;
+        diagonal_before[3 * own + c] = static_cast<Real>(*value);
         for (Index r = c; r < 3; ++r) target[r] = static_cast<Real>(*value++);
         for (Index b = matrix.block_columns()[j]; b < matrix.block_columns()[j + 1]; ++b, value += 3) {
             const Index other = pattern->place[matrix.block_rows()[b]], below = pattern->block_place[b];
@@ -132,18 +132,23 @@ std::size_t MultifrontalFactor<Real>::update_size(Index node) const {
 }
 
 template <class Real>
-bool MultifrontalFactor<Real>::eliminate(Index node, Stack& stack, const Threads& team) {
+double MultifrontalFactor<Real>::eliminate(Index node, Stack& stack, const Threads& team) {
     const Index rows = height(node), columns = width(node);
     for (const Index child : children[node]) extend(child, node, Columns::own, panel(node));
-    if (!eliminate_columns(panel(node), rows, columns, team)) return false;
+    if (const Index j = eliminate_columns(panel(node), rows, columns, team); j < columns) {
+        const double share =
+            column_of(panel(node), rows, j)[j] / std::abs(diagonal_before[3 * pattern->first[node] + j]);
+        return share < 1 ? share : 0;  // not a number, or infinite
+    }
     Real* const left = stack.values.data() + stack.top;
     negative_square(panel(node) + columns, rows, rows - columns, columns, left, team);
     for (const Index child : children[node]) extend(child, node, Columns::below, left);
     stack.top -= size_of_children(node);
-    update[node] = stack.values.data() + stack.top;
+    Real* const place = stack.values.data() + stack.top;
+    if (place != left) std::copy_n(left, update_size(node), place);
+    update[node] = place;
     stack.top += update_size(node);
-    std::copy_n(left, update_size(node), stack.values.data() + stack.top - update_size(node));
-    return true;
+    return 1;
 }
 
 template <class Real>
@@ -151,51 +156,36 @@ bool MultifrontalFactor<Real>::factorize(const BlockMatrix& matrix) {
     scatter(matrix);
     for (Stack& stack : stacks) stack.top = 0;
     const auto parts = static_cast<Index>(shares.parts.size());
-    std::vector<char> is_definite(parts, 1);
+    std::vector<double> of_part(parts, 1);
     threads.share(parts, [&](Index p) {
         const EliminationPart& part = shares.parts[p];
-        for (Index node = part.first; node < part.end && is_definite[p] != 0; ++node)
-            is_definite[p] = eliminate(node, stacks[p], Threads()) ? 1 : 0;
+        for (Index node = part.first; node < part.end && of_part[p] == 1; ++node)
+            of_part[p] = eliminate(node, stacks[p], Threads());
     });
-    return std::ranges::count(is_definite, 0) == 0 && std::ranges::all_of(shares.above, [&](Index node) {
-               return eliminate(node, stacks.back(), threads);
-           });
+    pivot = parts > 0 ? std::ranges::min(of_part) : 1;
+    for (auto node = shares.above.begin(); node != shares.above.end() && pivot == 1; ++node)
+        pivot = eliminate(*node, stacks.back(), threads);
+    return pivot == 1;
 }
 
 /// The columns of a supernode, y <- L^-1 y, and what they do to the rows below. below: a buffer.
 template <class Real>
 void MultifrontalFactor<Real>::solve_forward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;
-    const Real* const front = panel(node);
     const Index* const at = places(node);
-    auto own = y.segment(3 * at[0], columns);
-    for (Index j = 0; j < columns; ++j) {
-        const Real* const column = column_of(front, rows, j);
-        own[j] /= column[j];
-        own.tail(columns - j - 1) -= own[j] * ConstColumn<Real>(column + j + 1, columns - j - 1);
-    }
-    auto part = below.head(rest);
-    part.noalias() = Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)) * own;
+    substitute_forward(panel(node), rows, columns, y.data() + 3 * at[0], below.data());
     for (Index a = 0; a < rest / 3; ++a)
-        y.template segment<3>(3 * at[columns / 3 + a]) -= part.template segment<3>(3 * a);
+        y.template segment<3>(3 * at[columns / 3 + a]) -= below.template segment<3>(3 * a);
 }
 
 /// y <- L^-T y, from the rows below.
 template <class Real>
 void MultifrontalFactor<Real>::solve_backward(Index node, Vector& y, Vector& below) const {
     const Index rows = height(node), columns = width(node), rest = rows - columns;
-    const Real* const front = panel(node);
     const Index* const at = places(node);
     for (Index a = 0; a < rest / 3; ++a)
         below.template segment<3>(3 * a) = y.template segment<3>(3 * at[columns / 3 + a]);
-    auto own = y.segment(3 * at[0], columns);
-    own.noalias() -=
-        Part<Real>(front + columns, rest, columns, Eigen::OuterStride<>(rows)).transpose() * below.head(rest);
-    for (Index j = columns - 1; j >= 0; --j) {
-        const Real* const column = column_of(front, rows, j);
-        own[j] -= ConstColumn<Real>(column + j + 1, columns - j - 1).dot(own.tail(columns - j - 1));
-        own[j] /= column[j];
-    }
+    substitute_back(panel(node), rows, columns, y.data() + 3 * at[0], below.data());
 }
 
 template <class Real>
@@ -203,7 +193,8 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
     const auto vertices = static_cast<Index>(pattern->place.size());
     const double scale = right_side.size() > 0 ? right_side.cwiseAbs().maxCoeff() : 0;
     if (!(scale > 0)) return VectorXd::Zero(right_side.size());
-    Vector y(right_side.size()), below(right_side.size());
+    Vector y(right_side.size());
+    Vector below = Vector::Zero(right_side.size());  // BLAS may look at what it is to overwrite
     for (Index v = 0; v < vertices; ++v)
         y.template segment<3>(3 * pattern->place[v]) =
             (right_side.segment<3>(3 * v) / scale).template cast<Real>();
@@ -214,7 +205,7 @@ VectorXd MultifrontalFactor<Real>::solve(const VectorXd& right_side) const {
         const Index own = 3 * parts[p].columns, outside = 3 * static_cast<Index>(parts[p].outside.size());
         of_part[p].setZero(own + outside);
         of_part[p].head(own) = y.segment(3 * parts[p].first_column, own);
-        buffers[p].resize(own + outside);
+        buffers[p].setZero(own + outside);
         for (Index node = parts[p].first; node < parts[p].end; ++node)
             solve_forward(node, of_part[p], buffers[p]);
     });

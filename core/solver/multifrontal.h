@@ -19,6 +19,9 @@ class MultifrontalFactor {
     explicit MultifrontalFactor(std::shared_ptr<const Supernodes> pattern, Threads threads = Threads());
     /// Returns false if the matrix is not positive definite, or too badly scaled to tell.
     bool factorize(const BlockMatrix& matrix);
+    /// After a matrix that was not: the pivot that was not positive, as a share of what the diagonal had
+    /// there.
+    double failed_pivot() const { return pivot; }
     VectorXd solve(const VectorXd& right_side) const;  ///< [3 V]
 
   private:
@@ -49,8 +52,8 @@ class MultifrontalFactor {
     enum class Columns { own, below };
     /// Adds what a child leaves to those columns of its parent.
     void extend(Index child, Index node, Columns columns, Real* target) const;
-    /// Eliminates the columns of a supernode. Returns false if they are not positive definite.
-    bool eliminate(Index node, Stack& stack, const Threads& team);
+    /// Eliminates the columns of a supernode. Returns 1, or what failed_pivot() is to be.
+    double eliminate(Index node, Stack& stack, const Threads& team);
 
     void solve_forward(Index node, Vector& y, Vector& below) const;
     void solve_backward(Index node, Vector& y, Vector& below) const;
@@ -64,6 +67,8 @@ class MultifrontalFactor {
     std::vector<Index> in_parent;              ///< of each of Supernodes::row its place in the parent's rows
     std::vector<Stack> stacks;                 ///< buffers: of each part, and of what is above
     std::vector<const Real*> update;           ///< [S] in them, what each supernode has left
+    std::vector<Real> diagonal_before;         ///< [3 V] of the matrix, in the order of elimination
+    double pivot = 1;
 };
 
 extern template class MultifrontalFactor<float>;

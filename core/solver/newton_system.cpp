@@ -73,16 +73,13 @@ bool NewtonSystem::has_factor(const Potential& potential) {
     return solver->factorize(*matrix);
 }
 
-bool NewtonSystem::has_factor(const Potential& potential, const Positions& x, int number) {
+bool NewtonSystem::has_factor(const Potential& potential, const Positions& x, int number, bool is_exact) {
     const double convex = shares_of_convex[number];
-    if (convex > 0) potential.hessian(x, Curvature::convex, *matrix);
-    if (convex > 0 && convex < 1) {
-        const std::vector<double> flattened(matrix->values().begin(), matrix->values().end());
-        potential.hessian(x, Curvature::exact, *matrix);
+    if (convex < 1 && !is_exact) potential.hessian(x, Curvature::exact, *matrix);
+    if (convex > 0) {
         const std::vector<double> exact(matrix->values().begin(), matrix->values().end());
-        matrix->blend(exact, flattened, convex);
-    } else if (convex == 0) {
-        potential.hessian(x, Curvature::exact, *matrix);
+        potential.hessian(x, Curvature::convex, *matrix);
+        if (convex < 1) matrix->blend(exact, matrix->values(), convex);
     }
     return has_factor(potential);
 }
@@ -93,7 +90,8 @@ void NewtonSystem::factorize(const Potential& potential, const Positions& x) {
     const bool lowers = share > 0 && ++tried >= wait;
     if (lowers) --share, tried = 0;
     for (bool first = true; share < static_cast<int>(shares_of_convex.size()); ++share, first = false) {
-        if (!has_factor(potential, x, share)) continue;
+        const bool is_exact = !first && shares_of_convex[share - 1] == 0 && thrift == Thrift::remembers;
+        if (!has_factor(potential, x, share, is_exact)) continue;
         if (first && lowers) wait = 1;
         if (!first) {  // what was tried too early costs a factorization: wait longer the next time
             wait = std::min(2 * wait, longest_wait);

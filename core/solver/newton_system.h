@@ -61,7 +61,8 @@ class NewtonSystem {
     /// Makes the pattern anew where blocks lack, or most of those of contacts are dead.
     void fit_pattern(const Potential& potential, const Positions& x);
     /// Factors the Hessian with this number of a share of the convex one. Returns whether that is definite.
-    bool has_factor(const Potential& potential, const Positions& x, int share);
+    /// is_exact: the matrix is the exact Hessian at x.
+    bool has_factor(const Potential& potential, const Positions& x, int share, bool is_exact);
     bool has_factor(const Potential& potential);
 
     std::optional<BlockMatrix> matrix;

@@ -74,6 +74,7 @@ BlockMatrix Potential::hessian_pattern(const Positions& x) const {
 
 std::vector<Matrix3d> Potential::contact_stiffness(const Positions& x) const {
     BlockMatrix stiffness = BlockMatrix::diagonal(static_cast<Index>(x.cols()));
+    stiffness.share_among(threads);
     each([&](const Energy& energy) {
         if (energy.task() == Task::contact) energy.add_hessian(x, Curvature::exact, stiffness);
     });
@@ -96,6 +97,7 @@ double Potential::safe_fraction(const Positions& x, const Positions& motion) con
 
 void Potential::hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
     hessian.set_zero();
+    hessian.share_among(threads);
     each([&](const Energy& energy) { energy.add_hessian(x, curvature, hessian); });
 }
 

@@ -12,8 +12,10 @@ namespace sherd {
 class Potential {
   public:
     /// Energies, shell and `spent` must outlive this object. The energies are summed in the given order.
-    Potential(const Shell& shell, std::vector<Energy*> energies, TimeSpent& spent)
-        : shell(shell), energies(std::move(energies)), spent(spent) {}
+    /// threads: who shares Hessians.
+    Potential(const Shell& shell, std::vector<Energy*> energies, TimeSpent& spent,
+              Threads threads = Threads())
+        : shell(shell), energies(std::move(energies)), spent(spent), threads(std::move(threads)) {}
 
     void begin(const StepContext& step);
     void topology_changed(const ShellChange& change, const StepContext& step);
@@ -50,6 +52,7 @@ class Potential {
     const Shell& shell;
     std::vector<Energy*> energies;
     TimeSpent& spent;
+    Threads threads;
     double of_inertia = 0;
 };
 

@@ -22,6 +22,7 @@ class SinglePrecisionSolver : public LinearSolver {
         exact.reset();
         if (!single) single.emplace(pattern, threads);
         if (single->factorize(matrix)) return true;
+        if (single->failed_pivot() < surely_negative) return false;
         exact.emplace(pattern, threads);
         return exact->factorize(matrix);
     }
@@ -35,6 +36,9 @@ class SinglePrecisionSolver : public LinearSolver {
   private:
     /// Operations of a factorization that take as long as an entry in a solution (measured: 54 to 67).
     static constexpr double operations_per_entry = 60;
+
+    /// A pivot that is below this share of its diagonal is so in double precision, too.
+    static constexpr double surely_negative = -0.01;
 
     Threads threads;
     std::shared_ptr<const Supernodes> pattern;

@@ -50,7 +50,7 @@ ExplicitStepper::ExplicitStepper(Shell& shell, const StepperOptions& options, St
     : Stepper(shell, options, std::move(start)),
       threads(options.threads),
       elastic_gradient(shell, forces, options.shell, threads),
-      contact(shell, options.contact, options.gravity),
+      contact(shell, options.contact, options.gravity, threads),
       elastic(forces.elastic()),
       step{0, options.step, options.step, shell.position, shell.velocity, {}},
       length(options.step),

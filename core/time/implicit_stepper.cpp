@@ -46,8 +46,8 @@ ImplicitStepper::ImplicitStepper(Shell& shell, const StepperOptions& options, St
       whole(shell, forces, options.shell, threads),
       in_the_middle(shell, whole),
       elastic(options.scheme == Scheme::midpoint ? static_cast<Energy*>(&in_the_middle) : &whole),
-      contact(shell, options.contact, options.gravity),
-      potential(shell, all_energies(), spent),
+      contact(shell, options.contact, options.gravity, threads),
+      potential(shell, all_energies(), spent, threads),
       minimiser(minimiser_of(options, threads)) {
     step = scheme->begin(shell, contact.bodies(), time, options.step);
     if (options.arc_length) path.emplace(shell, options.tolerance, options.last_load);

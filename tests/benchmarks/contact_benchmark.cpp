@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // contact_benchmark [RUN.h5]: what contact costs in one step of a sheet that touches itself all over.
-// Argument of a benchmark: faces. Without a recording the sheet is rolled up: the longer, the more turns the
-// roll has; its edges are two thicknesses long. With one it is as in the last frame, and as that with each
-// triangle in four, and in sixteen: all of the same shape.
+// Arguments of a benchmark: faces, threads. Time is that of the wall. Without a recording the sheet is rolled
+// up: the longer, the more turns the roll has; its edges are two thicknesses long. With one it is as in the
+// last frame, and as that with each triangle in four, and in sixteen: all of the same shape.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -92,10 +92,16 @@ Positions shaking(const Shell& sheet) {
     return motion;
 }
 
-BlockMatrix contact_matrix(const Shell& sheet, const SheetContact& contact) {
+SheetContact contact_of(const Shell& sheet, const benchmark::State& state) {
+    return SheetContact(sheet, {}, true, false, Threads(static_cast<int>(state.range(0))));
+}
+
+BlockMatrix contact_matrix(const Shell& sheet, const SheetContact& contact, const benchmark::State& state) {
     std::vector<std::pair<Index, Index>> pairs;
     contact.add_contacts(sheet.position, true, pairs);
-    return BlockMatrix(static_cast<Index>(sheet.position.cols()), pairs, sheet.fixed);
+    BlockMatrix matrix(static_cast<Index>(sheet.position.cols()), pairs, sheet.fixed);
+    matrix.share_among(Threads(static_cast<int>(state.range(0))));
+    return matrix;
 }
 
 /// What one iteration of Newton's method asks for.
@@ -115,10 +121,10 @@ void report(benchmark::State& state, const Shell& sheet, const SheetContact& con
 /// A step for which all pairs have to be found.
 void from_nothing(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
-    SheetContact contact(sheet);
-    BlockMatrix matrix = contact_matrix(sheet, contact);
+    const SheetContact contact = contact_of(sheet, state);
+    BlockMatrix matrix = contact_matrix(sheet, contact, state);
     for (auto iteration : state) {
-        const SheetContact anew(sheet);
+        const SheetContact anew = contact_of(sheet, state);
         iterate(anew, sheet.position, motion, matrix);
     }
     report(state, sheet, contact);
@@ -127,8 +133,8 @@ void from_nothing(benchmark::State& state, const Shell& sheet) {
 /// A later step, to and fro.
 void of_known_pairs(benchmark::State& state, const Shell& sheet) {
     const Positions motion = shaking(sheet);
-    SheetContact contact(sheet);
-    BlockMatrix matrix = contact_matrix(sheet, contact);
+    const SheetContact contact = contact_of(sheet, state);
+    BlockMatrix matrix = contact_matrix(sheet, contact, state);
     int steps = 0;
     for (auto iteration : state) {
         const Positions x = sheet.position + (++steps % 2) * 1e-2 * motion;
@@ -141,7 +147,12 @@ void add_benchmarks(const Shell& sheet) {
     const std::string faces = std::to_string(sheet.triangles.size());
     for (const auto& [name, function] :
          {std::pair{"from_nothing/", &from_nothing}, std::pair{"of_known_pairs/", &of_known_pairs}})
-        benchmark::RegisterBenchmark((name + faces).c_str(), function, sheet)->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark((name + faces).c_str(), function, sheet)
+            ->ArgName("threads")
+            ->Arg(1)
+            ->Arg(2)
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace

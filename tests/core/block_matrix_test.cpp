@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/block_matrix.h"
-
 #include <gtest/gtest.h>
 
+#include "core/block_columns.h"
 #include "tests/support/small_sheet.h"
 
 namespace sherd {
@@ -40,7 +39,7 @@ TEST(BlockMatrix, AddsAllBlocksOfAnElementLikeOneByOne) {
     const auto block = [&](std::size_t a, std::size_t b) -> Matrix3d {
         return local.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
     };
-    at_once.add_all(element, block);
+    BlockMatrix::Columns(at_once).add_all(element, block);
     for (std::size_t a = 0; a < element.size(); ++a)
         for (std::size_t b = 0; b <= a; ++b)  // from below and from above the diagonal
             one_by_one.add(element[(a + b) % 2 ? b : a], element[(a + b) % 2 ? a : b],
@@ -122,11 +121,76 @@ TEST(BlockMatrix, AddsAllToAPartAndToADiagonal) {
     };
     const std::vector<std::pair<Index, Index>> pairs{{0, 1}, {0, 2}, {1, 2}};
     BlockMatrix part = BlockMatrix::part(some, 3, pairs, {0, 0, 0}, {0, 0, 0}, {});
-    part.add_all(element, block);
+    BlockMatrix::Columns(part).add_all(element, block);
     EXPECT_EQ(test::dense(part), local.bottomRightCorner(6, 6));
     BlockMatrix diagonal = BlockMatrix::diagonal(3);
-    diagonal.add_all(element, block);
+    BlockMatrix::Columns(diagonal).add_all(element, block);
     for (Index v = 0; v < 3; ++v) EXPECT_EQ(diagonal.diagonal_block(v), block(v, v));
+}
+
+/// All pairs of 12 vertices, without supports, or with those of restricted_matrix().
+BlockMatrix full_matrix(bool restricted) {
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index v = 0; v < vertices; ++v)
+        for (Index w = 0; w < v; ++w) pairs.emplace_back(v, w);
+    if (restricted) return restricted_matrix(pairs);
+    std::vector<char> fixed(vertices, 0);
+    fixed[3] = 1;
+    return {vertices, pairs, fixed};
+}
+
+// Bending would be that of other faces, or of none where a support is near.
+TEST(BlockMatrix, AddsTheSquareOfRowsLikeItsBlocks) {
+    const std::vector<Index> element{0, 2, 3, 5, 6, 8, 9};
+    test::Random random(10);
+    BlockMatrix::Columns::Rows rows(3, 3 * element.size());
+    for (double& entry : rows.reshaped()) entry = random.uniform(-1, 1);
+    const Eigen::MatrixXd product = rows.transpose() * rows;
+    for (const bool restricted : {false, true}) {
+        BlockMatrix square = full_matrix(restricted), blocks = square;
+        BlockMatrix::Columns(square).add_square(element, rows);
+        BlockMatrix::Columns(blocks).add_all(element, [&](std::size_t a, std::size_t b) -> Matrix3d {
+            return product.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+        });
+        EXPECT_LT((test::dense(square) - test::dense(blocks)).norm(), 1e-14) << restricted;
+    }
+}
+
+/// Sums of 5,000 elements of three vertices beside each other, one in seven of which has nothing.
+BlockMatrix shared_sum(int threads, std::span<const Index> some = {}) {
+    constexpr Index count = 200;
+    std::vector<std::pair<Index, Index>> pairs;
+    for (Index v = 0; v < count; ++v)
+        for (Index w = std::max(0, v - 2); w < v; ++w) pairs.emplace_back(v, w);
+    const std::vector<char> fixed(count, 0);
+    BlockMatrix matrix = some.empty() ? BlockMatrix(count, pairs, fixed)
+                                      : BlockMatrix::part(some, count, pairs, fixed, {}, {});
+    matrix.share_among(Threads(threads));
+    using Local = Eigen::Matrix<double, 9, 9>;
+    matrix.add_elements<Local>(
+        5000,
+        [](std::size_t i, Local& local) {
+            test::Random random(static_cast<unsigned>(i));
+            local = random.matrix<Local>(1);
+            local = (local + local.transpose()).eval();
+            return i % 7 != 0;
+        },
+        [&](BlockMatrix::Columns& columns, std::size_t i, const Local& local) {
+            const Index v = static_cast<Index>(i) % (count - 2);
+            add_element(columns, std::array{v + 1, v + 2, v}, local);
+        });
+    return matrix;
+}
+
+// A Hessian must not depend on how many cores the machine has, and an element that two threads add, or none,
+// is another material.
+TEST(BlockMatrix, SharedSumsHaveTheSameBits) {
+    const std::vector<Index> some{3, 4, 5, 40, 41, 60, 61, 62, 63, 199};
+    EXPECT_GT(test::dense(shared_sum(1)).norm(), 100);
+    for (const int threads : {2, 3}) {
+        EXPECT_EQ(test::dense(shared_sum(threads)), test::dense(shared_sum(1)));
+        EXPECT_EQ(test::dense(shared_sum(threads, some)), test::dense(shared_sum(1, some)));
+    }
 }
 
 TEST(BlockMatrix, TimesPositionsIsTheDenseProduct) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <limits>
 
 #include "core/solver/linear_solver.h"
 #include "core/solver/supernodes.h"
@@ -98,6 +100,24 @@ TEST(Multifrontal, HasTheSameBitsWithAnyNumberOfThreads) {
         EXPECT_EQ(solution, shared.solve(right)) << side;
         const Positions there = solution.reshaped(3, matrix.size() / 3);
         EXPECT_LT((matrix.times(there).reshaped() - right).norm(), 1e-5 * right.norm()) << side;
+    }
+}
+
+// Whether double precision is worth trying follows from it: a wrong one costs a factorization each time, or
+// the exact Hessian.
+TEST(Multifrontal, TellsHowFarFromDefiniteAMatrixIs) {
+    Random random(8);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& [diagonal, least, most] :
+         {std::tuple(-20.0, -2.0, -0.9), std::tuple(20.0, 1.0, 1.0), std::tuple(none, 0.0, 0.0)}) {
+        BlockMatrix matrix = on_grids(30, 1, random);
+        MultifrontalFactor<float> factor(std::make_shared<const Supernodes>(supernodes(matrix)));
+        EXPECT_TRUE(factor.factorize(matrix));
+        EXPECT_EQ(factor.failed_pivot(), 1);
+        matrix.add(450, 450, (diagonal - 40) * Matrix3d::Identity());  // nothing else is left
+        EXPECT_EQ(factor.factorize(matrix), diagonal == 20);
+        EXPECT_GE(factor.failed_pivot(), least);
+        EXPECT_LE(factor.failed_pivot(), most);
     }
 }
 

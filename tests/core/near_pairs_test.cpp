@@ -21,8 +21,8 @@ std::vector<std::pair<Index, Index>> blocks_soon(const NearPairs& near, const Po
     return blocks;
 }
 
-/// What a walker answers at x must be what one answers that was never asked before, and its active pairs
-/// those that are found by looking at all that there are.
+/// What a walker answers at x, with two threads, must be what one answers that was never asked before, in
+/// one, and its active pairs those that are found by looking at all that there are.
 void expect_same(const NearPairs& walker, const Positions& x, const Positions& motion) {
     const NearPairs anew(walker.surface());
     const std::vector<ContactPair>&pairs = walker.active_pairs(x), &expected = anew.active_pairs(x);
@@ -60,7 +60,7 @@ Positions stride(Random& random, const Positions& x, Index first, double size) {
 /// Walks about from x, in strides that nothing stops; tries to go elsewhere on the way.
 void walk(const ContactSurface& surface, Positions x, unsigned seed) {
     Random random(seed);
-    const NearPairs walker(surface);
+    const NearPairs walker(surface, Threads(2));
     const double size = random.uniform(-5.5, -3);
     for (int i = 0; i < 12; ++i) {
         const Positions motion = stride(random, x, surface.collider_vertices(), size);

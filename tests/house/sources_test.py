@@ -116,7 +116,7 @@ def types_of_one_name(top):
             continue
         text = (top / file).read_text()
         inside = re.search(r"^namespace ([\w:]+) {", text, re.MULTILINE)
-        for name in re.findall(r"^(?:struct|class) (\w+)[^;{]*{", text, re.MULTILINE):
+        for name in re.findall(r"^(?:struct|class) (\w+(?:::\w+)*)[^;{]*{", text, re.MULTILINE):
             other = defined.setdefault((inside and inside.group(1), name), file)
             if other != file:
                 found.append(f"{file}: {name} is a type of {other}, too")

@@ -9,6 +9,9 @@
 namespace sherd {
 namespace {
 
+/// How many elements whose boxes overlap are judged at once, by all threads.
+constexpr std::size_t at_once = 1 << 15;
+
 /// Bounding boxes of the places that each vertex of sheets can reach, enlarged by half of its elements'
 /// thickness and by `margins` margins.
 std::vector<Box> vertex_boxes(const ContactSurface& surface, const Neighbourhood& within, int margins) {
@@ -104,21 +107,38 @@ void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positi
 }  // namespace
 
 ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
-                                     ColliderTrees& colliders)
-    : within(std::move(neighbourhood)) {
+                                     ColliderTrees& colliders, Threads team)
+    : within(std::move(neighbourhood)), threads(std::move(team)) {
     find(surface, std::vector<char>(surface.vertices(), 1), colliders);
 }
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
                              ColliderTrees& colliders) {
-    Found found;
-    if (surface.sheets_meet()) find_on_sheets(surface, changed, found);
-    if (surface.collider_vertices() > 0) find_on_colliders(surface, changed, colliders, found);
+    using Entry = std::optional<PairBlocks::Entry>;
+    std::vector<Met> met;
+    std::vector<PairBlocks::Entry> found;
+    const auto judge = [&] {
+        threads.share_lots<Entry>(
+            met.size(), [&](std::size_t i, Entry& entry) { entry = pair_of(surface, met[i]); },
+            [&](std::size_t, std::span<const Entry> lot) {
+                for (const Entry& entry : lot)
+                    if (entry) found.push_back(*entry);
+            });
+        met.clear();
+    };
+    const auto take = [&](const Met& one) {
+        met.push_back(one);
+        if (met.size() == at_once) judge();
+    };
+    if (surface.sheets_meet()) meet_on_sheets(surface, changed, take);
+    if (surface.collider_vertices() > 0) meet_on_colliders(surface, changed, colliders, take);
+    judge();
     pairs.add(found, within.start);
 }
 
-void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
-                                       Found& found) const {
+template <class Take>
+void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
+                                       const Take& take) const {
     const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -130,7 +150,7 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     };
     const auto meet = [&](PairKind kind, const auto& some, const auto& others) {
         some.tree.meet(others.tree, [&](Index i, Index j) {
-            consider(surface, kind, both(some.vertices[i], others.vertices[j]), found);
+            take({kind, both(some.vertices[i], others.vertices[j])});
         });
     };
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
@@ -142,12 +162,13 @@ void ContactCandidates::find_on_sheets(const ContactSurface& surface, const std:
     meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
     meet(PairKind::edge_edge, edges, those(surface.edges(), boxes, others_at(edges.tree)));
     edges.tree.meet_itself([&](Index i, Index j) {
-        consider(surface, PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j]), found);
+        take({PairKind::edge_edge, both(edges.vertices[i], edges.vertices[j])});
     });
 }
 
-void ContactCandidates::find_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
-                                          ColliderTrees& colliders, Found& found) const {
+template <class Take>
+void ContactCandidates::meet_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,
+                                          ColliderTrees& colliders, const Take& take) const {
     // Boxes of colliders have no margin, so the boxes of sheets have two.
     const std::vector<Box> boxes = vertex_boxes(surface, within, 2);
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
@@ -163,49 +184,46 @@ void ContactCandidates::find_on_colliders(const ContactSurface& surface, const s
         const auto edges = those(surface.edges(), boxes, wanted);
         const auto triangles = those(surface.triangles(), boxes, wanted);
         vertices.tree.meet(trees.triangles, [&](Index i, Index j) {
-            consider(surface, PairKind::vertex_triangle,
-                     both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j]), found);
+            take({PairKind::vertex_triangle,
+                  both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j])});
         });
         triangles.tree.meet(trees.points, [&](Index i, Index j) {
-            consider(surface, PairKind::vertex_triangle,
-                     both(std::array{first.vertex + j}, triangles.vertices[i]), found);
+            take({PairKind::vertex_triangle, both(std::array{first.vertex + j}, triangles.vertices[i])});
         });
         edges.tree.meet(trees.edges, [&](Index i, Index j) {
-            consider(surface, PairKind::edge_edge,
-                     both(edges.vertices[i], surface.collider_edges()[first.edge + j]), found);
+            take({PairKind::edge_edge, both(edges.vertices[i], surface.collider_edges()[first.edge + j])});
         });
     }
 }
 
-void ContactCandidates::consider(const ContactSurface& surface, PairKind kind,
-                                 const std::array<Index, 4>& vertices, Found& found) const {
-    if (surface.apart(kind, vertices)) return;
+std::optional<PairBlocks::Entry> ContactCandidates::pair_of(const ContactSurface& surface,
+                                                            const Met& met) const {
+    const auto& [kind, vertices] = met;
+    if (surface.apart(kind, vertices)) return {};
     const PairPositions x = columns(within.start, vertices);
     const double way =
         approach(kind, columns(within.motion, vertices)) + 2 * within.margin + within.round_off;
     const double farthest = nearness * surface.thickness(kind, vertices) + way;
-    if (separation(kind, x, between_middles(kind, x)) > farthest) return;
+    if (separation(kind, x, between_middles(kind, x)) > farthest) return {};
     const double distance = std::sqrt(squared_distance(closest_points(kind, x), x));
-    if (distance > farthest) return;
+    if (distance > farthest) return {};
     const double activation_distance = surface.activation_distance(kind, vertices);
-    if (distance <= nearness * activation_distance + way)
-        found.push_back(
-            {surface.bare_pair(kind, vertices, activation_distance), distance - activation_distance});
+    if (distance > nearness * activation_distance + way) return {};
+    return PairBlocks::Entry{surface.bare_pair(kind, vertices, activation_distance),
+                             distance - activation_distance};
 }
 
 std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
                                                  const Neighbourhood& smaller) const {
-    std::vector<ContactPair> picked;
     const double around = 2 * smaller.margin + smaller.round_off;
-    visit_near(smaller.start, smaller.motion, nearness, around, [&](const ContactPair& pair, double) {
+    const auto comes_near = [&](const ContactPair& pair, double) {
         const PairPositions from = columns(smaller.start, pair.vertices);
         const PairPositions to = from + columns(smaller.motion, pair.vertices);
         const double far = nearness * pair.activation_distance + around;
         const Vector3d direction = (from * closest_points(pair.kind, from).weights).normalized();
-        if (separation(pair.kind, from, direction) <= far || separation(pair.kind, to, direction) <= far)
-            picked.push_back(pair);
-    });
-    sort(picked);
+        return separation(pair.kind, from, direction) <= far || separation(pair.kind, to, direction) <= far;
+    };
+    std::vector<ContactPair> picked = near(smaller.start, smaller.motion, nearness, around, comes_near);
     for (ContactPair& pair : picked) surface.stiffen(pair);
     return picked;
 }
@@ -213,7 +231,7 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
 void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
                                const ContactSurface& after, ColliderTrees& colliders) {
     if (within.start.cols() != before.vertices()) {
-        *this = {};
+        *this = ContactCandidates(threads);
         return;
     }
     for (Positions* x : {&within.start, &within.motion})

@@ -61,7 +61,8 @@ void NearPairs::find(const Positions& x, const Positions& motion) const {
     const double margin =
         std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_width * width));
     const double steps = std::clamp(std::max(ahead * unit, ahead_of_width * width) / length, 1.0, most_steps);
-    found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders);
+    found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders,
+                              threads);
 }
 
 Neighbourhood NearPairs::surroundings(const Positions& x, const Positions& motion) const {
@@ -82,7 +83,7 @@ const ContactCandidates& NearPairs::candidates(const Positions& x) const {
 const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) const {
     if (last.cols() == x.cols() && last == x) return active;
     candidates(x);
-    found.find_active(of, x, active);
+    active = found.active(of, x);
     last = x;
     return active;
 }
@@ -101,16 +102,14 @@ double NearPairs::safe_fraction(const Positions& x, const Positions& motion) con
 }
 
 double NearPairs::safe_fraction_of_part(const Positions& x, const Positions& motion) const {
-    std::vector<ContactPair> close;
     const ContactCandidates& all = candidates(x, motion);
     const double round_off = 4 * all.neighbourhood().round_off;
-    all.visit_near(x, motion, 1, 0, [&](const ContactPair& pair, double least) {
+    const auto may_meet = [&](const ContactPair& pair, double least) {
         const double way = approach(pair.kind, columns(motion, pair.vertices)) + round_off;
-        if (!surely_free(least - round_off, way, pair.minimum(), clearance(pair))) close.push_back(pair);
-    });
-    sort(close);
+        return !surely_free(least - round_off, way, pair.minimum(), clearance(pair));
+    };
     double fraction = 1;
-    for (const ContactPair& pair : close) {
+    for (const ContactPair& pair : all.near(x, motion, 1, 0, may_meet)) {
         const PairPositions from = columns(x, pair.vertices);
         const PairPositions way = fraction * columns(motion, pair.vertices);
         const double kept = pair.minimum() + clearance(pair);
@@ -122,7 +121,7 @@ double NearPairs::safe_fraction_of_part(const Positions& x, const Positions& mot
 
 std::vector<ContactPair> NearPairs::pairs_nearby_once(const Positions& x) const {
     const Neighbourhood near = surroundings(x, Positions::Zero(3, x.cols()));
-    return ContactCandidates(of, near, colliders).pick(of, near);
+    return ContactCandidates(of, near, colliders, threads).pick(of, near);
 }
 
 std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
@@ -132,12 +131,11 @@ std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Posit
 }
 
 std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const Positions& motion) const {
-    std::vector<ContactPair> reached;
-    candidates(x, motion).visit_near(x, motion, 1, 0, [&](const ContactPair& pair, double) {
+    const auto may_reach = [&](const ContactPair& pair, double) {
         const double way = approach(pair.kind, columns(motion, pair.vertices));
-        if (within(pair.activation_distance + way, pair, columns(x, pair.vertices))) reached.push_back(pair);
-    });
-    sort(reached);
+        return within(pair.activation_distance + way, pair, columns(x, pair.vertices));
+    };
+    std::vector<ContactPair> reached = candidates(x, motion).near(x, motion, 1, 0, may_reach);
     for (ContactPair& pair : reached) of.stiffen(pair);
     return reached;
 }
@@ -152,9 +150,10 @@ void NearPairs::add_contacts(const Positions& x, bool ahead,
         return;
     }
     constexpr double nearness = ContactCandidates::nearness;
-    candidates(x).visit_near(x, Positions(3, 0), nearness, 0, [&](const ContactPair& pair, double) {
-        if (within(nearness * pair.activation_distance, pair, columns(x, pair.vertices))) add(pair);
-    });
+    const auto is_near = [&](const ContactPair& pair, double) {
+        return within(nearness * pair.activation_distance, pair, columns(x, pair.vertices));
+    };
+    std::ranges::for_each(candidates(x).near(x, Positions(3, 0), nearness, 0, is_near), add);
 }
 
 void NearPairs::add_touched(const Positions& x, std::set<Index>& vertices,

@@ -13,7 +13,8 @@ namespace sherd {
 /// [3, surface().vertices()] m.
 class NearPairs {
   public:
-    explicit NearPairs(ContactSurface surface) : of(std::move(surface)) {}
+    explicit NearPairs(ContactSurface surface, Threads threads = Threads())
+        : of(std::move(surface)), threads(std::move(threads)), found(this->threads) {}
     /// Continues with a surface whose sheets have changed, or have other twins.
     void surface_changed(const ShellChange& change, ContactSurface surface);
     const ContactSurface& surface() const { return of; }
@@ -41,7 +42,7 @@ class NearPairs {
 
     /// Trees of colliders follow from where these are.
     void visit_state(StateVisitor& visit) {
-        auto& [of, colliders, found, last, active] = *this;
+        auto& [of, threads, colliders, found, last, active] = *this;
         visit(of, found, last, active);
     }
 
@@ -54,6 +55,7 @@ class NearPairs {
     const ContactCandidates& candidates(const Positions& x, const Positions& motion) const;
 
     ContactSurface of;
+    Threads threads;
     // These are caches: no result depends on them.
     mutable ColliderTrees colliders;
     mutable ContactCandidates found;          ///< candidates for many steps to come

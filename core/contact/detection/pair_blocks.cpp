@@ -141,13 +141,13 @@ void PairBlocks::Block::find_active(const ContactSurface& surface, const Positio
     if (idle > entries.size()) measure(x);
 }
 
-void PairBlocks::find_active(const ContactSurface& surface, const Positions& x, double round_off,
-                             std::vector<ContactPair>& active) {
-    active.clear();
-    if (blocks.empty()) return;
+std::vector<ContactPair> PairBlocks::find_active(const ContactSurface& surface, const Positions& x,
+                                                 double round_off, const Threads& threads) {
+    if (blocks.empty()) return {};
     const std::vector<Box> moved_cells = cells.boxes(x - start);
-    for (Block& block : blocks) block.find_active(surface, x, moved_cells, round_off, active);
-    sort(active);
+    return from_blocks(threads, [&](Index b, std::vector<ContactPair>& active) {
+        blocks[b].find_active(surface, x, moved_cells, round_off, active);
+    });
 }
 
 }  // namespace sherd

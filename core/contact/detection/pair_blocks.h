@@ -7,6 +7,7 @@
 #include "core/contact/detection/contact_surface.h"
 #include "core/contact/detection/motion_cells.h"
 #include "core/state_visitor.h"
+#include "core/threads.h"
 
 namespace sherd {
 
@@ -29,29 +30,32 @@ class PairBlocks {
 
     /// The active pairs at x, ascending, vertex-triangle pairs first. round_off: m, bound on that of
     /// distances.
-    void find_active(const ContactSurface& surface, const Positions& x, double round_off,
-                     std::vector<ContactPair>& active);
-    /// Calls visit(pair, least) for all pairs that are nearer at x than `nearness` times their activation
-    /// distance, a `reserve` (m) and what their vertices approach each other by in the motion, if any; and
-    /// for others. least: m, a bound of the pair's distance at x. Not all pairs have their stiffness.
-    template <class Visit>
-    void visit_near(const Positions& x, const Positions& motion, double nearness, double reserve,
-                    const Visit& visit) const {
-        if (blocks.empty()) return;
+    std::vector<ContactPair> find_active(const ContactSurface& surface, const Positions& x, double round_off,
+                                         const Threads& threads);
+    /// Those pairs, ascending, for which keep(pair, least) is true. It is asked of all pairs that are nearer
+    /// at x than `nearness` times their activation distance, a `reserve` (m) and what their vertices approach
+    /// each other by in the motion, if any; and of others; in any order, by several threads at a time. least:
+    /// m, a bound of the pair's distance at x. Not all pairs have their stiffness.
+    template <class Keep>
+    std::vector<ContactPair> near(const Positions& x, const Positions& motion, double nearness,
+                                  double reserve, const Threads& threads, const Keep& keep) const {
+        if (blocks.empty()) return {};
         const std::vector<Box> moved_cells = cells.boxes(x - start);
         const std::vector<Box> moving_cells = motion.cols() > 0 ? cells.boxes(motion) : std::vector<Box>();
-        for (const Block& block : blocks) {
+        return from_blocks(threads, [&](Index b, std::vector<ContactPair>& kept) {
+            const Block& block = blocks[b];
             const double around = reserve + (nearness - 1) * block.largest_activation;
             if (block.least_room() >
                 block.cell_spread(moved_cells) + block.cell_spread(moving_cells) + around)
-                continue;
+                return;
             const double moved = block.spread(x, &block.reference);
             const double reach = moved + (motion.cols() > 0 ? block.spread(motion, nullptr) : 0) + around;
             for (const Entry& entry : block.entries) {
                 if (entry.room > reach) break;
-                visit(entry.pair, entry.room + entry.pair.activation_distance - moved);
+                if (keep(entry.pair, entry.room + entry.pair.activation_distance - moved))
+                    kept.push_back(entry.pair);
             }
-        }
+        });
     }
 
     void visit_state(StateVisitor& visit) {
@@ -77,6 +81,7 @@ class PairBlocks {
         void remove(const std::vector<char>& changed, const MotionCells& in, std::vector<char>& seen);
         void list_vertices(const MotionCells& in, std::vector<char>& seen);
         void measure(const Positions& x);
+        /// Appends the block's active pairs.
         void find_active(const ContactSurface& surface, const Positions& x,
                          const std::vector<Box>& moved_cells, double round_off,
                          std::vector<ContactPair>& active);
@@ -91,6 +96,21 @@ class PairBlocks {
             visit(entries, vertices, reference, largest_activation, idle, stale, measured, cells);
         }
     };
+
+    /// The pairs that find(block, pairs) appends, ascending.
+    template <class Find>
+    std::vector<ContactPair> from_blocks(const Threads& threads, const Find& find) const {
+        constexpr Index at_once = 16;
+        const auto count = static_cast<Index>(blocks.size());
+        std::vector<std::vector<ContactPair>> of_parts((count + at_once - 1) / at_once);
+        threads.share_ranges(count, at_once, [&](Index begin, Index end) {
+            for (Index b = begin; b < end; ++b) find(b, of_parts[begin / at_once]);
+        });
+        std::vector<ContactPair> all;
+        for (const auto& some : of_parts) all.insert(all.end(), some.begin(), some.end());
+        sort(all);
+        return all;
+    }
 
     std::vector<Block> blocks;
     MotionCells cells;

@@ -11,9 +11,11 @@
 
 namespace sherd {
 
-ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity)
+ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity,
+                                 const Threads& threads)
     : options(std::move(given)),
       shell(shell),
+      threads(threads),
       bodies(shell, options.bodies, options.obstacles, gravity, options.crossed),
       lips(shell.lips) {
     const std::vector<Obstacle>& obstacles = options.obstacles;
@@ -22,7 +24,7 @@ ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const
     const bool surfaces =
         std::ranges::any_of(obstacles, [](const Obstacle& obstacle) { return obstacle.surface != nullptr; });
     if (options.sheets || surfaces)
-        sheets = std::make_unique<SheetContact>(shell, obstacles, options.sheets, true);
+        sheets = std::make_unique<SheetContact>(shell, obstacles, options.sheets, true, threads);
 }
 
 void ExplicitContact::place(double from, double time) {
@@ -82,55 +84,76 @@ void ExplicitContact::add_sheets(const Substep& at_end, ContactForces& sum) cons
     if (!shell.lips.empty()) sum.force += lip_forces(at_end.position);
     const Positions& all = sheets->at_end(at_end.position);
     const Index first = sheets->surface().collider_vertices();
-    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
-        const PairPositions pressed = -gradient(pair, columns(all, pair.vertices));
-        const Index least = *std::ranges::min_element(pair.vertices);
-        for (int i = 0; i < 4; ++i) {
-            if (pair.vertices[i] < first) {
-                sum.press(pair.vertices[i], pressed.col(i));
-                continue;
+    const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
+    threads.share_lots<PairPositions>(
+        pairs.size(),
+        [&](std::size_t i, PairPositions& pressed) {
+            pressed = -gradient(pairs[i], columns(all, pairs[i].vertices));
+        },
+        [&](std::size_t i, std::span<const PairPositions> lot) {
+            for (const PairPositions& pressed : lot) {
+                const std::array<Index, 4>& vertices = pairs[i++].vertices;
+                const Index least = *std::ranges::min_element(vertices);
+                for (int v = 0; v < 4; ++v) {
+                    if (vertices[v] < first) {
+                        sum.press(vertices[v], pressed.col(v));
+                        continue;
+                    }
+                    sum.force.col(vertices[v] - first) += pressed.col(v);
+                    if (least < first)
+                        sum.obstacles[sheets->obstacle_number(least)].add(all.col(vertices[v]),
+                                                                          pressed.col(v));
+                }
             }
-            sum.force.col(pair.vertices[i] - first) += pressed.col(i);
-            if (least < first)
-                sum.obstacles[sheets->obstacle_number(least)].add(all.col(pair.vertices[i]), pressed.col(i));
-        }
-    }
+        });
     add_sheet_friction(at_end, all, sum);
+}
+
+PairPositions ExplicitContact::friction_of(const ContactPair& pair, const Substep& at_end,
+                                           const Positions& all) const {
+    const Index first = sheets->surface().collider_vertices();
+    const Positions& colliders_before = sheets->colliders_at_start();
+    PairPositions velocity;
+    for (int i = 0; i < 4; ++i)
+        velocity.col(i) =
+            pair.vertices[i] < first
+                ? Vector3d((all.col(pair.vertices[i]) - colliders_before.col(pair.vertices[i])) /
+                           at_end.length)
+                : Vector3d(at_end.velocity.col(pair.vertices[i] - first));
+    const auto mobility = [&](const PairPositions& along) {
+        double of_slip = 0;
+        for (int i = 0; i < 4; ++i)
+            if (pair.vertices[i] >= first)
+                of_slip += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
+        return of_slip;
+    };
+    const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
+    return pair_friction(pair, columns(all, pair.vertices), velocity,
+                         collider ? collider->friction : options.friction, at_end.length, mobility);
 }
 
 void ExplicitContact::add_sheet_friction(const Substep& at_end, const Positions& all,
                                          ContactForces& sum) const {
     const Index first = sheets->surface().collider_vertices();
-    const Positions& colliders_before = sheets->colliders_at_start();
-    for (const ContactPair& pair : sheets->active_pairs_of(all)) {
-        PairPositions velocity;
-        for (int i = 0; i < 4; ++i)
-            velocity.col(i) =
-                pair.vertices[i] < first
-                    ? Vector3d((all.col(pair.vertices[i]) - colliders_before.col(pair.vertices[i])) /
-                               at_end.length)
-                    : Vector3d(at_end.velocity.col(pair.vertices[i] - first));
-        const ContactCollider* collider = sheets->surface().collider_of(pair.kind, pair.vertices);
-        const auto mobility = [&](const PairPositions& along) {
-            double of_slip = 0;
-            for (int i = 0; i < 4; ++i)
-                if (pair.vertices[i] >= first)
-                    of_slip += along.col(i).squaredNorm() / shell.mass[pair.vertices[i] - first];
-            return of_slip;
-        };
-        const PairPositions rubbed =
-            pair_friction(pair, columns(all, pair.vertices), velocity,
-                          collider ? collider->friction : options.friction, at_end.length, mobility);
-        const Index least = *std::ranges::min_element(pair.vertices);
-        for (int i = 0; i < 4; ++i) {
-            if (pair.vertices[i] < first) {
-                sum.rub_collider(pair.vertices[i], rubbed.col(i));
-                continue;
+    const std::vector<ContactPair>& pairs = sheets->active_pairs_of(all);
+    threads.share_lots<PairPositions>(
+        pairs.size(),
+        [&](std::size_t i, PairPositions& rubbed) { rubbed = friction_of(pairs[i], at_end, all); },
+        [&](std::size_t i, std::span<const PairPositions> lot) {
+            for (const PairPositions& rubbed : lot) {
+                const std::array<Index, 4>& vertices = pairs[i++].vertices;
+                const Index least = *std::ranges::min_element(vertices);
+                for (int v = 0; v < 4; ++v) {
+                    if (vertices[v] < first) {
+                        sum.rub_collider(vertices[v], rubbed.col(v));
+                        continue;
+                    }
+                    sum.rub(vertices[v] - first, rubbed.col(v));
+                    if (least < first)
+                        sum.rub(sheets->obstacle_number(least), all.col(vertices[v]), rubbed.col(v));
+                }
             }
-            sum.rub(pair.vertices[i] - first, rubbed.col(i));
-            if (collider) sum.rub(sheets->obstacle_number(least), all.col(pair.vertices[i]), rubbed.col(i));
-        }
-    }
+        });
 }
 
 double ExplicitContact::stored_energy(const Positions& x) const {

@@ -19,7 +19,8 @@ namespace sherd {
 class ExplicitContact {
   public:
     /// The shell must outlive this object. gravity: m/s^2, acts on the bodies.
-    ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity);
+    ExplicitContact(const Shell& shell, ContactOptions options, const Vector3d& gravity,
+                    const Threads& threads = Threads());
     ExplicitContact(const ExplicitContact&) = delete;  // its parts refer to its obstacles
 
     /// Begins a step at `time` (s); first: of this object.
@@ -47,7 +48,7 @@ class ExplicitContact {
     Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [options, shell, bodies, at_vertices, substep, before, now, sheets, lips] = *this;
+        auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, lips] = *this;
         visit(bodies, at_vertices, substep, before, now, sheets, lips);
     }
 
@@ -55,11 +56,14 @@ class ExplicitContact {
     void require_no_passage(const StepContext& step, const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
-    /// all: positions of colliders and sheets at the end of the substep.
+    // all: positions of colliders and sheets at the end of the substep.
     void add_sheet_friction(const Substep& substep, const Positions& all, ContactForces& sum) const;
+    /// On the vertices of a pair, N.
+    PairPositions friction_of(const ContactPair& pair, const Substep& substep, const Positions& all) const;
 
     ContactOptions options;
     const Shell& shell;
+    Threads threads;
     ExplicitBodies bodies;
     std::vector<VertexContact> at_vertices;      ///< of each obstacle
     StepContext substep;                         ///< in which the obstacles were placed last

@@ -23,11 +23,13 @@ std::string message(const ContactSurface& surface, const ContactPair& pair, doub
 
 }  // namespace
 
-SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool sheets_meet, bool springs)
+SheetContact::SheetContact(const Shell& shell, std::vector<Obstacle> given, bool sheets_meet, bool springs,
+                           Threads team)
     : shell(shell),
+      threads(std::move(team)),
       obstacles(std::move(given)),
       colliders(contact_colliders(shell, obstacles)),
-      near(ContactSurface(shell, colliders, sheets_meet, springs)) {
+      near(ContactSurface(shell, colliders, sheets_meet, springs), threads) {
     for (std::size_t i = 0; i < obstacles.size(); ++i)
         if (obstacles[i].surface) obstacle_of.push_back(i);
     start = end = collider_positions(obstacles, 0);
@@ -69,7 +71,7 @@ double SheetContact::stored_at_start() const {
 }
 
 void SheetContact::add_gradient(const Positions& x, Positions& gradient) const {
-    add_gradients(pairs_at(at_end(x)), x, gradient);
+    add_gradients(pairs_at(at_end(x)), x, gradient, threads);
 }
 
 void SheetContact::add_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {

@@ -16,9 +16,9 @@ namespace sherd {
 class SheetContact : public Energy {
   public:
     /// The shell must outlive this object. sheets_meet: whether elements of sheets collide with each other.
-    /// springs: see ContactSurface.
+    /// springs: see ContactSurface. threads: who shares the search for pairs and their forces.
     explicit SheetContact(const Shell& shell, std::vector<Obstacle> obstacles = {}, bool sheets_meet = true,
-                          bool springs = false);
+                          bool springs = false, Threads threads = Threads());
     /// Places the colliders; energies are evaluated with them at the end of the step.
     void begin(const StepContext& step) override;
     void topology_changed(const ShellChange& change, const StepContext& step) override;
@@ -115,7 +115,7 @@ class SheetContact : public Energy {
     /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
     void visit_state(StateVisitor& visit) override {
-        auto& [shell, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
+        auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
         visit(near, start, end);
     }
 
@@ -147,6 +147,7 @@ class SheetContact : public Energy {
     const Positions& with(const Positions& collider, const Positions& x) const;
 
     const Shell& shell;
+    Threads threads;
     std::vector<Obstacle> obstacles;
     std::vector<std::size_t> obstacle_of;  ///< of each collider
     std::vector<ContactCollider> colliders;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/block_matrix.h"
+
+namespace sherd {
+
+/// Some of the columns of a matrix. What is added to others is ignored.
+class BlockMatrix::Columns {
+  public:
+    /// Every column is in one of `parts` parts; columns beside each other mostly in the same.
+    explicit Columns(BlockMatrix& matrix, Index part = 0, Index parts = 1)
+        : matrix(matrix), part(part), parts(parts) {}
+    void add(Index i, Index j, const Matrix3d& block) {
+        if (has(std::min(i, j))) matrix.add(i, j, block);
+    }
+    /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add() but
+    /// faster where there are many. The vertices ascend, and all their pairs have blocks.
+    template <class Block>
+    void add_all(std::span<const Index> vertices, const Block& block);
+    /// Three rows, coordinate fastest.
+    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+    /// Adds rows^T rows, [3 vertices, 3 vertices], in the same way.
+    void add_square(std::span<const Index> vertices, const Rows& rows);
+
+  private:
+    /// Column c of rows^T rows, from row `first` on.
+    static void square_column(const Rows& rows, Eigen::Index c, Eigen::Index first, double* column);
+    bool is_plain(std::span<const Index> vertices) const;
+    static constexpr Index run = 16;  // of columns that belong together, for caches
+    bool has(Index column) const { return parts == 1 || column / run % parts == part; }
+
+    BlockMatrix& matrix;
+    Index part, parts;
+    std::vector<double> buffer;  ///< a column
+    std::vector<Index> ranks;    ///< of its blocks
+};
+
+template <class Block>
+void BlockMatrix::Columns::add_all(std::span<const Index> vertices, const Block& block) {
+    const bool by_rank = matrix.number.empty() && !matrix.only_diagonal;
+    for (std::size_t b = 0; b < vertices.size(); ++b) {
+        const Index column = vertices[b];
+        if (!has(column)) continue;
+        if (!by_rank) {
+            for (std::size_t a = b; a < vertices.size(); ++a) matrix.add(vertices[a], column, block(a, b));
+            continue;
+        }
+        matrix.add_at(0, column, column, block(b, b));
+        const Index* const rows = matrix.block_row.data() + matrix.block_start[column];
+        Index rank = 0;
+        for (std::size_t a = b + 1; a < vertices.size(); ++a) {
+            while (rows[rank] < vertices[a]) ++rank;
+            matrix.add_at(rank, vertices[a], column, block(a, b));
+        }
+    }
+}
+
+template <class Local, class Find, class Add>
+void BlockMatrix::add_elements(std::size_t size, const Find& find, const Add& add) {
+    struct Found {
+        Local local;
+        bool any;
+    };
+    std::vector<Columns> parts;
+    for (Index part = 0; part < threads.count(); ++part) parts.emplace_back(*this, part, threads.count());
+    threads.share_lots<Found>(
+        size, [&](std::size_t i, Found& found) { found.any = find(i, found.local); },
+        [&](std::size_t first, std::span<const Found> lot) {
+            const auto add_to = [&](Columns& columns) {
+                for (std::size_t i = 0; i < lot.size(); ++i)
+                    if (lot[i].any) add(columns, first + i, lot[i].local);
+            };
+            if (parts.size() == 1) return add_to(parts[0]);
+            threads.share(threads.count(), [&](Index part) { add_to(parts[part]); });
+        });
+}
+
+}  // namespace sherd
