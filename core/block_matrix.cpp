@@ -156,7 +156,7 @@ void BlockMatrix::add(Index i, Index j, const Matrix3d& block) {
     if (!number.empty()) {
         i = number[i];
         j = number[j];
-        if (i < 0 || j < 0) return;
+        if (i < 0 || j < 0 || !has(i, j)) return;
     }
     if (i == j)
         add_at(0, i, i, block);
