@@ -82,10 +82,10 @@ class CoupledBending : public Energy {
     void forget_reach();
     /// Of faces that have changed, and of those that reach vertices which a crack has split, where all count.
     void forget_reach(const ShellChange& change, std::span<const Index> changed);
-    /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
-    /// positions of the vertices in its reach, sqrt(J) / m.
     /// The needed folds whose vertices are all in a matrix.
     std::vector<Index> needed_for(const BlockMatrix& hessian) const;
+    /// How the curvature of the i-th face that counts, times the root of its rigidity, changes with the
+    /// positions of the vertices in its reach, sqrt(J) / m.
     void find_slopes(std::size_t i, const std::vector<Folds::Slope>& of_folds, const VectorXd& changes,
                      BlockMatrix::Columns::Rows& of_face) const;
     VectorXd changes(const Positions& x, std::span<const Index> some) const {

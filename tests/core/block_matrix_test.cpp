@@ -128,6 +128,18 @@ TEST(BlockMatrix, AddsAllToAPartAndToADiagonal) {
     for (Index v = 0; v < 3; ++v) EXPECT_EQ(diagonal.diagonal_block(v), block(v, v));
 }
 
+// Contacts between vertices beside a patch have no block in it: added to others they would be another
+// stiffness there, which two threads write at a time.
+TEST(BlockMatrix, APartIgnoresBlocksThatItDoesNotHave) {
+    const std::vector<Index> some{1, 2, 3, 5};
+    BlockMatrix part = BlockMatrix::part(some, 6, {{1, 2}, {2, 5}, {3, 5}}, std::vector<char>(6, 0), {}, {});
+    const Eigen::MatrixXd before = test::dense(part);
+    for (const auto& [i, j] : {std::pair{1, 3}, {3, 1}, {1, 5}, {3, 2}}) part.add(i, j, Matrix3d::Ones());
+    EXPECT_EQ(test::dense(part), before);
+    part.add(5, 2, Matrix3d::Ones());
+    EXPECT_EQ(test::dense(part).sum(), before.sum() + 18);
+}
+
 /// All pairs of 12 vertices, without supports, or with those of restricted_matrix().
 BlockMatrix full_matrix(bool restricted) {
     std::vector<std::pair<Index, Index>> pairs;
