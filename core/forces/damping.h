@@ -64,18 +64,21 @@ class MassDamping : public ElementEnergy<VertexSprings> {
     MassDamping(const Shell& shell, double coefficient)
         : ElementEnergy({}), shell(shell), coefficient(coefficient) {}
     void begin(const StepContext& step) override {
-        elements = {coefficient / step.lag * shell.mass, step.origin};
+        per_mass = coefficient / step.lag;
+        elements = {per_mass * shell.mass, step.origin};
     }
+    double of_mass() const override { return per_mass; }
     Task task() const override { return Task::loads; }
     void visit_state(StateVisitor& visit) override {
-        static_assert(
-            has_only<MassDamping, ElementEnergy<VertexSprings>, decltype(shell), decltype(coefficient)>());
+        static_assert(has_only<MassDamping, ElementEnergy<VertexSprings>, decltype(shell),
+                               decltype(coefficient), decltype(per_mass)>());
         ElementEnergy::visit_state(visit);
     }
 
   private:
     const Shell& shell;
     double coefficient;
+    double per_mass = 0;  ///< 1/s^2
 };
 
 }  // namespace sherd

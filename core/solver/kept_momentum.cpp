@@ -12,7 +12,8 @@ constexpr double outer_force = 1e-9;  // of all forces of contact, below which i
 
 void keep_momentum(const Potential& potential, const Positions& x, const Positions& gradient,
                    double tolerance, Positions& correction) {
-    if (potential.inertia() == 0) return;
+    const double of_mass = potential.of_mass();
+    if (of_mass == 0) return;
     const Shell& shell = potential.of_shell();
     const Pieces all = pieces(shell, potential.contacts(x));
     const Positions contact = potential.contact_gradient(x);
@@ -25,7 +26,7 @@ void keep_momentum(const Potential& potential, const Positions& x, const Positio
         mass[piece] += shell.mass[v];
         touch[piece] += contact.col(v).norm();
         outer.col(piece) += contact.col(v);
-        lacking.col(piece) -= gradient.col(v) / potential.inertia() + shell.mass[v] * correction.col(v);
+        lacking.col(piece) -= gradient.col(v) / of_mass + shell.mass[v] * correction.col(v);
     }
     const Positions shift = lacking * mass.cwiseInverse().asDiagonal();
     for (Index piece = 0; piece < all.count; ++piece)

@@ -16,7 +16,6 @@ void Potential::each(const Action& action) const {
 }
 
 void Potential::begin(const StepContext& step) {
-    of_inertia = step.inertia / step.square();
     each([&](Energy& energy) { energy.begin(step); });
 }
 
@@ -37,6 +36,12 @@ double Potential::value(const Positions& x) const {
 double Potential::round_off() const {
     double sum = 0;
     each([&](const Energy& energy) { sum += energy.round_off(); });
+    return sum;
+}
+
+double Potential::of_mass() const {
+    double sum = 0;
+    each([&](const Energy& energy) { sum += energy.of_mass(); });
     return sum;
 }
 

@@ -20,8 +20,8 @@ class Potential {
     void begin(const StepContext& step);
     void topology_changed(const ShellChange& change, const StepContext& step);
     void moved_to(const Positions& x);
-    /// What inertia gives to the Hessian in the open step, for each unit of mass, 1/s^2.
-    double inertia() const { return of_inertia; }
+    /// What inertia and damping of mass give to the Hessian in the open step, for each unit of mass, 1/s^2.
+    double of_mass() const;
 
     double value(const Positions& x) const;        ///< J
     double round_off() const;                      ///< J, bound on the value's error by cancellation
@@ -53,7 +53,6 @@ class Potential {
     std::vector<Energy*> energies;
     TimeSpent& spent;
     Threads threads;
-    double of_inertia = 0;
 };
 
 }  // namespace sherd

@@ -10,6 +10,7 @@ void Inertia::begin(const StepContext& step) {
     displacement.colwise() += step.square() * gravity;
     displacement += step.origin - shell.position;
     constrain(shell, displacement);
+    per_mass = step.inertia / step.square();
     elements.stiffness = step.inertia * shell.mass / step.square();
     elements.anchor = shell.position + displacement;
     place_scripted(shell, step.end(), elements.anchor);

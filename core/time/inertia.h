@@ -15,18 +15,21 @@ class Inertia : public ElementEnergy<VertexSprings> {
     Inertia(const Shell& shell, const Vector3d& gravity)
         : ElementEnergy({}), shell(shell), gravity(gravity) {}
     void begin(const StepContext& step) override;
+    double of_mass() const override { return per_mass; }
     Task task() const override { return Task::other; }
 
     /// y, m, [3, V]; for fixed vertices, their positions at the end of the step.
     const Positions& predicted() const { return elements.anchor; }
     void visit_state(StateVisitor& visit) override {
-        static_assert(has_only<Inertia, ElementEnergy<VertexSprings>, decltype(shell), decltype(gravity)>());
+        static_assert(has_only<Inertia, ElementEnergy<VertexSprings>, decltype(shell), decltype(gravity),
+                               decltype(per_mass)>());
         ElementEnergy::visit_state(visit);
     }
 
   private:
     const Shell& shell;
     Vector3d gravity;
+    double per_mass = 0;  ///< 1/s^2
 };
 
 }  // namespace sherd

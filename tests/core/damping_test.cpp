@@ -138,5 +138,23 @@ TEST(Damping, MassDampingSlowsFreeFlight) {
     }
 }
 
+// However strong it is: the last correction of a step, which keeps momentum, knows what damping takes of it.
+TEST(Damping, StrongMassDampingLeavesTheSpeedAtWhichItBearsTheWeight) {
+    Shell shell = test::two_triangles(test::thick_foam);
+    shell.velocity.colwise() = Vector3d(0, 0, -3);
+    StepperOptions options;
+    options.gravity = Vector3d(0, 0, -10);
+    options.step = 1e-3;
+    options.shell.damping.mass = 1e6;
+    ImplicitStepper step(shell, options);
+    double speed = 3;
+    for (int i = 0; i < 5; ++i) {
+        test::advance(step);
+        speed = (speed + options.step * 10) / (1 + options.step * options.shell.damping.mass);
+        EXPECT_LT((shell.velocity.colwise() - Vector3d(0, 0, -speed)).cwiseAbs().maxCoeff(), 1e-6 * speed)
+            << i;
+    }
+}
+
 }  // namespace
 }  // namespace sherd
