@@ -6,6 +6,7 @@
 #include <tbb/global_control.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -22,7 +23,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double most_voxels = 1e8;  // 0.4 GB
-constexpr double layer_beyond = 3;   // voxels that the spline uses beyond the farthest point of evaluation
+constexpr double most_oblong =
+    20;  // voxels of a level set; beyond, the file is damaged or its transform wrong
+constexpr double layer_beyond = 3;  // voxels that the spline uses beyond the farthest point of evaluation
 
 /// Triangles and quadrilaterals in OpenVDB's types, m.
 struct Polygons {
@@ -56,13 +59,22 @@ Vector3d eigen(const openvdb::Vec3s& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-void require_few_voxels(const Polygons& polygons, double voxel) {
+void require_few_voxels(const Polygons& polygons, double voxel, double reach) {
     Eigen::AlignedBox3d box;
     for (const openvdb::Vec3s& p : polygons.points) box.extend(eigen(p));
-    const double voxels = (box.diagonal().array() / voxel + 2 * layer_beyond).prod();
+    const double voxels = ((box.diagonal().array() + 2 * reach) / voxel + 2 * layer_beyond).prod();
     if (!(voxels <= most_voxels))  // NaN, too, as damaged files have it
         throw Error(text("would take ", voxels, " voxels of ", voxel, " m, more than ", most_voxels,
                          ": make them larger"));
+}
+
+/// Throws Error if voxels are so oblong that cubes of their smallest side would be very many.
+double smallest_side(const openvdb::Vec3d& size) {
+    const auto [smallest, largest] = std::minmax({size.x(), size.y(), size.z()});
+    if (largest > most_oblong * smallest)
+        throw Error(text("its voxels are ", largest, " m long and ", smallest, " m wide, more than ",
+                         most_oblong, " times as long: mend its transform, or resample it to cubes"));
+    return smallest;
 }
 
 using TransformPointer = openvdb::math::Transform::Ptr;
@@ -179,8 +191,8 @@ std::shared_ptr<const SignedDistanceGrid::State> SignedDistanceGrid::State::of(
     TransformPointer transform = level_set.transform().copy();
     transform->postScale(scale);
     const openvdb::Vec3d size = transform->voxelSize();
-    const double smallest = std::min({size.x(), size.y(), size.z()});
-    require_few_voxels(polygons, smallest);
+    const double smallest = smallest_side(size);
+    require_few_voxels(polygons, smallest, reach);
     const bool cubic = transform->isLinear() && transform->hasUniformScale();
     if (!cubic) transform = openvdb::math::Transform::createLinearTransform(smallest);
     auto state = std::make_shared<State>(polygons, transform, reach);
@@ -193,7 +205,7 @@ SignedDistanceGrid::SignedDistanceGrid(std::shared_ptr<const State> state) : sta
 SignedDistanceGrid SignedDistanceGrid::of_mesh(const Mesh& mesh, double voxel, double reach) {
     openvdb::initialize();
     const Polygons polygons = polygons_of(mesh);
-    require_few_voxels(polygons, voxel);
+    require_few_voxels(polygons, voxel, reach);
     SignedDistanceGrid grid(
         std::make_shared<State>(polygons, openvdb::math::Transform::createLinearTransform(voxel), reach));
     const double expected = std::abs(solid_moments(mesh).volume), found = grid.volume();

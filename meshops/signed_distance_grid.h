@@ -37,7 +37,8 @@ class SignedDistanceGrid {
     /// `scale`. Its voxels are used unchanged; beyond the layer that it has, distances from its surface are
     /// added, inward to the middle and outward up to `reach` (m). If the voxels are not cubic, only the
     /// surface is kept and the distances are computed anew. Throws Error naming the file if it is missing,
-    /// damaged or no OpenVDB file, if it has no such grid, or if the grid is no level set.
+    /// damaged or no OpenVDB file, if it has no such grid, if the grid is no level set, if its voxels are
+    /// more than 20 times as long as wide, or if there would be too many.
     static SignedDistanceGrid of_level_set(const std::filesystem::path& file, const std::string& name,
                                            double scale, double reach);
 

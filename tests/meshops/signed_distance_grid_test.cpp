@@ -143,6 +143,27 @@ TEST(SignedDistanceGrid, ADamagedTransformIsRefused) {
     }
 }
 
+// Voxels that a damaged transform has made long and thin kept the program busy for half a minute, and more,
+// with cubes as small as their smallest side.
+TEST(SignedDistanceGrid, VeryOblongVoxelsAreRefused) {
+    const TemporaryDirectory directory;
+    openvdb::initialize();
+    for (const double times : {16.0, 64.0}) {
+        const auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1, {3, 0, 0}, 0.1);
+        grid->setName("ball");
+        grid->transform().preScale({1, times, 1});
+        const auto file = write_vdb(directory.path / "ball.vdb", {grid});
+        const auto read = [&] { SignedDistanceGrid::of_level_set(file, "", 1, 0.002); };
+        if (times < 20) {
+            EXPECT_NO_THROW(read());
+            continue;
+        }
+        const std::string message = thrown_by(read);
+        EXPECT_NE(message.find("ball.vdb: its voxels are 6.4 m long and 0.1 m wide"), std::string::npos)
+            << message;
+    }
+}
+
 // A mesh with a hole of about a voxel still has an inside.
 TEST(SignedDistanceGrid, SmallHolesAreClosed) {
     Mesh mesh = sphere_mesh();
