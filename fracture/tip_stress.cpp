@@ -51,7 +51,7 @@ double edge_length_ahead(const BreakableShell& shell, const GrowingTip& tip) {
     return count > 0 ? sum / count : 0;
 }
 
-double largest_turn(const BreakableShell& shell, const GrowingTip& tip) {
+double largest_tip_turn(const BreakableShell& shell, const GrowingTip& tip) {
     return edge_length_ahead(shell, tip) / (radius_of_turns * shell.mechanics().thickness[tip.vertex]);
 }
 
@@ -80,7 +80,7 @@ TipLoad load_by_stress(const BreakableShell& shell, const GrowingTip& tip, const
     if (!(pulled.first > 0)) return load;
     double turn = hoop_angle(pulled);
     if (tip.stride > 0 || std::abs(bend) > std::max(mean, 0.0)) {
-        const double most = largest_turn(shell, tip);
+        const double most = largest_tip_turn(shell, tip);
         turn = std::clamp(turn, -most, most);
     }
     load.direction = Eigen::AngleAxisd(turn, normal) * tip.direction;

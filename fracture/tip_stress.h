@@ -10,7 +10,7 @@ namespace sherd {
 double edge_length_ahead(const BreakableShell& shell, const GrowingTip& tip);
 
 /// By how much a tip that runs may turn with its next edge, rad: waves would make its path snake.
-double largest_turn(const BreakableShell& shell, const GrowingTip& tip);
+double largest_tip_turn(const BreakableShell& shell, const GrowingTip& tip);
 
 /// What a tip bears, by the surface stress averaged over the faces ahead of it: with its mean s_m and half
 /// its difference s_b across the crack, K = sqrt(max(s_m, 0)^2 + c s_b^2) sqrt(2 pi alpha h), with c = (1 +

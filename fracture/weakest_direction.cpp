@@ -18,7 +18,7 @@ constexpr int farthest_kink = 75;  // degrees: beyond, the first-order release i
 void turn_to_weakest(const BreakableShell& shell, const GrowingTip& tip, TipLoad& load) {
     const Vector3d normal = rest_normal_at(shell, Vertex(tip.vertex));
     const bool is_held_straight = !load.by_energy && tip.stride > 0;
-    const double least_along = is_held_straight ? std::cos(largest_turn(shell, tip)) : -1;
+    const double least_along = is_held_straight ? std::cos(largest_tip_turn(shell, tip)) : -1;
     double best_ratio = 0, share = 1;
     Vector3d best = load.direction;
     for (int i = -farthest_kink; i <= farthest_kink; ++i) {

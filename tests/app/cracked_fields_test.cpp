@@ -11,15 +11,15 @@
 namespace sherd::test {
 namespace {
 
-constexpr double half_crack = 0.7, tiny = 1e-6, step = 1e-5;
+constexpr double half_crack = 0.7, tiny = 1e-6, apart = 1e-5;
 
 /// The divergence of a field of symmetric tensors, by central differences.
 template <class Field>
 Vector2d divergence(const Field& field, const Vector2d& at) {
     Vector2d sum = Vector2d::Zero();
     for (int axis = 0; axis < 2; ++axis) {
-        const Vector2d h = step * Vector2d::Unit(axis);
-        sum += (field(Vector2d(at + h)) - field(Vector2d(at - h))).col(axis) / (2 * step);
+        const Vector2d h = apart * Vector2d::Unit(axis);
+        sum += (field(Vector2d(at + h)) - field(Vector2d(at - h))).col(axis) / (2 * apart);
     }
     return sum;
 }
@@ -61,10 +61,10 @@ TEST(CrackedFields, BentPlateBalancesAndIsBentFarAway) {
 // Lips bear no moment and no force: q_y + d m_xy / dx = 0.
 TEST(CrackedFields, BentPlateHasFreeLipsAndItsFactor) {
     const CrackedPlate plate(half_crack, 0.3);
-    const Vector2d lip(0.3, tiny), h(step, 0);
+    const Vector2d lip(0.3, tiny), h(apart, 0);
     EXPECT_NEAR(plate.moments(lip)(1, 1), 0, 1e-4);
     EXPECT_NEAR(
-        plate.shear(lip).y() + (plate.moments(lip + h)(0, 1) - plate.moments(lip - h)(0, 1)) / (2 * step), 0,
+        plate.shear(lip).y() + (plate.moments(lip + h)(0, 1) - plate.moments(lip - h)(0, 1)) / (2 * apart), 0,
         1e-4);
     const double ahead = plate.moments({half_crack + tiny, 0})(1, 1);
     EXPECT_NEAR(std::sqrt(2 * tiny) * ahead, std::sqrt(half_crack), 1e-3);

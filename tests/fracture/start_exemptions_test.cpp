@@ -14,7 +14,7 @@ namespace {
 
 using test::tilted_square;
 
-constexpr double thickness = 0.01;  // m
+constexpr double sheet_thickness = 0.01;  // m
 
 SimulationOptions weightless(double step) {
     SimulationOptions options;
@@ -60,7 +60,7 @@ TEST(StartExemptions, SheetsThatCrossRestWhereTheyAre) {
 // The second square, which reaches through one row of faces only, leaves upwards.
 TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
     Simulation simulation(exempt(crossing_squares({0, 0, 2}, 0.1)), weightless(1e-2));
-    const double energy = 0.5 * 1000 * thickness * 2 * 2;  // J, of 1 m^2
+    const double energy = 0.5 * 1000 * sheet_thickness * 2 * 2;  // J, of 1 m^2
     StepReport report;
     for (int i = 0; i < 40; ++i) {
         report = simulation.step();
@@ -76,7 +76,7 @@ TEST(StartExemptions, TheyPartAndAreSeenFromThenOn) {
 // of what was apart promises: stopped, not flung.
 TEST(StartExemptions, TheirNeighboursStopThem) {
     Simulation simulation(exempt(crossing_squares({0, 0, 2})), weightless(1e-2));
-    const double energy = 0.5 * 1000 * thickness * 2 * 2;
+    const double energy = 0.5 * 1000 * sheet_thickness * 2 * 2;
     StepReport report;
     for (int i = 0; i < 40; ++i) {
         report = simulation.step();
@@ -88,14 +88,14 @@ TEST(StartExemptions, TheirNeighboursStopThem) {
 
 // Too near is not across: sheets laid on each other too deep must carry each other at that depth.
 TEST(StartExemptions, WhatIsTooNearIsPushedBackWhereItWas) {
-    const double apart = 0.6 * thickness;
+    const double apart = 0.6 * sheet_thickness;
     std::vector<SheetInput> inputs{tilted_square(0, {0, 0, 0}, 0.25),
                                    tilted_square(0, {0.07, 0.05, apart}, 0.25)};
     for (const Vertex v : inputs[0].mesh.vertices()) inputs[0].pinned.push_back(static_cast<Index>(v));
     inputs[1].velocity = {0, 0, -0.5};
     Simulation simulation(exempt(inputs), weightless(1e-3));
     const Index first = static_cast<Index>(inputs[0].mesh.number_of_vertices());
-    const double energy = 0.5 * 1000 * thickness * 0.5 * 0.5;
+    const double energy = 0.5 * 1000 * sheet_thickness * 0.5 * 0.5;
     StepReport report;
     for (int i = 0; i < 400 && (i == 0 || report.exempt_pairs > 0); ++i) {
         report = simulation.step();

@@ -78,7 +78,8 @@ TEST(WeakestDirection, ATipThatRunsTurnsSlowly) {
     tip.stride = 0.1;
     TipLoad load;
     turn_to_weakest(sheet, tip, load);
-    EXPECT_LE(std::abs(std::atan2(load.direction.y(), load.direction.x())), largest_turn(sheet, tip) + 1e-12);
+    EXPECT_LE(std::abs(std::atan2(load.direction.y(), load.direction.x())),
+              largest_tip_turn(sheet, tip) + 1e-12);
     load = {};
     load.by_energy = true;
     turn_to_weakest(sheet, tip, load);

@@ -19,7 +19,6 @@ using ReadMesh = test::MeshReading;
 using test::area, test::triangles, test::Triangles;
 
 using test::repair;
-using test::square;
 const std::string square_off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 2 0 1\n3 0 2 3\n";
 const std::string ply_header =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -50,7 +49,7 @@ std::string binary_stl(const std::vector<float>& corners, std::uint32_t count) {
 // Whoever names faces or vertices of his file (pins, textures, edges to cut) relies on this order.
 TEST_F(ReadMesh, KeepsTheOrderOfFacesAndCorners) {
     const Triangles expected{{2, 0, 1}, {0, 2, 3}};
-    EXPECT_EQ(triangles(read("a.obj", square + "f 3 1 2\nf 1 3 4\n")), expected);
+    EXPECT_EQ(triangles(read("a.obj", test::square + "f 3 1 2\nf 1 3 4\n")), expected);
     EXPECT_EQ(triangles(read("a.off", square_off)), expected);
     EXPECT_EQ(triangles(read("a.ply", square_ply)), expected);
     EXPECT_EQ(triangles(read("a.stl", square_stl)), (Triangles{{0, 1, 2}, {0, 2, 3}}));
@@ -85,19 +84,19 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
 
 // The system refuses to look for a file with such a name, which is another thing than that there is none.
 TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
-    read("a.obj", "mtllib " + std::string(300, 'm') + "\n" + square + "f 1 2 3\nf 1 3 4\n");
+    read("a.obj", "mtllib " + std::string(300, 'm') + "\n" + test::square + "f 1 2 3\nf 1 3 4\n");
     expect_warning("mmm' is not there; they have names only");
 }
 
 TEST_F(ReadMesh, HasNoTextureWhereTheFileHasNone) {
-    const Mesh bare = read("a.obj", square + "f 1//1 2//1 3//1\n f 1 3 4\n");
+    const Mesh bare = read("a.obj", test::square + "f 1//1 2//1 3//1\n f 1 3 4\n");
     EXPECT_FALSE((bare.property_map<Face, FaceTexture>(property::texture).second));
-    read("b.obj", square + "vt 1 1\nf 1/1 2/1 3/1\nf 1 3 4\n");
+    read("b.obj", test::square + "vt 1 1\nf 1/1 2/1 3/1\nf 1 3 4\n");
     expect_warning("1 face was given texture coordinates (0, 0)");
 }
 
 TEST_F(ReadMesh, TriangulatesPolygons) {
-    EXPECT_NEAR(area(read("quad.obj", square + "f 1 2 3 4\n")), 1, 1e-15);
+    EXPECT_NEAR(area(read("quad.obj", test::square + "f 1 2 3 4\n")), 1, 1e-15);
     // An arrowhead: only the diagonal from its notch lies inside, though it may not be the shorter.
     const std::string arrow = "v 0 0 0\nv 2 3 0\nv 0 1 0\nv -2 3 0\n";
     for (const char* face : {"f 1 2 3 4", "f 2 3 4 1", "f 4 3 2 1"}) {
@@ -113,12 +112,12 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     EXPECT_NEAR(area(u), 7.5, 1e-14);
     EXPECT_EQ(triangles(u).back(), (std::vector<unsigned>{8, 9, 10}));
     // Corners in the middle of a side are no reason for triangles without area.
-    const Mesh side = read("side.obj", square + "v 0.5 0 0\nv 0.5 1 0\nf 1 5 2 3 6 4\n");
+    const Mesh side = read("side.obj", test::square + "v 0.5 0 0\nv 0.5 1 0\nf 1 5 2 3 6 4\n");
     EXPECT_EQ(side.number_of_faces(), 4U);
     EXPECT_GT(test::mesh_quality(side).smallest_angle, 20);
     // Bent: the two halves are planar, the whole is not.
-    EXPECT_EQ(read("bent.obj", square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
-    expect_failure("bow.obj", square + "f 1 2 4 3\n", "crosses or touches itself");
+    EXPECT_EQ(read("bent.obj", test::square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
+    expect_failure("bow.obj", test::square + "f 1 2 4 3\n", "crosses or touches itself");
     expect_failure("star.obj", "v 0 0 0\nv 4 3 0\nv 0 3 0\nv 4 0 0\nv 2 5 0\nf 1 2 3 4 5\n", "crosses");
     // Two sides that go back on others, so that there are as many triangles between sides as a polygon has.
     expect_failure("spikes.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n",
@@ -126,7 +125,7 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
 }
 
 TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
-    const std::string strip = square + "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    const std::string strip = test::square + "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
     const Mesh mesh = read("a.obj", strip + "f 1/1 3/2 2/3\nf 1/1 3/1 4/1\nf 2/1 5/1 3/1\nf 5/1 6/1 3/1\n");
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {4, 5, 2}}));
     const auto texture = mesh.property_map<Face, FaceTexture>(property::texture).first;
@@ -157,14 +156,14 @@ TEST_F(ReadMesh, RefusesAMoebiusBand) {
 }
 
 TEST_F(ReadMesh, DropsUnreferencedVertices) {
-    const Mesh mesh = read("a.obj", "v 9 9 9\n" + square + "v 8 8 8\nf 2 3 4\nf 2 4 5\n");
+    const Mesh mesh = read("a.obj", "v 9 9 9\n" + test::square + "v 8 8 8\nf 2 3 4\nf 2 4 5\n");
     EXPECT_EQ(mesh.number_of_vertices(), 4U);
     EXPECT_EQ(triangles(mesh), (Triangles{{1, 2, 3}, {1, 3, 4}}));
     expect_warning("2 vertices were dropped that no face uses");
 }
 
 TEST_F(ReadMesh, JoinsDuplicatePointsOnRequestOnly) {
-    const std::string text = square + "v 0 0 -0\nv 1 1 0\nf 1 2 3\nf 5 6 4\n";
+    const std::string text = test::square + "v 0 0 -0\nv 1 1 0\nf 1 2 3\nf 5 6 4\n";
     EXPECT_EQ(connected_components(read("a.obj", text)).count, 2);
     const Mesh joined = read("a.obj", text, {true});
     EXPECT_EQ(connected_components(joined).count, 1);
@@ -175,23 +174,23 @@ TEST_F(ReadMesh, JoinsDuplicatePointsOnRequestOnly) {
 
 TEST_F(ReadMesh, NamesTheZeroAreaTriangleOrDropsIt) {
     for (const char* face : {"f 1 1 2", "f 1 5 2", "f 2 3 3"}) {
-        const std::string text = square + "v 0.5 0 0\nf 1 2 3\n" + face + "\nf 1 3 4\n";
+        const std::string text = test::square + "v 0.5 0 0\nf 1 2 3\n" + face + "\nf 1 3 4\n";
         expect_failure("a.obj", text, "a.obj:7: face 1: the triangle of vertices ");
         expect_failure("a.obj", text, "zero area; `repair = true`");
         const Mesh mesh = read("a.obj", text, repair);
         EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}}));
         expect_warning("1 triangle was dropped for zero area");
     }
-    expect_failure("a.obj", square + "f 1 2 2 3\n", "zero area");
-    EXPECT_EQ(read("a.obj", square + "f 1 2 2 3 4\n", repair).number_of_faces(), 2U);
-    expect_failure("a.obj", square + "f 1 1 1\n", "no faces left", repair);
+    expect_failure("a.obj", test::square + "f 1 2 2 3\n", "zero area");
+    EXPECT_EQ(read("a.obj", test::square + "f 1 2 2 3 4\n", repair).number_of_faces(), 2U);
+    expect_failure("a.obj", test::square + "f 1 1 1\n", "no faces left", repair);
     expect_failure("a.off", "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n",
                    "face 0: the triangle of vertices 0, 1 and 2");
 }
 
 TEST_F(ReadMesh, NamesTheNonManifoldEdgeOrSeparatesIt) {
     // Three leaves of a book.
-    const std::string book = square + "v 0.5 0.5 1\nf 1 2 3\nf 1 3 4\nf 1 3 5\n";
+    const std::string book = test::square + "v 0.5 0.5 1\nf 1 2 3\nf 1 3 4\nf 1 3 5\n";
     expect_failure("a.obj", book, "a.obj:8: face 2: non-manifold edge: 3 faces (0, 1, 2)");
     expect_failure("a.obj", book, "vertices 0 and 2 at (0.5, 0.5, 0)");
     const Mesh mesh = read("a.obj", book, repair);
@@ -227,7 +226,7 @@ TEST_F(ReadMesh, SeparatesSolidsThatShareAnEdge) {
 }
 
 TEST_F(ReadMesh, SeparatesFansThatMeetInAPoint) {
-    const Mesh mesh = read("a.obj", square + "v 2 1 0\nv 2 2 0\nf 1 2 3\nf 3 5 6\n");
+    const Mesh mesh = read("a.obj", test::square + "v 2 1 0\nv 2 2 0\nf 1 2 3\nf 3 5 6\n");
     EXPECT_EQ(mesh.number_of_vertices(), 6U);
     EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {2, 4, 5}}));
     expect_warning("1 vertex was doubled");
@@ -235,18 +234,18 @@ TEST_F(ReadMesh, SeparatesFansThatMeetInAPoint) {
 }
 
 TEST_F(ReadMesh, NamesARepeatedTriangleOrDropsIt) {
-    const std::string text = square + "f 1 2 3\nf 1 3 4\nf 3 2 1\n";
+    const std::string text = test::square + "f 1 2 3\nf 1 3 4\nf 3 2 1\n";
     expect_failure("a.obj", text, "a.obj:7: face 2: the triangle of vertices 2, 1 and 0 at (0.6667, 0.333");
     EXPECT_EQ(read("a.obj", text, repair).number_of_faces(), 2U);
     expect_warning("1 triangle was dropped as repeated");
 }
 
 TEST_F(ReadMesh, RefusesIndicesOutOfRange) {
-    expect_failure("a.obj", square + "f 1 2 5\n",
+    expect_failure("a.obj", test::square + "f 1 2 5\n",
                    "a.obj:5: face 0: index out of range: there is no vertex 4");
-    expect_failure("a.obj", square + "f 1 2 0\n", "a.obj:5: `0` index out of range");
-    expect_failure("a.obj", square + "f 1 2 -5\n", "a.obj:5: `-5` index out of range");
-    expect_failure("a.obj", square + "f 1/1 2/1 3/1\n", "a.obj:5: `1/1` names a texture point");
+    expect_failure("a.obj", test::square + "f 1 2 0\n", "a.obj:5: `0` index out of range");
+    expect_failure("a.obj", test::square + "f 1 2 -5\n", "a.obj:5: `-5` index out of range");
+    expect_failure("a.obj", test::square + "f 1/1 2/1 3/1\n", "a.obj:5: `1/1` names a texture point");
     expect_failure("a.ply", ply_header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 4\n",
                    "face 1: index out of range: there is no vertex 4");
     expect_failure("b.ply", ply_header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 -1\n",
@@ -274,7 +273,7 @@ TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
 
 TEST_F(ReadMesh, RefusesMeshesWithoutFaces) {
     expect_failure("a.obj", "", "no faces");
-    expect_failure("a.obj", square, "no faces");
+    expect_failure("a.obj", test::square, "no faces");
     expect_failure("a.off", "OFF\n1 0 0\n0 0 0\n", "no faces");
     expect_failure("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty "
@@ -282,7 +281,7 @@ TEST_F(ReadMesh, RefusesMeshesWithoutFaces) {
                    "no faces");
     expect_failure("a.stl", "solid a\nendsolid a\n", "no faces");
     expect_failure("b.stl", binary_stl({}, 0), "no faces");
-    expect_failure("a.obj", square + "f 1 2\n", "a.obj:5: face 0: has 2 corners");
+    expect_failure("a.obj", test::square + "f 1 2\n", "a.obj:5: face 0: has 2 corners");
 }
 
 // Damaged files must end in a sentence, never in a crash, a hang or half a mesh.
@@ -306,7 +305,7 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
     expect_failure("huge.off", "OFF\n900000000 1 0\n0 0 0\n", "truncated");
     expect_failure("word.obj", "v 0 0 zero\n", "word.obj:1: `zero` is not a number");
     expect_failure("short.obj", "\nv 0 0\n", "short.obj:2: a coordinate is missing");
-    expect_failure("face.obj", square + "f 1 2 x\n", "face.obj:5: `x` is not a vertex number");
+    expect_failure("face.obj", test::square + "f 1 2 x\n", "face.obj:5: `x` is not a vertex number");
 }
 
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
