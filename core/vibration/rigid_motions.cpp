@@ -122,6 +122,7 @@ MatrixXd free_rigid_motions(const Shell& shell, const Positions& x, const BlockM
         const Eigen::JacobiSVD<MatrixXd> parts(triangle.triangularView<Eigen::Upper>().toDenseMatrix(),
                                                Eigen::ComputeFullV);
         const Eigen::Index rank = (parts.singularValues().array() > threshold).count();
+        if (rank == 6) continue;
         const MatrixXd own = rows_of(motions, piece) * parts.matrixV().rightCols(6 - rank);
         free.conservativeResize(Eigen::NoChange, free.cols() + own.cols());
         free.rightCols(own.cols()).setZero();
