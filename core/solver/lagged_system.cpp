@@ -24,8 +24,9 @@ void grow(const Shell& shell, std::vector<char>& flags) {
             for (const Index vertex : triangle.vertices) flags[vertex] = 1;
 }
 
-/// The inertia of each vertex's piece, and its damping of mass, N/m, [V]: all that a loose piece has against a
-/// motion as a whole, and little beside its own stiffness where it is small. 0 where pins or guides hold it.
+/// The inertia of each vertex's piece, and its damping of mass, N/m, [V]: all that a loose piece has against
+/// a motion as a whole, and little beside its own stiffness where it is small. 0 where pins or guides hold
+/// it.
 VectorXd inertia_of_pieces(const Potential& potential) {
     const Shell& shell = potential.of_shell();
     const Pieces all = pieces(shell);
@@ -34,7 +35,8 @@ VectorXd inertia_of_pieces(const Potential& potential) {
     for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
         if (shell.fixed[v] || shell.guide[v]) mass[all.of_vertex[v]] = 0;
     const double of_mass = potential.of_mass();
-    for (Index v = 0; v < static_cast<Index>(result.size()); ++v) result[v] = of_mass * mass[all.of_vertex[v]];
+    for (Index v = 0; v < static_cast<Index>(result.size()); ++v)
+        result[v] = of_mass * mass[all.of_vertex[v]];
     return result;
 }
 
