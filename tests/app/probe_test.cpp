@@ -128,7 +128,8 @@ TEST_F(ProbeTest, TableForPeopleSaysTheSame) {
     const ProgramResult result = run();
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.err.find("2 vertices were dropped that no face uses"), std::string::npos) << result.err;
-    for (const auto& [name, energy] : json()["energy"].items())
+    const nlohmann::json probed = json();
+    for (const auto& [name, energy] : probed["energy"].items())
         EXPECT_NE(result.out.find("\n" + name + " "), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("bending strain"), std::string::npos) << result.out;
 }
