@@ -45,8 +45,8 @@ struct Energy {
                               std::vector<std::pair<Index, Index>>& /*pairs*/) const {}
     /// Fraction, 0 to 1, of a straight motion from x up to which the energy stays finite.
     virtual double safe_fraction(const Positions& /*x*/, const Positions& /*motion*/) const { return 1; }
-    /// What it gives to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2. All else that
-    /// a loose piece has against a motion as a whole is what it touches.
+    /// What it gives to the Hessian for each unit of a vertex's mass, in each direction, 1/s^2. That of the
+    /// air, which goes by area, is not in it.
     virtual double of_mass() const { return 0; }
     /// The task that the energy's computing time is booked on.
     virtual Task task() const { return Task::elasticity; }

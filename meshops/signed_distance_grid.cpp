@@ -23,8 +23,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double most_voxels = 1e8;  // 0.4 GB
-constexpr double most_oblong =
-    20;  // voxels of a level set; beyond, the file is damaged or its transform wrong
+// Of a level set's voxels; beyond, the file is damaged or its transform wrong.
+constexpr double most_oblong = 20;
 constexpr double layer_beyond = 3;  // voxels that the spline uses beyond the farthest point of evaluation
 
 /// Triangles and quadrilaterals in OpenVDB's types, m.
