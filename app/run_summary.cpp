@@ -46,15 +46,18 @@ std::string load_words(const LoadHistory& load) {
     return words;
 }
 
-/// How long, how often and why explicit steps were made between implicit ones.
+/// How long, how often and why explicit steps were made between implicit ones, and how often they could not.
 std::string explicit_words(const RunTotals& totals) {
-    constexpr std::array<const char*, urgency_count> names{"", "strikes", "stress", "cracks",
-                                                           "unsolved steps"};
+    constexpr std::array<const char*, 5> names{"", "strikes", "stress", "cracks", "unsolved steps"};
     std::vector<std::string> causes;
-    for (std::size_t u = 1; u < urgency_count; ++u)
+    for (std::size_t u = 1; u < names.size(); ++u)
         if (totals.urgencies[u] > 0) causes.push_back(fmt::format("{} {}", names[u], totals.urgencies[u]));
-    return fmt::format("{:g} s of it{}", totals.explicit_time,
-                       causes.empty() ? "" : fmt::format("; begun by: {}", fmt::join(causes, ", ")));
+    std::string words = fmt::format("{:g} s of it", totals.explicit_time);
+    if (!causes.empty()) words += fmt::format("; begun by: {}", fmt::join(causes, ", "));
+    if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)
+        words += fmt::format("; {} they could not go on, and implicit ones did",
+                             times == 1 ? "once" : fmt::format("{} times", times));
+    return words;
 }
 
 std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulation& simulation) {

@@ -35,6 +35,7 @@ std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper
 StepperOptions stepper_options(const SimulationOptions& options, const Shell& shell) {
     StepperOptions result = options.stepper;
     result.tolerance = options.tolerance * mean_edge_length(shell);
+    result.contact.barriers_follow = options.alternates;
     return result;
 }
 
@@ -110,6 +111,7 @@ BreakableShell Simulation::with_cracks(BreakableShell sheets) {
 StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
+    if (!pace.is_held()) overwhelmed.clear();
     release_apart();
     while (!attempt(report))
         if (!try_otherwise(report)) give_up(report);
@@ -145,13 +147,29 @@ void Simulation::give_up(const StepReport& report) const {
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     if (!options.stepper.contact.bodies.empty())
         text << "; or a free obstacle moves so fast that it would be beyond what it meets";
+    if (!overwhelmed.empty()) text << "; explicit steps cannot go on, either: " << overwhelmed;
     throw Error(text.str(), Fault::run);
 }
 
-bool Simulation::attempt(StepReport& report) {
+MinimiserResult Simulation::first_solution(StepReport& report) try {
     urgency = Urgency::unsolved;
-    if (!stepper->begin(step_size.size())) return false;
-    MinimiserResult newton = solve_stage(report, options.max_iterations);
+    if (!stepper->begin(step_size.size())) return {};
+    return solve_stage(report, options.max_iterations);
+} catch (const Error&) {
+    throw;
+} catch (const std::runtime_error& error) {
+    if (!options.alternates) throw;
+    if (stepper->scheme() != Scheme::explicit_differences) {
+        if (overwhelmed.empty()) throw;
+        throw std::runtime_error(overwhelmed + "; implicit steps cannot go on, either: " + error.what());
+    }
+    urgency = Urgency::overwhelmed;
+    overwhelmed = error.what();
+    return {};
+}
+
+bool Simulation::attempt(StepReport& report) {
+    MinimiserResult newton = first_solution(report);
     if (!newton.converged) return false;
     const Stopwatch watch(stepper->time_spent(), Task::breaking);
     breakable.set_time(time() + step_size.size());
@@ -328,14 +346,14 @@ void Simulation::read_gauges(StepReport& report) const {
 
 void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
-           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, ends_at_crack, forbidden,
-           grown, scripts] = *this;
+           hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, overwhelmed,
+           ends_at_crack, forbidden, grown, scripts] = *this;
     // What is put back is that of the scheme which the stepper had.
     Scheme scheme = stepper->scheme();
     visit(scheme);
     if (scheme != stepper->scheme()) change_scheme(scheme);
     visit(options.gauges, steps, events, residual, breakable, stepper, growth, fragments, hinge_peaks,
-          obstacles_touched, bodies_touched, step_size, pace, ends_at_crack, forbidden, grown);
+          obstacles_touched, bodies_touched, step_size, pace, overwhelmed, ends_at_crack, forbidden, grown);
 }
 
 Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {

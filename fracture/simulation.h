@@ -37,7 +37,7 @@ struct SimulationOptions {
     int max_stages = 100;  ///< stages of staged breaking in one step
     /// Implicit and explicit steps alternate (StepPace), beginning with implicit ones. Explicit steps are
     /// parts, halved as often as need be, of the stepper's, so that they are not longer than explicit_step,
-    /// s.
+    /// s. One that cannot go on (Stepper::solve throws) is made by implicit ones, as some after it are.
     bool alternates = false;
     double explicit_step = 2e-6;
     bool adaptive = false;  ///< implicit steps get shorter where something strikes or breaks, too
@@ -112,6 +112,8 @@ class Simulation {
     /// Solves a step from its beginning, including its breaking. Returns whether it is made; else urgency
     /// says why not.
     bool attempt(StepReport& report);
+    /// Before anything is judged. Where schemes alternate, what ends explicit steps is kept in `overwhelmed`.
+    MinimiserResult first_solution(StepReport& report);
     /// Makes what follows an attempt in vain another one. Returns false when nothing is left to try.
     bool try_otherwise(StepReport& report);
     /// Judges an implicit step that has been solved.
@@ -169,6 +171,7 @@ class Simulation {
     StepSize step_size;
     StepPace pace;
     Urgency urgency = Urgency::none;  ///< of the last attempt
+    std::string overwhelmed;          ///< what ended explicit steps, while implicit ones are made for that
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
     std::size_t scripts = 0;  ///< motions of the start

@@ -31,7 +31,14 @@ Urgency Simulation::judged(const StepReport& report, const Measured& measured) {
 }
 
 bool Simulation::try_otherwise(StepReport& report) {
-    if (options.alternates && stepper->scheme() != Scheme::explicit_differences) {
+    if (urgency == Urgency::overwhelmed) {
+        report.urgency = urgency;
+        change_scheme(Scheme::implicit_euler);
+        pace.stays_implicit();
+        step_size.resume();
+        return true;
+    }
+    if (options.alternates && !pace.is_held() && stepper->scheme() != Scheme::explicit_differences) {
         report.urgency = urgency;
         change_scheme(Scheme::explicit_differences);
         pace.goes_explicit();
@@ -51,7 +58,7 @@ void Simulation::pace_on(const StepReport& report) {
     const StepActivity step{report.peak_overload, report.stages > 0, report.contact, 0,
                             report.kinetic + report.bending + report.membrane + report.contact};
     if (!report.is_explicit) {
-        pace.implicit_finished(step);
+        pace.implicit_finished(step, step_size.is_at_whole());
     } else if (pace.explicit_finished(step, step_size.is_at_whole()) && options.alternates) {
         change_scheme(Scheme::implicit_euler);
         step_size.resume();

@@ -25,6 +25,7 @@ bool StepPace::strikes(const StepActivity& solved) const {
 }
 
 Urgency StepPace::judge(const StepActivity& solved) const {
+    if (is_held()) return Urgency::none;
     if (solved.fails) return Urgency::crack;
     if (implicit_steps < calming) return Urgency::none;
     if (solved.overload > near_failure) return Urgency::stress;
@@ -35,9 +36,10 @@ bool StepPace::is_too_long(const StepActivity& solved) const {
     return solved.overload > far_beyond || strikes(solved);
 }
 
-void StepPace::implicit_finished(const StepActivity& step) {
+void StepPace::implicit_finished(const StepActivity& step, bool whole) {
     largest_energy = std::max(largest_energy, step.energy);
     ++implicit_steps;
+    if (whole && is_held()) --held;
 }
 
 void StepPace::goes_explicit() {
@@ -46,6 +48,12 @@ void StepPace::goes_explicit() {
     quiet = implicit_steps = 0;
     is_busy = false;
     contact = {};
+}
+
+void StepPace::stays_implicit() {
+    held = hold;
+    hold = std::min(2 * hold, most_quiet);
+    quiet = implicit_steps = 0;
 }
 
 bool StepPace::explicit_finished(const StepActivity& step, bool whole) {

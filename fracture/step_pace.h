@@ -12,13 +12,14 @@ namespace sherd {
 /// Why an implicit step should be shorter, or be made of explicit ones.
 enum class Urgency : std::uint8_t {
     none,
-    strike,    ///< something strikes, and the time scheme takes much of its energy
-    stress,    ///< something may fail soon
-    crack,     ///< something fails
-    unsolved,  ///< the step cannot be solved
+    strike,       ///< something strikes, and the time scheme takes much of its energy
+    stress,       ///< something may fail soon
+    crack,        ///< something fails
+    unsolved,     ///< the step cannot be solved
+    overwhelmed,  ///< explicit steps cannot go on: implicit ones shall
 };
 
-inline constexpr std::size_t urgency_count = 5;
+inline constexpr std::size_t urgency_count = 6;
 
 /// What a step has done, or would do.
 struct StepActivity {
@@ -31,7 +32,8 @@ struct StepActivity {
 
 /// Judges steps by what they do. Where schemes alternate, explicit steps follow when an implicit one has been
 /// solved and turns out urgent, and implicit ones when nothing has happened for some whole steps: twice as
-/// many of them each time that explicit steps had to follow at once again.
+/// many of them each time that explicit steps had to follow at once again. When explicit steps cannot go on,
+/// implicit ones follow for some whole steps, urgent or not: twice as many each time.
 class StepPace {
   public:
     /// little: J, so much and less in a step is never a blow.
@@ -40,16 +42,18 @@ class StepPace {
     Urgency judge(const StepActivity& solved) const;
     /// Whether it should be shorter: it strikes, or goes far over what something withstands.
     bool is_too_long(const StepActivity& solved) const;
-    /// An implicit step has been finished.
-    void implicit_finished(const StepActivity& step);
+    /// An implicit step has been finished; whole: at a multiple of the nominal length.
+    void implicit_finished(const StepActivity& step, bool whole);
     /// Explicit steps follow.
     void goes_explicit();
-    /// An explicit step has been finished; whole: at a multiple of the nominal length. Returns whether
-    /// implicit steps shall follow.
+    /// Implicit steps follow, because explicit ones cannot go on.
+    void stays_implicit();
+    bool is_held() const { return held > 0; }  ///< whether steps must be implicit
+    /// An explicit step has been finished; whole: as before. Returns whether implicit steps shall follow.
     bool explicit_finished(const StepActivity& step, bool whole);
     void visit_state(StateVisitor& visit) {
-        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps] = *this;
-        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps);
+        auto& [little, largest_energy, is_busy, contact, quiet, enough, implicit_steps, held, hold] = *this;
+        visit(largest_energy, is_busy, contact, quiet, enough, implicit_steps, held, hold);
     }
 
   private:
@@ -74,6 +78,8 @@ class StepPace {
     int quiet = 0;                 ///< whole steps in which nothing has
     int enough = least_quiet;      ///< of them, for implicit steps to follow
     int implicit_steps = calming;  ///< since the last explicit one
+    int held = 0;                  ///< whole steps that still must be implicit
+    int hold = least_quiet;        ///< of them, the next time that explicit ones cannot go on
 };
 
 }  // namespace sherd

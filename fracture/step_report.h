@@ -33,7 +33,7 @@ struct StepReport : EnergyBalance {
     Index stages = 0;    ///< stages of breaking
     bool stage_cap_reached = false;
     bool is_explicit = false;         ///< whether it was made of substeps
-    Urgency urgency = Urgency::none;  ///< why explicit steps begin with it, after implicit ones
+    Urgency urgency = Urgency::none;  ///< why steps of the other scheme begin with it
     Index contacts = 0;               ///< number of vertices in contact with obstacles or bodies
     double obstacle_overlap = 0;      ///< m, largest overlap of a sheet with an obstacle or a body
     double lip_overlap = 0;           ///< m, largest overlap of lips of cracks that have not moved apart yet

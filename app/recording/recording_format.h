@@ -149,10 +149,12 @@ struct Table<StepReport> {
         visit("stages", {"1", "stages of breaking"}, &R::stages);
         visit("stage_cap_reached", {"1", "0 no, 1 yes"}, &R::stage_cap_reached);
         visit("is_explicit", {"1", "whether the step was made of substeps, 0 no, 1 yes"}, &R::is_explicit);
-        visit("urgency",
-              {"1",
-               "why explicit steps begin after implicit ones: 1 a strike, 2 stress, 3 a crack, 4 unsolved"},
-              &R::urgency);
+        visit(
+            "urgency",
+            {"1",
+             "why explicit steps begin after implicit ones: 1 a strike, 2 stress, 3 a crack, 4 unsolved; 5: "
+             "implicit ones, because explicit ones cannot go on"},
+            &R::urgency);
         visit("contacts", {"1", "vertices in contact"}, &R::contacts);
         visit("obstacle_overlap", {"m", "how deep a sheet's surface is in an obstacle"},
               &R::obstacle_overlap);

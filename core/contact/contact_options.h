@@ -12,6 +12,9 @@ struct ContactOptions {
     std::vector<char> crossed = {};      ///< see surface_pairs()
     bool sheets = false;                 ///< whether sheets collide with each other and with themselves
     double friction = 0;                 ///< Coulomb coefficient between sheets
+    /// Whether implicit steps may go on wherever explicit ones end: pairs stay apart as barriers must have
+    /// it.
+    bool barriers_follow = false;
 };
 
 }  // namespace sherd

@@ -72,7 +72,7 @@ Positions ExplicitStepper::Forces::sum() const {
 }
 
 bool ExplicitStepper::begin(double of_step) {
-    if (made) contact.of_bodies().restart();
+    discard();
     step = {time, of_step, of_step, shell.position, shell.velocity, {}};
     position = shell.position;
     velocity = shell.velocity;
@@ -90,6 +90,10 @@ bool ExplicitStepper::begin(double of_step) {
     if (first || made) feel();
     first = made = false;
     return true;
+}
+
+void ExplicitStepper::discard() {
+    if (made) contact.of_bodies().restart();
 }
 
 void ExplicitStepper::choose_substep() {
@@ -192,9 +196,9 @@ void ExplicitStepper::measure_vertices() {
 MinimiserResult ExplicitStepper::solve(int) {
     const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
     if (made) return {0, true, 0};
+    made = true;
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
     energies_now.reset();
-    made = true;
     const VectorXd mass = free_mass(shell);
     work.balance.lost_to_scheme =
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);

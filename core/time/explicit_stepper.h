@@ -58,6 +58,7 @@ class ExplicitStepper : public Stepper {
             visit(elastic, damping, opening, outer, contact);
         }
     };
+    void discard() override;
     double stored_in_contact() const override { return contact.stored_energy(position); }
     PotentialEnergies elastic_energies() const override;
     void choose_substep();
@@ -103,7 +104,7 @@ class ExplicitStepper : public Stepper {
     int substeps = 0;                  ///< of the open step, or of the last one
     double length = 0;                 ///< s, of each of them
     bool first = true;                 ///< whether no step has begun yet
-    bool made = false;                 ///< whether the open step has been made
+    bool made = false;                 ///< whether the open step has been made, or begun to be
     bool changed = true;               ///< whether the shell has changed since the frequency was estimated
     double strain_then = 0;            ///< largest of all faces then
     Positions mode;                    ///< of the highest frequency

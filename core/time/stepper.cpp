@@ -41,6 +41,7 @@ std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& option
 }
 
 std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme) {
+    before->discard();
     StepperOptions options = before->options;
     options.scheme = scheme;
     options.contact.bodies = before->bodies();

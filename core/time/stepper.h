@@ -123,6 +123,8 @@ class Stepper {
   protected:
     /// The shell must outlive this object.
     Stepper(Shell& shell, const StepperOptions& options, StepperStart start);
+    /// Takes back what an open step has changed beyond `position`, if anything.
+    virtual void discard() {}
     virtual double stored_in_contact() const = 0;  ///< J, elastic, at `position`
     /// Clamps and symmetry planes, too, stand where they are when the step begins.
     void place_clamps_at_start(StepContext step);
@@ -152,8 +154,8 @@ class Stepper {
 StepperStart stepper_start(const Shell& shell, const StepperOptions& options);
 /// The stepper of the options' scheme. The shell must outlive it.
 std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options);
-/// One of another scheme, that goes on where a stepper has finished a step. Edges that open are forgotten:
-/// nothing holds them any more.
+/// One of another scheme, that goes on where a stepper has finished its last step; an open one is discarded.
+/// Edges that open are forgotten: nothing holds them any more.
 std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme);
 
 }  // namespace sherd

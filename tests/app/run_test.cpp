@@ -42,6 +42,33 @@ TEST(Run, ThatCannotGoOnEndsWithARecordingOfWhatWas) {
     EXPECT_NE(info.out.find("failed: step 1"), std::string::npos) << info.out;
 }
 
+// A needle needs more explicit substeps than anyone can wait for. Whoever asked for explicit steps where
+// something strikes would not know that there were none.
+TEST(Run, TellsWhereExplicitStepsCouldNotGoOn) {
+    const test::TemporaryDirectory directory;
+    std::ofstream(directory.path / "needle.obj") << "v 0 0 0\nv 1 0 0\nv 0.5 1e-9 0\nf 1 2 3\n";
+    std::ofstream(directory.path / "scene.toml") << R"(
+duration = 0.002
+[sheet.plate]
+mesh = { file = "needle.obj" }
+material = { density = 7850, thickness = 0.0001, young = 2e11 }
+place = { translate = [0, 0, 0.004] }
+velocity = [0, 0, -3]
+[obstacle.floor]
+plane = {}
+[solver]
+scheme = "auto"
+)";
+    const auto result = test::run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("they could not go on, and implicit ones did"), std::string::npos)
+        << result.out;
+    const std::vector<StepReport> steps = Recording(directory.path / "run.h5").steps();
+    EXPECT_TRUE(std::ranges::any_of(steps, [](const StepReport& step) {
+        return step.urgency == Urgency::overwhelmed && !step.is_explicit;
+    }));
+}
+
 // Nobody could see what a run spends its time on, or would have to filter it out of the results.
 TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     const test::TemporaryDirectory directory;

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "fracture/simulation.h"
+#include "meshops/error.h"
 #include "tests/support/obstacles.h"
 #include "tests/support/tilted_square.h"
 
 namespace sherd {
 namespace {
 
-/// A square that falls onto a floor, at an angle, and bounces; it lasts 0.02 s.
+/// A square that falls onto a floor, at an angle, and bounces.
 struct Fall {
     explicit Fall(double strength = 0) {
         sheet = test::tilted_square(0.5, {-0.5, -0.5, 0.006}, 0.2);
@@ -24,33 +25,35 @@ struct Fall {
     template <class Look>
     void run(const Look& look) const {
         Simulation simulation({sheet}, options);
-        while (simulation.time() < 0.02 - 1e-9) look(simulation.step());
+        while (simulation.time() < duration - 1e-9) look(simulation.step());
     }
 
     SheetInput sheet;
     SimulationOptions options;
+    double duration = 0.02;  // s
 };
 
 struct Course {
     double explicit_time = 0, largest = 0, unexplained = 0, rises = 0, shortest = 1;
-    int changes = 0, steps = 0, failures = 0;
+    int changes = 0, steps = 0, overwhelmed = 0;
+    bool was_explicit = false;
+
+    void add(const StepReport& report) {
+        explicit_time += report.is_explicit ? report.step_size : 0;
+        changes += report.is_explicit != was_explicit;
+        was_explicit = report.is_explicit;
+        largest = std::max(largest, report.kinetic + report.bending + report.membrane + report.contact);
+        unexplained = std::max(unexplained, std::abs(report.unexplained));
+        rises = std::max(rises, report.linear_momentum.z());
+        shortest = std::min(shortest, report.step_size);
+        overwhelmed += report.urgency == Urgency::overwhelmed;
+        ++steps;
+    }
 };
 
 Course course(const Fall& fall) {
     Course all;
-    bool was_explicit = false;
-    fall.run([&](const StepReport& report) {
-        all.explicit_time += report.is_explicit ? report.step_size : 0;
-        all.changes += report.is_explicit != was_explicit;
-        was_explicit = report.is_explicit;
-        all.largest =
-            std::max(all.largest, report.kinetic + report.bending + report.membrane + report.contact);
-        all.unexplained = std::max(all.unexplained, std::abs(report.unexplained));
-        all.rises = std::max(all.rises, report.linear_momentum.z());
-        all.shortest = std::min(all.shortest, report.step_size);
-        all.failures += static_cast<int>(report.stages);
-        ++all.steps;
-    });
+    fall.run([&](const StepReport& report) { all.add(report); });
     return all;
 }
 
@@ -79,6 +82,32 @@ TEST(AlternatingSteps, CrackExplicitly) {
         EXPECT_LT(std::abs(report.unexplained), 1e-6 * 20);
     });
     EXPECT_GT(failures, 0);
+}
+
+/// A square that meets a box so fast that no spring of its stiffness stops it.
+Fall blow() {
+    Fall fall;
+    fall.sheet.velocity = {0, 0, -600};
+    fall.options.stepper.step = 1e-5;
+    fall.options.explicit_step = 1e-6;
+    fall.options.stepper.contact.obstacles = {test::solid_box({0, 0, -0.5}, {0.5, 0.5, 0.5})};
+    fall.duration = 4e-4;
+    return fall;
+}
+
+// A run by turns would end at a blow that implicit steps bear.
+TEST(AlternatingSteps, AreImplicitWhereExplicitOnesCannotGoOn) {
+    Fall fall = blow();
+    fall.options.stepper.scheme = Scheme::explicit_differences;
+    fall.options.stepper.step = fall.options.explicit_step;
+    EXPECT_THROW(course(fall), Error) << "else this is no such blow";
+    fall = blow();
+    fall.options.alternates = true;
+    const Course both = course(fall);
+    EXPECT_GE(both.overwhelmed, 1);
+    EXPECT_GT(both.explicit_time, 0);
+    EXPECT_LT(both.unexplained, 1e-6 * both.largest);
+    EXPECT_GT(both.rises, 0) << "it is thrown back";
 }
 
 // Times of whole steps are exact, so that frames are where the scene has them.

@@ -25,7 +25,7 @@ TEST(StepPace, WhatIsMuchIsOfTheLargestEnergy) {
     StepPace pace;
     StepActivity large = calm;
     large.energy = 1000;
-    pace.implicit_finished(large);
+    pace.implicit_finished(large, true);
     EXPECT_EQ(pace.judge(strike), Urgency::none);
 }
 
@@ -74,7 +74,7 @@ TEST(StepPace, FirstImplicitStepsCalmWhatRings) {
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(pace.judge(strike), Urgency::none);
         EXPECT_EQ(pace.judge(cracking), Urgency::crack) << "but for what fails";
-        pace.implicit_finished(strike);
+        pace.implicit_finished(strike, true);
     }
     EXPECT_EQ(pace.judge(strike), Urgency::strike);
 }
@@ -85,13 +85,31 @@ TEST(StepPace, TrialsInVainAreMadeLessOften) {
     pace.goes_explicit();
     for (const int quiet : {4, 8, 16, 32, 64, 64}) {
         EXPECT_EQ(whole_steps_until_quiet(pace, calm), quiet);
-        pace.implicit_finished(calm);
+        pace.implicit_finished(calm, true);
         pace.goes_explicit();
     }
     whole_steps_until_quiet(pace, calm);
-    for (int i = 0; i < 10; ++i) pace.implicit_finished(calm);
+    for (int i = 0; i < 10; ++i) pace.implicit_finished(calm, true);
     pace.goes_explicit();
     EXPECT_EQ(whole_steps_until_quiet(pace, calm), 4) << "the last trial was not in vain";
+}
+
+// Explicit steps that could not go on would fail again at once; if none ever followed, all later cracks would
+// be those of implicit steps.
+TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
+    StepPace pace;
+    for (const int whole_steps : {4, 8, 16, 32, 64, 64}) {
+        pace.goes_explicit();
+        pace.stays_implicit();
+        for (int whole = 0; whole < whole_steps; ++whole)
+            for (int i = 0; i < 4; ++i) {
+                EXPECT_TRUE(pace.is_held());
+                EXPECT_EQ(pace.judge(cracking), Urgency::none);
+                pace.implicit_finished(cracking, i == 3);
+            }
+        EXPECT_FALSE(pace.is_held());
+        EXPECT_EQ(pace.judge(cracking), Urgency::crack);
+    }
 }
 
 TEST(StepPace, AStepIsTooLongWhereItStrikesOrGoesFarBeyondStrength) {

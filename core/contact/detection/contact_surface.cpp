@@ -228,8 +228,12 @@ double ContactSurface::column(PairKind kind, const std::array<Index, 4>& vertice
 
 ContactPair ContactSurface::bare_pair(PairKind kind, const std::array<Index, 4>& vertices,
                                       double activation_distance) const {
-    const double closest = springs ? 0 : collider_of(kind, vertices) ? closest_to_collider : closest_to_sheet;
+    const double closest = springs ? 0 : closest_of_barrier(kind, vertices);
     return {kind, vertices, 0, activation_distance, {}, closest, springs};
+}
+
+double ContactSurface::closest_of_barrier(PairKind kind, const std::array<Index, 4>& vertices) const {
+    return collider_of(kind, vertices) ? closest_to_collider : closest_to_sheet;
 }
 
 void ContactSurface::stiffen(ContactPair& pair) const {

@@ -100,6 +100,10 @@ class ContactSurface {
     /// The activation distance, m; of elements with vertices that are near since the start at most their
     /// reach.
     double activation_distance(PairKind kind, const std::array<Index, 4>& vertices) const;
+    /// The distance, m, beyond which the barrier of a pair is finite: its minimum, if it is no spring.
+    double minimum_of_barrier(const ContactPair& pair) const {
+        return closest_of_barrier(pair.kind, pair.vertices) * pair.activation_distance;
+    }
     /// The pair without its stiffness and mollifier.
     ContactPair bare_pair(PairKind kind, const std::array<Index, 4>& vertices,
                           double activation_distance) const;
@@ -118,6 +122,8 @@ class ContactSurface {
 
   private:
     Index of_sheet(Index vertex) const { return vertex - collider_vertices(); }
+    /// The minimum of a pair that is no spring, as a share of its activation distance.
+    double closest_of_barrier(PairKind kind, const std::array<Index, 4>& vertices) const;
     bool joined(Index a, Index b) const;   ///< whether they are the same vertex or twins
     double reach(Index a, Index b) const;  ///< m, of NearVertices; infinite if they are none
     /// Half the thickness of either element, m.

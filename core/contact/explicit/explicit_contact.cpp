@@ -216,11 +216,17 @@ void ExplicitContact::require_no_passage(const StepContext& step, const Position
     if (!sheets) return;
     sheets->begin(step);
     const bool free = sheets->safe_fraction_of_step(step.origin, end - step.origin) == 1;
+    const bool is_too_deep = options.barriers_follow && !sheets->leaves_room_for_barriers(end);
     sheets->begin(substep);
+    if (is_too_deep)
+        throw std::runtime_error(
+            "contact: a sheet is pressed so far into another one, or into an obstacle, that implicit steps "
+            "could not go on from there: the springs of explicit contact are overwhelmed; a stiffer or a "
+            "thicker sheet, or less speed, may help");
     if (!free)
         throw std::runtime_error(
             "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
-            "contact are overwhelmed; a stiffer or a thicker sheet, or less speed, may help");
+            "contact are overwhelmed; a stiffer or a thicker sheet, less speed, or implicit steps may help");
 }
 
 Positions ExplicitContact::lip_forces(const Positions& x) const {

@@ -36,7 +36,8 @@ class ExplicitContact {
     /// a step in which it moves by `motion` [3, V] m.
     double largest_rate(const StepContext& step, const Positions& motion);
     /// Ends a step with the shell at `end` [3, V] m. Throws std::runtime_error if a sheet passes through
-    /// another one, or through an obstacle's surface, in the straight motion from its origin.
+    /// another one, or through an obstacle's surface, in the straight motion from its origin; or is too deep
+    /// in it for ContactOptions::barriers_follow.
     void end(const StepContext& step, const Positions& end);
     /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces and
     /// those on the vertices of what deforms (ContactForces): the mean over the substep.

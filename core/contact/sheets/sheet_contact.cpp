@@ -8,6 +8,8 @@
 namespace sherd {
 namespace {
 
+constexpr double room_for_barriers = 0.02;  // of their range, at least
+
 std::string message(const ContactSurface& surface, const ContactPair& pair, double apart) {
     std::string of_sheets, of_colliders;
     for (const Index vertex : pair.vertices)
@@ -120,6 +122,15 @@ void SheetContact::require_apart(const Positions& x) const {
         const double apart = distance(pair, columns(all, pair.vertices));
         if (!(apart > pair.minimum())) throw std::runtime_error(message(surface(), pair, apart));
     }
+}
+
+bool SheetContact::leaves_room_for_barriers(const Positions& x) const {
+    const Positions& all = at_end(x);
+    return std::ranges::none_of(near.active_pairs(all), [&](const ContactPair& pair) {
+        const double minimum = surface().minimum_of_barrier(pair);
+        return within(minimum + room_for_barriers * (pair.activation_distance - minimum), pair,
+                      columns(all, pair.vertices));
+    });
 }
 
 }  // namespace sherd

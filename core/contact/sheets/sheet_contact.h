@@ -114,6 +114,8 @@ class SheetContact : public Energy {
     /// Throws std::runtime_error, with the vertices of the first pair, if any pair is closer than its minimum
     /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
+    /// Whether pairs that are springs could be barriers with the shell at x at the end of the step.
+    bool leaves_room_for_barriers(const Positions& x) const;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
         visit(near, start, end);
