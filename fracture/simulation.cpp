@@ -35,7 +35,6 @@ std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper
 StepperOptions stepper_options(const SimulationOptions& options, const Shell& shell) {
     StepperOptions result = options.stepper;
     result.tolerance = options.tolerance * mean_edge_length(shell);
-    result.contact.barriers_follow = options.alternates;
     return result;
 }
 
@@ -111,7 +110,7 @@ BreakableShell Simulation::with_cracks(BreakableShell sheets) {
 StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
-    if (!pace.is_held()) overwhelmed.clear();
+    is_resort_tried = false;
     release_apart();
     while (!attempt(report))
         if (!try_otherwise(report)) give_up(report);
@@ -128,6 +127,8 @@ StepReport Simulation::step() try {
 }
 
 void Simulation::give_up(const StepReport& report) const {
+    if (urgency == Urgency::overwhelmed)
+        throw std::runtime_error(overwhelmed + "; and implicit steps from there cannot be solved, either");
     const bool statics = options.stepper.scheme == Scheme::statics;
     const char* unit = statics ? "" : " s";
     std::ostringstream text;
@@ -147,7 +148,6 @@ void Simulation::give_up(const StepReport& report) const {
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     if (!options.stepper.contact.bodies.empty())
         text << "; or a free obstacle moves so fast that it would be beyond what it meets";
-    if (!overwhelmed.empty()) text << "; explicit steps cannot go on, either: " << overwhelmed;
     throw Error(text.str(), Fault::run);
 }
 
@@ -158,13 +158,12 @@ MinimiserResult Simulation::first_solution(StepReport& report) try {
 } catch (const Error&) {
     throw;
 } catch (const std::runtime_error& error) {
-    if (!options.alternates) throw;
-    if (stepper->scheme() != Scheme::explicit_differences) {
-        if (overwhelmed.empty()) throw;
-        throw std::runtime_error(overwhelmed + "; implicit steps cannot go on, either: " + error.what());
+    const bool is_explicit = stepper->scheme() == Scheme::explicit_differences;
+    if (!options.alternates || !(is_explicit || pace.is_held())) throw;
+    if (is_explicit) {
+        urgency = Urgency::overwhelmed;
+        overwhelmed = error.what();
     }
-    urgency = Urgency::overwhelmed;
-    overwhelmed = error.what();
     return {};
 }
 
@@ -347,13 +346,14 @@ void Simulation::read_gauges(StepReport& report) const {
 void Simulation::visit_state(StateVisitor& visit) {
     auto& [options, steps, events, residual, residual_at_start, breakable, stepper, growth, fragments,
            hinge_peaks, obstacles_touched, bodies_touched, step_size, pace, urgency, overwhelmed,
-           ends_at_crack, forbidden, grown, scripts] = *this;
+           is_last_resort, is_resort_tried, ends_at_crack, forbidden, grown, scripts] = *this;
     // What is put back is that of the scheme which the stepper had.
     Scheme scheme = stepper->scheme();
-    visit(scheme);
-    if (scheme != stepper->scheme()) change_scheme(scheme);
+    const bool was_last_resort = is_last_resort;
+    visit(scheme, is_last_resort);
+    if (scheme != stepper->scheme() || is_last_resort != was_last_resort) change_scheme(scheme);
     visit(options.gauges, steps, events, residual, breakable, stepper, growth, fragments, hinge_peaks,
-          obstacles_touched, bodies_touched, step_size, pace, overwhelmed, ends_at_crack, forbidden, grown);
+          obstacles_touched, bodies_touched, step_size, pace, ends_at_crack, forbidden, grown);
 }
 
 Snapshot Simulation::snapshot(const FaceFieldChoice& fields) const {

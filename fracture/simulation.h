@@ -118,6 +118,7 @@ class Simulation {
     bool try_otherwise(StepReport& report);
     /// Judges an implicit step that has been solved.
     Urgency judged(const StepReport& report, const Measured& measured);
+    void go_explicit(StepReport& report);
     void change_scheme(Scheme scheme);
     /// Breaks and solves again until nothing is overloaded. Returns the result of the last solution.
     MinimiserResult break_in_stages(StepReport& report, MinimiserResult newton, Measured measured);
@@ -171,7 +172,11 @@ class Simulation {
     StepSize step_size;
     StepPace pace;
     Urgency urgency = Urgency::none;  ///< of the last attempt
-    std::string overwhelmed;          ///< what ended explicit steps, while implicit ones are made for that
+    std::string overwhelmed;          ///< what ended the last explicit step that could not go on
+    /// Whether steps are explicit because implicit ones cannot go on, either: they may then press sheets
+    /// deeper than barriers bear.
+    bool is_last_resort = false;
+    bool is_resort_tried = false;  ///< in the open step
     bool ends_at_crack = false;
     Index forbidden = 0, grown = 0;
     std::size_t scripts = 0;  ///< motions of the start

@@ -32,26 +32,38 @@ Urgency Simulation::judged(const StepReport& report, const Measured& measured) {
 
 bool Simulation::try_otherwise(StepReport& report) {
     if (urgency == Urgency::overwhelmed) {
+        if (is_resort_tried) return false;
         report.urgency = urgency;
+        is_last_resort = false;
         change_scheme(Scheme::implicit_euler);
         pace.stays_implicit();
         step_size.resume();
         return true;
     }
-    if (options.alternates && !pace.is_held() && stepper->scheme() != Scheme::explicit_differences) {
-        report.urgency = urgency;
-        change_scheme(Scheme::explicit_differences);
-        pace.goes_explicit();
-        step_size.keep(halvings_to(options.explicit_step, options.stepper.step));
+    const bool can_go_explicit = options.alternates && stepper->scheme() != Scheme::explicit_differences;
+    if (can_go_explicit && !pace.is_held()) {
+        go_explicit(report);
         return true;
     }
-    if (!step_size.halve()) return false;
-    ++report.halvings;
+    if (step_size.halve()) {
+        ++report.halvings;
+        return true;
+    }
+    if (!can_go_explicit) return false;
+    is_last_resort = is_resort_tried = true;
+    go_explicit(report);
     return true;
 }
 
+void Simulation::go_explicit(StepReport& report) {
+    report.urgency = urgency;
+    change_scheme(Scheme::explicit_differences);
+    pace.goes_explicit();
+    step_size.keep(halvings_to(options.explicit_step, options.stepper.step));
+}
+
 void Simulation::change_scheme(Scheme scheme) {
-    stepper = with_scheme(std::move(stepper), scheme);
+    stepper = with_scheme(std::move(stepper), scheme, options.alternates && !is_last_resort);
 }
 
 void Simulation::pace_on(const StepReport& report) {
@@ -60,6 +72,7 @@ void Simulation::pace_on(const StepReport& report) {
     if (!report.is_explicit) {
         pace.implicit_finished(step, step_size.is_at_whole());
     } else if (pace.explicit_finished(step, step_size.is_at_whole()) && options.alternates) {
+        is_last_resort = false;
         change_scheme(Scheme::implicit_euler);
         step_size.resume();
     }

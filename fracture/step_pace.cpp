@@ -45,7 +45,7 @@ void StepPace::implicit_finished(const StepActivity& step, bool whole) {
 void StepPace::goes_explicit() {
     const bool in_vain = implicit_steps < soon && quiet > 0;
     enough = in_vain ? std::min(2 * enough, most_quiet) : least_quiet;
-    quiet = implicit_steps = 0;
+    quiet = implicit_steps = held = 0;
     is_busy = false;
     contact = {};
 }

@@ -40,12 +40,13 @@ std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& option
     return stepper_of(shell, options, stepper_start(shell, options));
 }
 
-std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme) {
+std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme, bool barriers_follow) {
     before->discard();
     StepperOptions options = before->options;
     options.scheme = scheme;
     options.contact.bodies = before->bodies();
     options.contact.crossed = before->crossed();
+    options.contact.barriers_follow = barriers_follow;
     before->forces.damp(shell_options(before->shell, options));
     before->ledger.scheme_changed();
     return stepper_of(before->shell, options,

@@ -147,7 +147,8 @@ class Stepper {
     EnergyLedger ledger;
     double time = 0;  ///< s, end of the finished steps
 
-    friend std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme);
+    friend std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme,
+                                                bool barriers_follow);
 };
 
 /// The start of a run.
@@ -155,7 +156,8 @@ StepperStart stepper_start(const Shell& shell, const StepperOptions& options);
 /// The stepper of the options' scheme. The shell must outlive it.
 std::unique_ptr<Stepper> make_stepper(Shell& shell, const StepperOptions& options);
 /// One of another scheme, that goes on where a stepper has finished its last step; an open one is discarded.
-/// Edges that open are forgotten: nothing holds them any more.
-std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme);
+/// Edges that open are forgotten: nothing holds them any more. barriers_follow: see ContactOptions.
+std::unique_ptr<Stepper> with_scheme(std::unique_ptr<Stepper> before, Scheme scheme,
+                                     bool barriers_follow = false);
 
 }  // namespace sherd
