@@ -110,6 +110,9 @@ TEST(StepPace, ImplicitStepsGoOnForSomeWholeStepsWhereExplicitOnesCannot) {
         EXPECT_FALSE(pace.is_held());
         EXPECT_EQ(pace.judge(cracking), Urgency::crack);
     }
+    pace.stays_implicit();
+    pace.goes_explicit();
+    EXPECT_FALSE(pace.is_held()) << "nothing else was left";
 }
 
 TEST(StepPace, AStepIsTooLongWhereItStrikesOrGoesFarBeyondStrength) {
