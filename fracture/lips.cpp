@@ -9,6 +9,8 @@
 namespace sherd {
 namespace {
 
+constexpr double rounding = 1e-9;  // of the thickness: ends of two lips nearer than this are one place
+
 Index number(Vertex vertex) {
     return static_cast<Index>(vertex);
 }
@@ -45,15 +47,16 @@ struct LipSide {
         : ends{mesh.source(h), mesh.target(h)},
           apex(mesh.target(mesh.next(h))),
           rest(shell.rest),
-          length((rest.col(number(ends[0])) - rest.col(number(ends[1]))).norm()) {}
+          length((rest.col(number(ends[0])) - rest.col(number(ends[1]))).norm()),
+          reach(rounding * shell.thickness[number(ends[0])]) {}
 
     /// Where a vertex of the other lip lies along this one at rest: 0 at its first end, 1 at its second one,
-    /// exactly if it was born with that.
+    /// exactly if it was born with that or the two lips were cut at one place, each by a crack of its own.
     double place(Vertex vertex) const {
         const Vector3d at = rest.col(number(vertex)), start = rest.col(number(ends[0])),
                        end = rest.col(number(ends[1]));
-        if (at == start) return 0;
-        if (at == end) return 1;
+        if ((at - start).norm() <= reach) return 0;
+        if ((at - end).norm() <= reach) return 1;
         return (at - start).dot(end - start) / (length * length);
     }
     std::array<Index, 4> stencil(Vertex vertex) const {
@@ -63,7 +66,7 @@ struct LipSide {
     std::array<Vertex, 2> ends;
     Vertex apex;
     const Positions& rest;
-    double length;  ///< m, at rest
+    double length, reach;  ///< m, at rest
 };
 
 }  // namespace

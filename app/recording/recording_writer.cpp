@@ -378,12 +378,13 @@ void RecordingWriter::go_on(const std::string& scene_text) try {
 void RecordingWriter::finish(double wall_seconds, const std::string& end) {
     PendingFile index(output.index, Fault::run);
     write_index(index);
+    // Before the recording says that it is complete: from then on nobody comes back to its index.
+    index.publish(true);
+    indexed = frames.size();
     hdf5::change(recording, [&](hid_t opened) {
         hdf5::write_attribute(opened, "wall_seconds", wall_seconds);
         hdf5::write_attribute(opened, "end", end);
     });
-    index.publish(true);
-    indexed = frames.size();
 }
 
 }  // namespace sherd

@@ -11,6 +11,7 @@
 #include "core/contact/lips/lip.h"
 #include "core/time/implicit_stepper.h"
 #include "fracture/breakable_shell.h"
+#include "meshops/error.h"
 #include "meshops/generate.h"
 #include "meshops/self_intersections.h"
 #include "tests/support/materials.h"
@@ -207,12 +208,22 @@ class CutStrip {
         return LipContact(shell.lips).value(x);
     }
     std::size_t lip_count() const { return lips().size(); }
+    /// Which of the lips lies on this one; cuts leave it, or its first piece, there.
+    unsigned facing(unsigned lip) const {
+        const std::vector<Halfedge> all = lips();
+        for (unsigned other = 0; other < all.size(); ++other)
+            if (rest(sheet.mesh().source(all[other])) == rest(sheet.mesh().target(all[lip])) &&
+                rest(sheet.mesh().target(all[other])) == rest(sheet.mesh().source(all[lip])))
+                return other;
+        throw Error("no lip lies on this one");
+    }
 
   private:
     Vector3d rest(Vertex v) const { return sheet.mechanics().rest.col(static_cast<Index>(v)); }
     bool is_on_crack(Edge edge) const {
-        return rest(sheet.mesh().vertex(edge, 0)).x() == middle &&
-               rest(sheet.mesh().vertex(edge, 1)).x() == middle;
+        for (const int end : {0, 1})
+            if (std::abs(rest(sheet.mesh().vertex(edge, end)).x() - middle) > 1e-9) return false;
+        return true;
     }
     std::vector<Edge> crack() const {
         std::vector<Edge> edges;
@@ -232,17 +243,40 @@ class CutStrip {
     BreakableShell sheet;
 };
 
+/// Energy, J, of lips of a whole strip that overlap by `overlap` m.
+double energy_of_whole(double overlap) {
+    return 0.5 * test::glass.young / 2 * strip_width * overlap * overlap;
+}
+
 // A crack that ends at a closed lip cuts it. A piece between two such cuts had nothing that held it in front
 // of the other lip, and passed through it.
 RC_GTEST_PROP(CutStrip, HasLipsAsStiffAsWholeOnes, ()) {
     CutStrip strip;
     const std::size_t whole = strip.lip_count();
-    const double overlap = 1e-5, stiffness = test::glass.young / 2 * strip_width;
-    RC_ASSERT(std::abs(strip.energy(overlap) / (0.5 * stiffness * overlap * overlap) - 1) < 1e-9);
+    const double overlap = 1e-5, expected = energy_of_whole(overlap);
+    RC_ASSERT(std::abs(strip.energy(overlap) / expected - 1) < 1e-9);
     for (int i = 0; i < 8; ++i) strip.cut(*rc::gen::inRange(0u, 1u << 30), *rc::gen::inRange(20, 81) / 100.0);
     RC_PRE(strip.lip_count() > whole);
-    RC_ASSERT(std::abs(strip.energy(overlap) / (0.5 * stiffness * overlap * overlap) - 1) < 1e-9);
+    RC_ASSERT(std::abs(strip.energy(overlap) / expected - 1) < 1e-9);
     RC_ASSERT(strip.energy(-overlap) == 0);
+}
+
+// Two cracks that end at one place, each at a lip of its own: but for rounding the pieces have a common end, and
+// each was once half as stiff there, or half as stiff again.
+TEST(CutStrip, HasLipsAsStiffThatAreCutAtOnePlaceFromBothSides) {
+    const double overlap = 1e-5, expected = energy_of_whole(overlap);
+    const std::size_t whole = CutStrip().lip_count();
+    int both = 0;
+    for (unsigned lip = 0; lip < whole; ++lip)
+        for (int percent = 20; percent <= 80; ++percent) {
+            CutStrip strip;
+            const unsigned facing = strip.facing(lip);
+            strip.cut(lip, percent / 100.0);
+            strip.cut(facing, 1 - percent / 100.0);
+            both += strip.lip_count() == whole + 2;  // else a smallest angle has let an edge end before its lip
+            EXPECT_NEAR(strip.energy(overlap), expected, 1e-9 * expected) << lip << " at " << percent << " %";
+        }
+    EXPECT_GT(both, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, BrokenStrips, ::testing::Values(Layout::structured, Layout::delaunay),

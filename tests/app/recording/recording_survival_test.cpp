@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/recording/recording.h"
+#include "meshops/error.h"
 #include "tests/support/same_snapshot.h"
 #include "tests/support/simulated_disk.h"
 #include "tests/support/synthetic_run.h"
@@ -109,6 +110,21 @@ TEST(RecordingSurvival, SaysWhatHasBeenMended) {
         EXPECT_EQ(Recording(after.path / "run.h5").mended(), "") << "it is mended once";
     }
     EXPECT_GE(words.size(), 3u) << "complete, cut off, or whole";
+}
+
+// Nobody goes on with a run that is complete: an index that could not be given its name would stay away.
+TEST(RecordingSurvival, IsCompleteOnlyWithItsIndex) {
+    const SyntheticRun run = synthetic_run();
+    const TemporaryDirectory folder;
+    RecordingWriter writer(folder.path / "run.h5", run.header, false);
+    writer.append(run.frames[0], run.steps[0], run.events[0]);
+    fs::remove(folder.path / "run.xdmf");
+    fs::create_directory(folder.path / "run.xdmf");
+    EXPECT_THROW(writer.finish(1, "complete"), Error);
+    EXPECT_EQ(Recording(folder.path / "run.h5").end(), "running");
+    fs::remove(folder.path / "run.xdmf");
+    writer.finish(1, "complete");
+    EXPECT_EQ(Recording(folder.path / "run.h5").end(), "complete");
 }
 
 }  // namespace
