@@ -183,8 +183,13 @@ def try_sweep(sherd, folder, cluster):
         assert "still in the queue" in sweep(*again, expected=2)
     wait_until(lambda: results(study) >= 1, "a row is done")
 
-    running = [task for task, state in queue().items() if state == "RUNNING"]
-    assert running, "nothing runs"
+    running = []
+
+    def something_runs():
+        running[:] = [task for task, state in (queue() or {}).items() if state == "RUNNING"]
+        return running
+
+    wait_until(something_runs, "a task runs")
     subprocess.run(["scancel", running[0]], check=True)
     cancelled = time.time()
     wait_until(lambda: running[0] not in (queue() or running), "the task is cancelled")

@@ -100,6 +100,10 @@ class Sweeps(unittest.TestCase):
             time.sleep(0.01)
         self.assertIsNone(process.poll())
 
+    def only_child(self, process):
+        child, = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        return int(child)
+
     def test_forty_rows_make_one_table_however_often_they_are_killed(self):
         self.write(STUDY)
         self.sweep("--jobs", "2", into="whole")
@@ -168,8 +172,7 @@ class Sweeps(unittest.TestCase):
         self.write(LONG_STUDY)
         process = self.start()
         self.wait_for_checkpoint(process)
-        child, = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-        os.kill(int(child), signal.SIGKILL)
+        os.kill(self.only_child(process), signal.SIGKILL)
         out, err = process.communicate()
         self.assertEqual(process.returncode, 1, err)
         self.assertIn("row 0 failed (137): ended by signal 9", err)
@@ -177,6 +180,22 @@ class Sweeps(unittest.TestCase):
         again = self.sweep(expected=1)
         self.assertIn("1 rows failed before; --retry", again.err)
         self.sweep("--retry")
+        self.assertEqual([row["exit"] for row in self.table()], ["0"])
+
+    def test_a_job_whose_processes_are_all_terminated_has_not_failed(self):
+        self.write(LONG_STUDY)
+        process = self.start()
+        self.wait_for_checkpoint(process)
+        child = self.only_child(process)
+        os.kill(child, signal.SIGTERM)
+        while pathlib.Path(f"/proc/{child}/exe").exists():
+            time.sleep(0.001)
+        time.sleep(0.1)
+        process.terminate()
+        out, err = process.communicate()
+        self.assertEqual(process.returncode, 143, err)
+        self.assertIn("0 failed", out)
+        self.sweep()
         self.assertEqual([row["exit"] for row in self.table()], ["0"])
 
     def test_a_changed_study_keeps_the_rows_that_it_still_has(self):
