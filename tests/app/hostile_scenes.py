@@ -20,6 +20,7 @@ import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import hostile_scenes_list  # noqa: E402
+from limits import limit  # noqa: E402
 
 PATIENCE = 120  # s of processor time, after which a run hangs
 MEMORY = 4 << 30  # bytes that a run may ask for
@@ -34,13 +35,9 @@ WORK = ["work_of_loads", "work_of_wind", "work_of_supports", "work_of_obstacles"
 STORED = ["kinetic", "bending", "membrane", "contact"]
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
-
 def call(sherd, *words):
-    done = subprocess.run([sherd, *map(str, words)], capture_output=True, text=True, check=False, preexec_fn=limit)
+    done = subprocess.run([sherd, *map(str, words)], capture_output=True, text=True, check=False,
+                          preexec_fn=lambda: limit(MEMORY, PATIENCE))
     return done.returncode, done.stdout, done.stderr
 
 

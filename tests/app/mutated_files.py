@@ -12,7 +12,6 @@ import os
 import pathlib
 import random
 import re
-import resource
 import shutil
 import signal
 import struct
@@ -20,6 +19,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+from limits import limit
 
 PLATE = """
 [sheet.plate]
@@ -90,12 +91,6 @@ def mutated(content, chance):
     return bytes(content)
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
 class Program:
     def __init__(self, sherd, folder):
         self.sherd, self.folder = sherd, folder
@@ -105,7 +100,7 @@ class Program:
         environment = dict(os.environ, OPENBLAS_NUM_THREADS="1")
         try:
             done = subprocess.run([self.sherd, *arguments], cwd=self.folder, capture_output=True, env=environment,
-                                  timeout=10 * SECONDS, preexec_fn=limit_memory)
+                                  timeout=10 * SECONDS, preexec_fn=lambda: limit(MEMORY, SECONDS))
         except subprocess.TimeoutExpired:
             return None, ""
         return done.returncode, done.stderr.decode(errors="replace")

@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-constexpr Index vertices = 40;
+constexpr Index vertex_count = 40;
 
 struct System {
     BlockMatrix sparse;
@@ -23,9 +23,10 @@ struct System {
 System random_system(Random& random, std::vector<char> fixed, double diagonal) {
     std::vector<std::pair<Index, Index>> pairs;
     for (Index i = 0; i < 120; ++i)
-        pairs.emplace_back(static_cast<Index>(random.uniform(0, vertices)),
-                           static_cast<Index>(random.uniform(0, vertices)));
-    System system{BlockMatrix(vertices, pairs, fixed), Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices)};
+        pairs.emplace_back(static_cast<Index>(random.uniform(0, vertex_count)),
+                           static_cast<Index>(random.uniform(0, vertex_count)));
+    System system{BlockMatrix(vertex_count, pairs, fixed),
+                  Eigen::MatrixXd::Zero(3 * vertex_count, 3 * vertex_count)};
     const auto add = [&](Index i, Index j, const Matrix3d& block) {
         system.sparse.add(i, j, block);
         if (fixed[i] || fixed[j]) return;
@@ -34,7 +35,7 @@ System random_system(Random& random, std::vector<char> fixed, double diagonal) {
     };
     for (const auto& [i, j] : pairs)
         if (i != j) add(i, j, random.matrix<Matrix3d>(1));
-    for (Index i = 0; i < vertices; ++i) {
+    for (Index i = 0; i < vertex_count; ++i) {
         if (fixed[i]) system.dense.block<3, 3>(3 * i, 3 * i).setIdentity();
         add(i, i, diagonal * Matrix3d::Identity());
     }
@@ -44,13 +45,13 @@ System random_system(Random& random, std::vector<char> fixed, double diagonal) {
 // A block in the wrong place, or the wrong triangle, would give another solution.
 TEST(LinearSolver, SolvesLikeADenseSolver) {
     Random random(1);
-    std::vector<char> fixed(vertices, 0);
+    std::vector<char> fixed(vertex_count, 0);
     fixed[3] = fixed[17] = 1;
     System system = random_system(random, fixed, 60);
     const std::unique_ptr<LinearSolver> solver = cholesky_solver();
     solver->analyze(system.sparse);
     ASSERT_TRUE(solver->factorize(system.sparse));
-    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertices, 1>>(1);
+    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertex_count, 1>>(1);
     EXPECT_LT((solver->solve(right) - VectorXd(system.dense.ldlt().solve(right))).norm(),
               1e-12 * right.norm());
 }
@@ -58,8 +59,8 @@ TEST(LinearSolver, SolvesLikeADenseSolver) {
 // Factors with more entries than 32 bits count are too large for a test; their indices are not.
 TEST(LinearSolver, SolvesTheSameWithWideIndices) {
     Random random(3);
-    const System system = random_system(random, std::vector<char>(vertices, 0), 60);
-    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertices, 1>>(1);
+    const System system = random_system(random, std::vector<char>(vertex_count, 0), 60);
+    const VectorXd right = random.matrix<Eigen::Matrix<double, 3 * vertex_count, 1>>(1);
     for (const Ordering ordering : {Ordering::vertices, Ordering::unknowns}) {
         const std::unique_ptr<LinearSolver> narrow = cholesky_solver(ordering),
                                             wide = cholesky_solver(ordering, Indices::wide);
@@ -75,7 +76,7 @@ TEST(LinearSolver, SolvesTheSameWithWideIndices) {
 
 TEST(LinearSolver, TellsAnIndefiniteMatrixAndGoesOn) {
     Random random(2);
-    System definite = random_system(random, std::vector<char>(vertices, 0), 60);
+    System definite = random_system(random, std::vector<char>(vertex_count, 0), 60);
     System indefinite = definite;
     indefinite.sparse.add(5, 5, -200 * Matrix3d::Identity());
     const std::unique_ptr<LinearSolver> solver = cholesky_solver();

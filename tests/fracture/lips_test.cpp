@@ -261,8 +261,8 @@ RC_GTEST_PROP(CutStrip, HasLipsAsStiffAsWholeOnes, ()) {
     RC_ASSERT(strip.energy(-overlap) == 0);
 }
 
-// Two cracks that end at one place, each at a lip of its own: but for rounding the pieces have a common end, and
-// each was once half as stiff there, or half as stiff again.
+// Two cracks that end at one place, each at a lip of its own: but for rounding the pieces have a common end,
+// and each was once half as stiff there, or half as stiff again.
 TEST(CutStrip, HasLipsAsStiffThatAreCutAtOnePlaceFromBothSides) {
     const double overlap = 1e-5, expected = energy_of_whole(overlap);
     const std::size_t whole = CutStrip().lip_count();
@@ -273,7 +273,8 @@ TEST(CutStrip, HasLipsAsStiffThatAreCutAtOnePlaceFromBothSides) {
             const unsigned facing = strip.facing(lip);
             strip.cut(lip, percent / 100.0);
             strip.cut(facing, 1 - percent / 100.0);
-            both += strip.lip_count() == whole + 2;  // else a smallest angle has let an edge end before its lip
+            both +=
+                strip.lip_count() == whole + 2;  // else a smallest angle has let an edge end before its lip
             EXPECT_NEAR(strip.energy(overlap), expected, 1e-9 * expected) << lip << " at " << percent << " %";
         }
     EXPECT_GT(both, 50);
