@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "app/machine/exit_code.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -70,7 +71,7 @@ int ChildProcess::wait() {
     while (wait4(process, &status, 0, &usage) < 0 && errno == EINTR) continue;
     process = 0;
     processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return exit_code_of(status);
 }
 
 }  // namespace sherd

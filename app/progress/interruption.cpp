@@ -7,10 +7,10 @@
 #include <csignal>
 #include <string_view>
 
+#include "app/machine/exit_code.h"
+
 namespace sherd {
 namespace {
-
-constexpr int signal_base = 128;  // of exit codes, as shells have it
 
 volatile std::sig_atomic_t signalled = 0;  // set by a signal handler, which can reach nothing else
 

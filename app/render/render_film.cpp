@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/machine/exit_code.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -88,7 +89,7 @@ int RenderFilm::wait() {
     do ended = ::waitpid(child, &status, 0);
     while (ended < 0 && errno == EINTR);
     child = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return exit_code_of(status);
 }
 
 void RenderFilm::add(const std::string& png) {

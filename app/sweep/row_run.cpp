@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/files/pending_file.h"
+#include "app/machine/exit_code.h"
 #include "app/measures/measures.h"
 #include "app/run/checkpoint.h"
 #include "app/sweep/python_measure.h"
@@ -18,8 +19,6 @@ namespace sherd {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int signal_base = 128;  // of exit codes, as shells have it
 
 /// Whether a run of this program has left something to go on from.
 bool can_go_on(const fs::path& recording, std::uint64_t program) {

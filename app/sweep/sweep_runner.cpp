@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/machine/exit_code.h"
 #include "app/machine/threads.h"
 #include "app/progress/interruption.h"
 
@@ -20,7 +21,7 @@ constexpr double most_of_row = 0.99;  // the rest is to measure it
 /// Whether an interruption has ended a row. SIGTERM to all processes of a job, as Slurm cancels one, may end
 /// the row before this process has heard of it, and is waited for.
 bool is_cut_short(const RowResult& row) {
-    constexpr int terminated = 128 + SIGTERM;  // as shells have it
+    constexpr int terminated = signal_base + SIGTERM;
     constexpr auto pause = std::chrono::milliseconds(10), longest = std::chrono::milliseconds(1000);
     if (row.exit_code == 0) return false;
     for (auto waited = pause; row.exit_code == terminated && !interrupted() && waited <= longest;
