@@ -53,7 +53,7 @@ void CheckpointKeeper::require_same_run(const Checkpoint& checkpoint) const {
             fmt::format("the run cannot go on with --resume, since its bits would be others:\n{}only "
                         "duration may be another; --force instead of --resume begins anew",
                         why));
-    if (scene.duration < checkpoint.time)
+    if (parts.runner.end_time() < checkpoint.time)
         throw Error(fmt::format("the run has come to {:g} s, past duration = {:g}; give a longer one",
                                 checkpoint.time, scene.duration));
 }

@@ -60,8 +60,11 @@ bool Runner::has_ended() const {
 }
 
 bool Runner::is_complete() const {
-    const double last = static_cast<double>(step_count(definition)) * definition.solver.step;
-    return stepped.time() == last || stepped.arrived();
+    return stepped.time() == end_time() || stepped.arrived();
+}
+
+double Runner::end_time() const {
+    return static_cast<double>(step_count(definition)) * definition.solver.step;
 }
 
 double Runner::wall_seconds() const {

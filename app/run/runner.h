@@ -37,6 +37,9 @@ class Runner {
     bool has_ended() const;
     /// Says whether the scene's end has been reached.
     bool is_complete() const;
+    /// Where the last of the scene's steps ends, in its unit of time: past its duration if that is not a
+    /// number of steps, or by rounding.
+    double end_time() const;
     double wall_seconds() const;  ///< s, of run(), in the runs that this one goes on from, too
 
     const Scene& scene() const { return definition; }

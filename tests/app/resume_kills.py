@@ -198,6 +198,17 @@ def arguments():
     return parser.parse_intermixed_args()
 
 
+def give_up(command, code, words):
+    sys.exit(f"{' '.join(map(str, command))} ended with {code}:\n{words}")
+
+
+def finish(command):
+    """Lets a run come to its end."""
+    run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False, text=True)
+    if run.returncode != 0:
+        give_up(command, run.returncode, run.stderr)
+
+
 class Victim:
     """A run that is killed again and again."""
 
@@ -221,7 +232,7 @@ class Victim:
             self.kills += 1
         words = run.communicate()[1].decode()
         if run.returncode not in (0, -signal.SIGKILL):
-            sys.exit(f"{' '.join(map(str, self.command))} ended with {run.returncode}:\n{words}")
+            give_up(self.command, run.returncode, words)
         return run.returncode == 0
 
     @staticmethod
@@ -260,7 +271,7 @@ def check(sherd, name, kills, chance, folder):
     scene, whole = folder / f"{name}.toml", folder / "whole.h5"
     scene.write_text(SCENES[name])
     begun = time.monotonic()
-    subprocess.run([sherd, "run", scene, "-o", whole], check=True, capture_output=True)
+    finish([sherd, "run", scene, "-o", whole])
     duration = time.monotonic() - begun
     with h5py.File(whole) as recording:
         failures = len(recording["events/failure/time"])
@@ -271,7 +282,7 @@ def check(sherd, name, kills, chance, folder):
         victim = Victim(sherd, scene, folder / f"killed-{rounds}.h5", chance)
         while spent + victim.kills < kills and not victim.killed():
             pass
-        subprocess.run([*victim.command, "--resume"], check=True, capture_output=True)
+        finish([*victim.command, "--resume"])
         spent += victim.kills
         rounds += 1
         different = recording_content.differences(whole, victim.recording)

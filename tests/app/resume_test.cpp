@@ -100,6 +100,20 @@ TEST(Resume, LeavesAFinishedRunAlone) {
     EXPECT_EQ(fs::last_write_time(scene.file("run.h5")), before);
 }
 
+// The last step ends after a duration that is no number of steps, and by rounding after a third of those that
+// are: nine steps of 0.001 s are more than 0.009 s. Such a run was said to have come too far.
+TEST(Resume, LeavesARunAloneWhoseLastStepEndsAfterItsDuration) {
+    const Falling scene;
+    for (const double duration : {0.0085, 0.009}) {
+        const std::string setting = "duration=" + std::to_string(duration);
+        ASSERT_EQ(scene.run({"-o", "run.h5", "--force", "--set", setting}).exit_code, 0);
+        ASSERT_GT(Recording(scene.file("run.h5")).steps().back().time, duration);
+        const ProgramResult again = scene.run({"-o", "run.h5", "--resume", "--set", setting});
+        EXPECT_EQ(again.exit_code, 0) << again.err;
+        EXPECT_NE(again.err.find("nothing is left to do"), std::string::npos) << again.err;
+    }
+}
+
 TEST(Resume, NamesWhatHasChanged) {
     const Falling scene;
     ASSERT_EQ(scene.run({"-o", "run.h5", "--until", "0.004"}).exit_code, 0);
