@@ -100,8 +100,8 @@ TEST(Resume, LeavesAFinishedRunAlone) {
     EXPECT_EQ(fs::last_write_time(scene.file("run.h5")), before);
 }
 
-// The last step ends after a duration that is no number of steps, and by rounding after a third of those that
-// are: nine steps of 0.001 s are more than 0.009 s. Such a run was said to have come too far.
+// The last step ends after a duration that is no number of steps, and by rounding after many that are: nine
+// steps of 0.001 s are more than 0.009 s. Such a run was said to have come too far.
 TEST(Resume, LeavesARunAloneWhoseLastStepEndsAfterItsDuration) {
     const Falling scene;
     for (const double duration : {0.0085, 0.009}) {
