@@ -52,6 +52,35 @@ TEST(BoxTree, FindsWhatBruteForceFinds) {
             }
 }
 
+// A division that is kept while boxes move must neither lose a pair, nor be kept when everything is
+// elsewhere: then each node overlaps each other, and a search takes as long as comparing all boxes.
+TEST(BoxTree, FindsTheSameInAKnownDivision) {
+    Random random(3);
+    std::vector<Box> boxes = random_boxes(random, 300, 0.1, 1);
+    const auto pairs_of = [](const BoxTree& tree) {
+        Pairs pairs;
+        tree.meet_itself([&](Index i, Index j) { pairs.push_back(std::minmax(i, j)); });
+        return sorted(pairs);
+    };
+    BoxTree::Division known;
+    EXPECT_EQ(pairs_of(BoxTree(boxes, known)), pairs_of(BoxTree(boxes)));
+    const std::vector<Index> at_first = known.element;
+    EXPECT_EQ(at_first, BoxTree(boxes).order());
+    for (Box& box : boxes) {
+        const Eigen::Array3d way = random.matrix<Vector3d>(0.05).array();
+        box = {box.lower + way, box.upper + way};
+    }
+    EXPECT_EQ(pairs_of(BoxTree(boxes, known)), pairs_of(BoxTree(boxes)));
+    EXPECT_EQ(known.element, at_first);
+    EXPECT_NE(known.element, BoxTree(boxes).order());
+    boxes = random_boxes(random, 300, 0.1, 1);
+    EXPECT_EQ(pairs_of(BoxTree(boxes, known)), pairs_of(BoxTree(boxes)));
+    EXPECT_EQ(known.element, BoxTree(boxes).order());
+    boxes.pop_back();
+    EXPECT_EQ(pairs_of(BoxTree(boxes, known)), pairs_of(BoxTree(boxes)));
+    EXPECT_EQ(known.element.size(), boxes.size());
+}
+
 // Touching boxes meet; equal centres, which cannot be split, do not lose anything.
 TEST(BoxTree, BoxesThatTouchOrCoincideMeet) {
     const Box unit{Eigen::Array3d(0, 0, 0), Eigen::Array3d(1, 1, 1)};

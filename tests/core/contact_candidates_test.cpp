@@ -60,7 +60,7 @@ void expect_no_pair_missed(const Shell& shell) {
             for (const double common : {0.0, 10.0}) {
                 Positions motion = flight(random, shell, speed, spin);
                 motion.colwise() += common * Vector3d(1, -2, 3);
-                ColliderTrees none;
+                KeptTrees none;
                 ContactCandidates candidates(surface, {shell.position, motion, 1e-3}, none);
                 for (int sample = 0; sample < 12; ++sample) {
                     const Positions x =
@@ -110,7 +110,7 @@ TEST(ContactCandidates, MissNoPairWithSolids) {
     Positions start(3, count);
     start << box->points, ball->points.colwise() + Vector3d(0.01, 0.01, 0.0209), shell.position;
     Random random(5);
-    ColliderTrees kept;
+    KeptTrees kept;
     std::size_t found = 0, asked = 0;
     for (const double of_ball : {0.0, 0.01, 0.0})
         for (const double of_sheet : {0.0, 0.01}) {
@@ -137,7 +137,7 @@ TEST(ContactCandidates, FollowCracksAsIfFoundAnew) {
     Shell shell = test::stacked_plates(2, 4, 2.1e-3, test::ceramic);
     ContactSurface surface(shell);
     const Positions still = Positions::Zero(3, shell.position.cols());
-    ColliderTrees none;
+    KeptTrees none;
     ContactCandidates candidates(surface, {shell.position, still, 1e-3}, none);
     for (const std::size_t triangle : {50, 51, 40, 3, 0}) {
         const Index corner = shell.triangles[triangle].vertices[1],

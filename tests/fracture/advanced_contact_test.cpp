@@ -45,7 +45,7 @@ RC_GTEST_PROP(AdvancedContact, HasThePairsThatASearchAnewFinds, ()) {
         return Neighbourhood(positions(), Positions::Zero(3, positions().cols()), margin, ball->size());
     };
     ContactSurface surface(shell, colliders);
-    ColliderTrees trees;
+    KeptTrees trees;
     ContactCandidates candidates(surface, here(1e-3), trees);
     const auto follow = [&](const ShellChange& change) {
         const ContactSurface before = std::exchange(surface, ContactSurface(shell, colliders));

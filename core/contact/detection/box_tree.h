@@ -39,7 +39,17 @@ std::vector<Box> element_boxes(const std::vector<Box>& of_vertices,
 /// their longest extent, traversed against another tree or itself.
 class BoxTree {
   public:
+    /// How a tree divides its boxes, for the tree of the same boxes when they have moved.
+    struct Division {
+        std::vector<Index> element;  ///< their numbers, in the tree's order
+        double looseness = 0;        ///< when they were divided, see looseness()
+    };
+
     explicit BoxTree(const std::vector<Box>& boxes);
+    /// The tree with a known division, or with a new one, which is then known, where there is none of as many
+    /// boxes or where it has become loose. To divide is the most of making a tree, and which pairs overlap
+    /// does not depend on it.
+    BoxTree(const std::vector<Box>& boxes, Division& known);
 
     /// The bounding box of all boxes.
     Box bounds() const { return around.empty() ? Box{} : around[0]; }
@@ -72,7 +82,12 @@ class BoxTree {
     static constexpr Index leaf_size = 4;
 
     Node root() const { return {0, 0, static_cast<Index>(element.size())}; }
-    void build(const Node& node, const std::vector<Box>& boxes);
+    /// Orders the numbers of the boxes by their places.
+    void divide(const Node& node, const std::vector<Box>& boxes);
+    /// Surrounds the boxes of a node and all below it.
+    void surround(const Node& node);
+    /// How much larger nodes are than their boxes: what is visited in vain grows with it.
+    double looseness() const;
 
     template <class Visit>
     void descend(const BoxTree& other, const Node& a, const Node& b, const Visit& visit) const {

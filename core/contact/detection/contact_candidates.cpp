@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/contact/detection/box_tree.h"
 #include "core/contact/geometry/continuous_collision.h"
 
 namespace sherd {
@@ -44,6 +43,16 @@ Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::
             around.push_back(all[i]);
         }
     return {std::move(found), BoxTree(around)};
+}
+
+/// The same, dividing all elements, if all are wanted, as they were divided before.
+template <std::size_t N, class Wanted>
+Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
+                  const Wanted& wanted, BoxTree::Division& known) {
+    const std::vector<Box> all = element_boxes(boxes, elements);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (!wanted(elements[i], all[i])) return those(elements, boxes, wanted);
+    return {elements, BoxTree(all, known)};
 }
 
 std::vector<std::array<Index, 1>> points(Index from, Index to) {
@@ -107,13 +116,13 @@ void follow_on_sheets(const ShellChange& change, Index collider_vertices, Positi
 }  // namespace
 
 ContactCandidates::ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood,
-                                     ColliderTrees& colliders, Threads team)
+                                     KeptTrees& kept, Threads team)
     : within(std::move(neighbourhood)), threads(std::move(team)) {
-    find(surface, std::vector<char>(surface.vertices(), 1), colliders);
+    find(surface, std::vector<char>(surface.vertices(), 1), kept);
 }
 
 void ContactCandidates::find(const ContactSurface& surface, const std::vector<char>& changed,
-                             ColliderTrees& colliders) {
+                             KeptTrees& kept) {
     using Entry = std::optional<PairBlocks::Entry>;
     std::vector<Met> met;
     std::vector<PairBlocks::Entry> found;
@@ -130,15 +139,15 @@ void ContactCandidates::find(const ContactSurface& surface, const std::vector<ch
         met.push_back(one);
         if (met.size() == at_once) judge();
     };
-    if (surface.sheets_meet()) meet_on_sheets(surface, changed, take);
-    if (surface.collider_vertices() > 0) meet_on_colliders(surface, changed, colliders, take);
+    if (surface.sheets_meet()) meet_on_sheets(surface, changed, kept, take);
+    if (surface.collider_vertices() > 0) meet_on_colliders(surface, changed, kept.colliders, take);
     judge();
     pairs.add(found, within.start);
 }
 
 template <class Take>
 void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
-                                       const Take& take) const {
+                                       KeptTrees& kept, const Take& take) const {
     const std::vector<Box> boxes = vertex_boxes(surface, within, 1);
     const auto has_changed = [&](const auto& element, const Box&) {
         return std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -154,9 +163,9 @@ void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std:
         });
     };
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
-    const auto vertices = those(all_points, boxes, has_changed);
-    const auto triangles = those(surface.triangles(), boxes, has_changed);
-    const auto edges = those(surface.edges(), boxes, has_changed);
+    const auto vertices = those(all_points, boxes, has_changed, kept.vertices);
+    const auto triangles = those(surface.triangles(), boxes, has_changed, kept.triangles);
+    const auto edges = those(surface.edges(), boxes, has_changed, kept.edges);
     meet(PairKind::vertex_triangle, vertices, triangles);
     meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, others_at(vertices.tree)));
     meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
@@ -229,7 +238,7 @@ std::vector<ContactPair> ContactCandidates::pick(const ContactSurface& surface,
 }
 
 void ContactCandidates::follow(const ShellChange& change, const ContactSurface& before,
-                               const ContactSurface& after, ColliderTrees& colliders) {
+                               const ContactSurface& after, KeptTrees& kept) {
     if (within.start.cols() != before.vertices()) {
         *this = ContactCandidates(threads);
         return;
@@ -238,7 +247,7 @@ void ContactCandidates::follow(const ShellChange& change, const ContactSurface& 
         follow_on_sheets(change, before.collider_vertices(), *x);
     const std::vector<char> changed = changed_vertices(change, before, after);
     pairs.remove(changed);
-    find(after, changed, colliders);
+    find(after, changed, kept);
 }
 
 }  // namespace sherd

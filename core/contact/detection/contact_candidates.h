@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/detection/collider_trees.h"
+#include "core/contact/detection/kept_trees.h"
 #include "core/contact/detection/pair_blocks.h"
 #include "core/state_visitor.h"
 
@@ -19,8 +19,8 @@ class ContactCandidates {
 
     /// None. threads: who shares the search for pairs, and what is asked of them.
     explicit ContactCandidates(Threads threads = Threads()) : threads(std::move(threads)) {}
-    /// colliders: the trees of the colliders, kept from one call to the next.
-    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, ColliderTrees& colliders,
+    /// kept: from one call to the next, for the same surface.
+    ContactCandidates(const ContactSurface& surface, Neighbourhood neighbourhood, KeptTrees& kept,
                       Threads threads = Threads());
 
     const Neighbourhood& neighbourhood() const { return within; }
@@ -40,7 +40,7 @@ class ContactCandidates {
     /// Searches pairs again where triangles have other vertices or another place on the sheet, or where
     /// vertices gained or lost twins or others that are near since the start.
     void follow(const ShellChange& change, const ContactSurface& before, const ContactSurface& after,
-                ColliderTrees& colliders);
+                KeptTrees& kept);
 
     void visit_state(StateVisitor& visit) {
         auto& [within, pairs, threads] = *this;
@@ -49,7 +49,7 @@ class ContactCandidates {
 
   private:
     /// Searches all pairs with a vertex that has changed.
-    void find(const ContactSurface& surface, const std::vector<char>& changed, ColliderTrees& colliders);
+    void find(const ContactSurface& surface, const std::vector<char>& changed, KeptTrees& kept);
     /// Two elements whose boxes overlap.
     struct Met {
         PairKind kind;
@@ -57,7 +57,7 @@ class ContactCandidates {
     };
     /// Call take(met) for those of which one has a vertex that has changed.
     template <class Take>
-    void meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed,
+    void meet_on_sheets(const ContactSurface& surface, const std::vector<char>& changed, KeptTrees& kept,
                         const Take& take) const;
     template <class Take>
     void meet_on_colliders(const ContactSurface& surface, const std::vector<char>& changed,

@@ -12,9 +12,10 @@ namespace {
 /// Margins by which vertices may depart from the motion before candidates are searched again, and for pairs
 /// that are near, in half thicknesses of the thinnest sheet; and how far ahead to search.
 constexpr double margin_of_candidates = 0.5, nearby = 0.1, ahead = 12;
-/// Where triangles are much wider than the thickness, more costs little: the share of the motion that is
-/// margin, and of a width that this margin, and the way ahead, may be.
-constexpr double margin_of_motion = 0.5, margin_of_width = 0.12, ahead_of_width = 0.6;
+/// Where triangles are much wider than the thickness, more costs little, and directions of a minimiser turn:
+/// the multiple of the motion that is margin, and the share of a width that this margin, and the way ahead,
+/// may be.
+constexpr double margin_of_motion = 2, margin_of_width = 0.2, ahead_of_width = 0.6;
 constexpr double most_steps = 10;
 /// A motion is looked at in parts of so many widths, since the pairs within reach of one are as many as the
 /// square of its length: a direction of a minimiser that is lost would take all memory. And no farther than
@@ -50,7 +51,7 @@ double thinnest_half(const ContactSurface& surface) {
 
 void NearPairs::surface_changed(const ShellChange& change, ContactSurface surface) {
     const ContactSurface before = std::exchange(of, std::move(surface));
-    found.follow(change, before, of, colliders);
+    found.follow(change, before, of, trees);
     last.resize(3, 0);
 }
 
@@ -61,8 +62,8 @@ void NearPairs::find(const Positions& x, const Positions& motion) const {
     const double margin =
         std::max(margin_of_candidates * unit, std::min(margin_of_motion * length, margin_of_width * width));
     const double steps = std::clamp(std::max(ahead * unit, ahead_of_width * width) / length, 1.0, most_steps);
-    found = ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), colliders,
-                              threads);
+    found =
+        ContactCandidates(of, Neighbourhood(x, steps * way, margin, of.collider_vertices()), trees, threads);
 }
 
 Neighbourhood NearPairs::surroundings(const Positions& x, const Positions& motion) const {
@@ -121,7 +122,7 @@ double NearPairs::safe_fraction_of_part(const Positions& x, const Positions& mot
 
 std::vector<ContactPair> NearPairs::pairs_nearby_once(const Positions& x) const {
     const Neighbourhood near = surroundings(x, Positions::Zero(3, x.cols()));
-    return ContactCandidates(of, near, colliders, threads).pick(of, near);
+    return ContactCandidates(of, near, trees, threads).pick(of, near);
 }
 
 std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {

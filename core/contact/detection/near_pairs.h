@@ -40,9 +40,9 @@ class NearPairs {
     void add_touched(const Positions& x, std::set<Index>& vertices,
                      std::set<const ColliderSurface*>& touched) const;
 
-    /// Trees of colliders follow from where these are.
+    /// Trees follow from where the elements are.
     void visit_state(StateVisitor& visit) {
-        auto& [of, threads, colliders, found, last, active] = *this;
+        auto& [of, threads, trees, found, last, active] = *this;
         visit(of, found, last, active);
     }
 
@@ -57,7 +57,7 @@ class NearPairs {
     ContactSurface of;
     Threads threads;
     // These are caches: no result depends on them.
-    mutable ColliderTrees colliders;
+    mutable KeptTrees trees;
     mutable ContactCandidates found;          ///< candidates for many steps to come
     mutable Positions last;                   ///< m, where the active pairs were last asked for
     mutable std::vector<ContactPair> active;  ///< the active pairs there
