@@ -19,9 +19,10 @@ void BlockMatrix::Columns::square_column(const Rows& rows, Eigen::Index c, Eigen
 }
 
 bool BlockMatrix::Columns::is_plain(std::span<const Index> vertices) const {
-    return matrix.number.empty() && !matrix.only_diagonal &&
-           (matrix.guides.empty() ||
-            std::ranges::none_of(vertices, [&](Index v) { return matrix.guide[v] != 0; }));
+    return !matrix.only_diagonal && std::ranges::none_of(vertices, [&](Index v) {
+        const Index here = matrix.number_of(v);
+        return here < 0 || matrix.guided(here);
+    });
 }
 
 void BlockMatrix::Columns::add_square(std::span<const Index> vertices, const Rows& rows) {
@@ -34,13 +35,15 @@ void BlockMatrix::Columns::add_square(std::span<const Index> vertices, const Row
     }
     buffer.resize(rows.cols());
     ranks.resize(vertices.size());
+    here.clear();
+    for (const Index vertex : vertices) here.push_back(matrix.number_of(vertex));
     wide_loop(0, static_cast<int>(vertices.size()), [&](int b) {
-        const Index column = vertices[b];
-        if (!has(column) || matrix.fixed[column]) return;
+        const Index column = here[b];
+        if (!has(vertices[b]) || matrix.fixed[column]) return;
         const Index* const block_rows = matrix.block_row.data() + matrix.block_start[column];
         Index rank = 0;
         for (std::size_t a = b + 1; a < vertices.size(); ++a) {
-            while (block_rows[rank] < vertices[a]) ++rank;
+            while (block_rows[rank] < here[a]) ++rank;
             ranks[a] = rank;
         }
         for (Index c = 0; c < 3; ++c) {
@@ -49,7 +52,7 @@ void BlockMatrix::Columns::add_square(std::span<const Index> vertices, const Row
             for (Index r = c; r < 3; ++r) diagonal[r - c] += buffer[3 * b + r];
             double* const below = diagonal + 3 - c;
             for (std::size_t a = b + 1; a < vertices.size(); ++a) {
-                if (matrix.fixed[vertices[a]]) continue;
+                if (matrix.fixed[here[a]]) continue;
                 double* const block = below + 3 * ranks[a];
                 for (int r = 0; r < 3; ++r) block[r] += buffer[3 * a + r];
             }

@@ -15,7 +15,8 @@ class BlockMatrix::Columns {
         if (has(std::min(i, j))) matrix.add(i, j, block);
     }
     /// Adds block(a, b) at block row vertices[a], block column vertices[b] for all a >= b, like add() but
-    /// faster where there are many. The vertices ascend, and all their pairs have blocks.
+    /// faster where there are many. The vertices ascend, and all their pairs have blocks, or in a part those
+    /// that are in it.
     template <class Block>
     void add_all(std::span<const Index> vertices, const Block& block);
     /// Three rows, coordinate fastest.
@@ -34,24 +35,23 @@ class BlockMatrix::Columns {
     Index part, parts;
     std::vector<double> buffer;  ///< a column
     std::vector<Index> ranks;    ///< of its blocks
+    std::vector<Index> here;     ///< numbers of an element's vertices in the matrix
 };
 
 template <class Block>
 void BlockMatrix::Columns::add_all(std::span<const Index> vertices, const Block& block) {
-    const bool by_rank = matrix.number.empty() && !matrix.only_diagonal;
     for (std::size_t b = 0; b < vertices.size(); ++b) {
-        const Index column = vertices[b];
-        if (!has(column)) continue;
-        if (!by_rank) {
-            for (std::size_t a = b; a < vertices.size(); ++a) matrix.add(vertices[a], column, block(a, b));
-            continue;
-        }
+        const Index column = matrix.number_of(vertices[b]);
+        if (column < 0 || !has(vertices[b])) continue;
         matrix.add_at(0, column, column, block(b, b));
-        const Index* const rows = matrix.block_row.data() + matrix.block_start[column];
-        Index rank = 0;
+        const auto rows = matrix.rows_of(column);
+        auto found = rows.begin();
         for (std::size_t a = b + 1; a < vertices.size(); ++a) {
-            while (rows[rank] < vertices[a]) ++rank;
-            matrix.add_at(rank, vertices[a], column, block(a, b));
+            const Index row = matrix.number_of(vertices[a]);
+            found = std::find_if(found, rows.end(), [&](Index other) { return other >= row; });
+            if (found == rows.end()) break;
+            if (*found == row)
+                matrix.add_at(static_cast<Index>(found - rows.begin()), row, column, block(a, b));
         }
     }
 }

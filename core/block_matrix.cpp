@@ -132,16 +132,14 @@ void BlockMatrix::set_zero() {
 }
 
 Index BlockMatrix::rank(Index row, Index column) const {
-    const auto first = block_row.begin() + block_start[column];
-    const auto found = std::lower_bound(first, block_row.begin() + block_start[column + 1], row);
-    return static_cast<Index>(found - first);
+    const auto rows = rows_of(column);
+    return static_cast<Index>(std::ranges::lower_bound(rows, row) - rows.begin());
 }
 
 bool BlockMatrix::has(Index i, Index j) const {
     if (i == j) return true;
     const auto [column, below] = std::minmax(i, j);
-    const Index block = block_start[column] + rank(below, column);
-    return block < block_start[column + 1] && block_row[block] == below;
+    return is_at(rank(below, column), below, column);
 }
 
 Matrix3d BlockMatrix::guided_part(Index i, Index j, const Matrix3d& block) const {
@@ -153,17 +151,17 @@ Matrix3d BlockMatrix::guided_part(Index i, Index j, const Matrix3d& block) const
 
 void BlockMatrix::add(Index i, Index j, const Matrix3d& block) {
     if (i != j && only_diagonal) return;
-    if (!number.empty()) {
-        i = number[i];
-        j = number[j];
-        if (i < 0 || j < 0 || !has(i, j)) return;
-    }
-    if (i == j)
-        add_at(0, i, i, block);
-    else if (i > j)
-        add_at(rank(i, j), i, j, block);
+    i = number_of(i);
+    j = number_of(j);
+    if (i < 0 || j < 0) return;
+    if (i == j) return add_at(0, i, i, block);
+    const auto [column, row] = std::minmax(i, j);
+    const Index at = rank(row, column);
+    if (is_part() && !is_at(at, row, column)) return;
+    if (i > j)
+        add_at(at, row, column, block);
     else
-        add_at(rank(j, i), j, i, block.transpose());
+        add_at(at, row, column, block.transpose());
 }
 
 }  // namespace sherd

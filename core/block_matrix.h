@@ -83,10 +83,21 @@ class BlockMatrix {
     void visit_values(StateVisitor& visit) { visit(value); }
 
   private:
+    /// Of a vertex in a part, -1: it is not in it.
+    Index number_of(Index vertex) const { return number.empty() ? vertex : number[vertex]; }
+    /// Rows of the blocks below the diagonal of a column, ascending.
+    std::span<const Index> rows_of(Index column) const {
+        return std::span(block_row).subspan(block_start[column],
+                                            block_start[column + 1] - block_start[column]);
+    }
     bool guided(Index vertex) const { return !guides.empty() && guide[vertex] != 0; }
     /// Index of the block at (row, column) among those below the diagonal, or of the position where it would
     /// be inserted.
     Index rank(Index row, Index column) const;
+    bool is_at(Index rank, Index row, Index column) const {
+        const auto rows = rows_of(column);
+        return rank < static_cast<Index>(rows.size()) && rows[rank] == row;
+    }
     void find_blocks(Index vertices, const std::vector<std::pair<Index, Index>>& pairs);
     /// Adds a block with i >= j. With i > j it has this rank among those below the diagonal of column j.
     void add_at(Index rank, Index i, Index j, const Matrix3d& block);

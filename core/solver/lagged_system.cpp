@@ -12,8 +12,9 @@ namespace sherd {
 namespace {
 
 /// What contact may change of a diagonal block, and of what holds a loose piece, as a share of it in the
-/// direction that is softest beside the change, before a patch is needed.
-constexpr double small_change = 0.03;
+/// direction that is softest beside the change, before a patch is made, or made anew; and what it has changed
+/// by more than the smaller share is then in it.
+constexpr double most_change = 0.3, small_change = 0.03;
 constexpr int rings_around = 3;        // of a patch around what has changed
 constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
 
@@ -40,9 +41,9 @@ VectorXd inertia_of_pieces(const Potential& potential) {
     return result;
 }
 
-/// Whether a change is small beside a stiffness, whose inverse root this is.
-bool is_small(const Matrix3d& change, const Matrix3d& inverse_root) {
-    return (inverse_root * change * inverse_root.transpose()).norm() <= small_change;
+/// How large a change is beside a stiffness, whose inverse root this is.
+double share(const Matrix3d& change, const Matrix3d& inverse_root) {
+    return (inverse_root * change * inverse_root.transpose()).norm();
 }
 
 Matrix3d inverse_root_of(const Matrix3d& stiffness) {
@@ -76,19 +77,22 @@ void LaggedSystem::turn(const Potential& potential, const Positions& x) {
     in_patch = in_factor;
 }
 
-bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known) const {
+bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known,
+                          double most) const {
     if (stiffness == known) return false;
     const Matrix3d change = stiffness - known;
     const double loose = of_piece[static_cast<Eigen::Index>(vertex)];
-    if (loose > 0 && !is_small(change, inverse_root_of(known + loose * Matrix3d::Identity()))) return true;
-    if (turns.empty()) return !is_small(change, inverse_root[vertex]);
-    return !is_small(turns[vertex].transpose() * change * turns[vertex], inverse_root[vertex]);
+    if (loose > 0 && !(share(change, inverse_root_of(known + loose * Matrix3d::Identity())) <= most))
+        return true;
+    const Matrix3d turned =
+        turns.empty() ? change : Matrix3d(turns[vertex].transpose() * change * turns[vertex]);
+    return !(share(turned, inverse_root[vertex]) <= most);
 }
 
 std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const {
     std::vector<char> flags = cracked;
     for (std::size_t v = 0; v < flags.size(); ++v)
-        if (differ(v, stiffness[v], in_factor[v])) flags[v] = 1;
+        if (differ(v, stiffness[v], in_factor[v], small_change)) flags[v] = 1;
     if (std::ranges::count(flags, 1) == 0) return {};
     for (int ring = 0; ring < rings_around; ++ring) grow(shell, flags);
     return flags;
@@ -98,7 +102,8 @@ LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions&
     const std::vector<Matrix3d> stiffness = potential.contact_stiffness(x);
     const bool is_patched = !patch.empty() || std::ranges::count(cracked, 1) == 0;
     bool fits = is_patched;
-    for (std::size_t v = 0; v < stiffness.size() && fits; ++v) fits = !differ(v, stiffness[v], in_patch[v]);
+    for (std::size_t v = 0; v < stiffness.size() && fits; ++v)
+        fits = !differ(v, stiffness[v], in_patch[v], most_change);
     if (fits) return Fit::fits;
     const std::vector<char> inside = changed(potential.of_shell(), stiffness);
     in_patch = in_factor;

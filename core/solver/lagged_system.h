@@ -40,8 +40,8 @@ class LaggedSystem {
 
   private:
     Positions solve_lagged(const Potential& potential, const Positions& right_side);
-    /// Whether what contact has at a vertex is not what is known of it.
-    bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known) const;
+    /// Whether what contact has at a vertex is not what is known of it, but for a share of it at most.
+    bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known, double most) const;
     /// The vertices that differ from the factor, and those around them, [V].
     std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
 
