@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-constexpr std::string_view magic = "sherd checkpoint 3\n";
+constexpr std::string_view magic = "sherd checkpoint 4\n";
 
 /// What stands behind the rest of a file.
 struct Seal {

@@ -12,9 +12,10 @@ namespace sherd {
 namespace {
 
 /// What contact may change of a diagonal block, and of what holds a loose piece, as a share of it in the
-/// direction that is softest beside the change, before a patch is made, or made anew; and what it has changed
-/// by more than the smaller share is then in it.
-constexpr double most_change = 0.3, small_change = 0.03;
+/// direction that is softest beside the change, before a patch is needed; and of itself where it is known. A
+/// block is far stiffer than what sheets and shards do as a whole, and a share of it may be many times that;
+/// what changes by a share of itself stays a preconditioner for these, too.
+constexpr double small_change = 0.03, small_part = 0.3;
 constexpr int rings_around = 3;        // of a patch around what has changed
 constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
 
@@ -41,13 +42,10 @@ VectorXd inertia_of_pieces(const Potential& potential) {
     return result;
 }
 
-/// How large a change is beside a stiffness, whose inverse root this is.
-double share(const Matrix3d& change, const Matrix3d& inverse_root) {
-    return (inverse_root * change * inverse_root.transpose()).norm();
-}
-
-Matrix3d inverse_root_of(const Matrix3d& stiffness) {
-    return stiffness.llt().matrixL().solve(Matrix3d::Identity());
+/// Whether a change is no larger than what is allowed, a positive definite matrix, in any direction.
+bool is_within(const Matrix3d& change, const Matrix3d& allowed) {
+    const Matrix3d inverse_root = allowed.llt().matrixL().solve(Matrix3d::Identity());
+    return (inverse_root * change * inverse_root.transpose()).norm() <= 1;
 }
 
 }  // namespace
@@ -62,9 +60,6 @@ void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
     cracked.assign(x.cols(), 0);
     frames = inverse_frames(potential.of_shell(), x);
     turns.clear();
-    inverse_root.clear();
-    for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
-        inverse_root.push_back(inverse_root_of(system.hessian().diagonal_block(v)));
     of_piece = inertia_of_pieces(potential);
     in_factor = in_patch = potential.contact_stiffness(x);
     patch.clear();
@@ -78,21 +73,22 @@ void LaggedSystem::turn(const Potential& potential, const Positions& x) {
 }
 
 bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known,
-                          double most) const {
+                          double part) const {
     if (stiffness == known) return false;
-    const Matrix3d change = stiffness - known;
+    const Matrix3d change = stiffness - known, allowed = part * known;
     const double loose = of_piece[static_cast<Eigen::Index>(vertex)];
-    if (loose > 0 && !(share(change, inverse_root_of(known + loose * Matrix3d::Identity())) <= most))
+    if (loose > 0 && !is_within(change, allowed + small_change * (known + loose * Matrix3d::Identity())))
         return true;
-    const Matrix3d turned =
-        turns.empty() ? change : Matrix3d(turns[vertex].transpose() * change * turns[vertex]);
-    return !(share(turned, inverse_root[vertex]) <= most);
+    const Matrix3d block = small_change * system.hessian().diagonal_block(sources[vertex]);
+    if (turns.empty()) return !is_within(change, allowed + block);
+    const Matrix3d& turn = turns[vertex];
+    return !is_within(turn.transpose() * change * turn, turn.transpose() * allowed * turn + block);
 }
 
 std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const {
     std::vector<char> flags = cracked;
     for (std::size_t v = 0; v < flags.size(); ++v)
-        if (differ(v, stiffness[v], in_factor[v], small_change)) flags[v] = 1;
+        if (differ(v, stiffness[v], in_factor[v], 0)) flags[v] = 1;
     if (std::ranges::count(flags, 1) == 0) return {};
     for (int ring = 0; ring < rings_around; ++ring) grow(shell, flags);
     return flags;
@@ -103,7 +99,7 @@ LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions&
     const bool is_patched = !patch.empty() || std::ranges::count(cracked, 1) == 0;
     bool fits = is_patched;
     for (std::size_t v = 0; v < stiffness.size() && fits; ++v)
-        fits = !differ(v, stiffness[v], in_patch[v], most_change);
+        fits = !differ(v, stiffness[v], in_patch[v], small_part);
     if (fits) return Fit::fits;
     const std::vector<char> inside = changed(potential.of_shell(), stiffness);
     in_patch = in_factor;
@@ -155,7 +151,6 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
         if (heir.parents.empty()) return sources.clear();
         const Index parent = heir.parents.front().element;
         sources.push_back(sources[parent]);
-        inverse_root.push_back(inverse_root[parent]);
         in_factor.push_back(in_factor[parent]);
         cracked[parent] = 1;
         cracked.push_back(1);
@@ -165,9 +160,9 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
 }
 
 void LaggedSystem::visit_state(StateVisitor& visit) {
-    auto& [threads, system, outdated, sources, cracked, frames, turns, inverse_root, of_piece, in_factor,
-           in_patch, graph, patch] = *this;
-    visit(system, outdated, sources, cracked, frames, inverse_root, in_factor);
+    auto& [threads, system, outdated, sources, cracked, frames, turns, of_piece, in_factor, in_patch, graph,
+           patch] = *this;
+    visit(system, outdated, sources, cracked, frames, in_factor);
     if (has_factor()) system.visit_factor(visit);
 }
 

@@ -40,23 +40,23 @@ class LaggedSystem {
 
   private:
     Positions solve_lagged(const Potential& potential, const Positions& right_side);
-    /// Whether what contact has at a vertex is not what is known of it, but for a share of it at most.
-    bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known, double most) const;
+    /// Whether what contact has at a vertex is not what is known of it, but for little beside the vertex's
+    /// block in the factor, and for a part of what is known.
+    bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known, double part) const;
     /// The vertices that differ from the factor, and those around them, [V].
     std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
 
     Threads threads;
     NewtonSystem system;
-    bool outdated = true;                ///< whether the matrix has the pattern of another shell
-    std::vector<Index> sources;          ///< [V] of each vertex that in the factor; empty: there is no factor
-    std::vector<char> cracked;           ///< [V] whether a crack has changed the sheet there since
-    std::vector<Matrix3d> frames;        ///< [F] inverse, at the time of the factor
-    std::vector<Matrix3d> turns;         ///< [V] since then; empty: none
-    std::vector<Matrix3d> inverse_root;  ///< [V] of Cholesky factors of the diagonal blocks of the matrix
-    VectorXd of_piece;                   ///< [V] N/m, see inertia_of_pieces()
-    std::vector<Matrix3d> in_factor;     ///< [V] N/m, contact's part of them
-    std::vector<Matrix3d> in_patch;      ///< [V] N/m, the same with what the patch has
-    VertexGraph graph;                   ///< of the shell as it is; empty: not made yet
+    bool outdated = true;             ///< whether the matrix has the pattern of another shell
+    std::vector<Index> sources;       ///< [V] of each vertex that in the factor; empty: there is no factor
+    std::vector<char> cracked;        ///< [V] whether a crack has changed the sheet there since
+    std::vector<Matrix3d> frames;     ///< [F] inverse, at the time of the factor
+    std::vector<Matrix3d> turns;      ///< [V] since then; empty: none
+    VectorXd of_piece;                ///< [V] N/m, see inertia_of_pieces()
+    std::vector<Matrix3d> in_factor;  ///< [V] N/m, contact's part of them
+    std::vector<Matrix3d> in_patch;   ///< [V] N/m, the same with what the patch has
+    VertexGraph graph;                ///< of the shell as it is; empty: not made yet
     HessianPatch patch;
 };
 
