@@ -30,10 +30,11 @@ struct Elements {
     BoxTree tree;
 };
 
-/// The elements for which `wanted` returns true, given their vertices and their box.
+/// The elements for which `wanted` returns true, given their vertices and their box. If these are all, they
+/// are divided as they are known to be, where that is given.
 template <std::size_t N, class Wanted>
 Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
-                  const Wanted& wanted) {
+                  const Wanted& wanted, BoxTree::Division* known = nullptr) {
     const std::vector<Box> all = element_boxes(boxes, elements);
     std::vector<std::array<Index, N>> found;
     std::vector<Box> around;
@@ -42,17 +43,8 @@ Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::
             found.push_back(elements[i]);
             around.push_back(all[i]);
         }
-    return {std::move(found), BoxTree(around)};
-}
-
-/// The same, dividing all elements, if all are wanted, as they were divided before.
-template <std::size_t N, class Wanted>
-Elements<N> those(const std::vector<std::array<Index, N>>& elements, const std::vector<Box>& boxes,
-                  const Wanted& wanted, BoxTree::Division& known) {
-    const std::vector<Box> all = element_boxes(boxes, elements);
-    for (std::size_t i = 0; i < elements.size(); ++i)
-        if (!wanted(elements[i], all[i])) return those(elements, boxes, wanted);
-    return {elements, BoxTree(all, known)};
+    const bool as_known = known && found.size() == elements.size();
+    return {std::move(found), as_known ? BoxTree(around, *known) : BoxTree(around)};
 }
 
 std::vector<std::array<Index, 1>> points(Index from, Index to) {
@@ -163,9 +155,9 @@ void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std:
         });
     };
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
-    const auto vertices = those(all_points, boxes, has_changed, kept.vertices);
-    const auto triangles = those(surface.triangles(), boxes, has_changed, kept.triangles);
-    const auto edges = those(surface.edges(), boxes, has_changed, kept.edges);
+    const auto vertices = those(all_points, boxes, has_changed, &kept.vertices);
+    const auto triangles = those(surface.triangles(), boxes, has_changed, &kept.triangles);
+    const auto edges = those(surface.edges(), boxes, has_changed, &kept.edges);
     meet(PairKind::vertex_triangle, vertices, triangles);
     meet(PairKind::vertex_triangle, vertices, those(surface.triangles(), boxes, others_at(vertices.tree)));
     meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
