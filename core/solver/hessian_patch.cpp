@@ -2,11 +2,27 @@
 #include "core/solver/hessian_patch.h"
 
 namespace sherd {
+namespace {
+
+void set_mean_hessian(const Potential& potential, const Positions& x, const Positions* other,
+                      Curvature curvature, BlockMatrix& matrix) {
+    potential.hessian(x, curvature, matrix);
+    if (other == nullptr) return;
+    const std::vector<double> here(matrix.values().begin(), matrix.values().end());
+    potential.hessian(*other, curvature, matrix);
+    matrix.blend(here, matrix.values(), 0.5);
+}
+
+}  // namespace
 
 bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
-                         const std::vector<char>& inside, const Threads& threads) {
+                         const Positions* other, const std::vector<char>& inside, const Threads& threads) {
     const Shell& shell = potential.of_shell();
     std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
+    if (other != nullptr) {
+        const std::vector<std::pair<Index, Index>> there = potential.contacts(*other);
+        pairs.insert(pairs.end(), there.begin(), there.end());
+    }
     std::erase_if(pairs, [&](const auto& pair) { return !inside[pair.first] && !inside[pair.second]; });
     std::vector<char> near = inside;
     for (const auto& [i, j] : pairs) near[i] = near[j] = 1;
@@ -27,7 +43,7 @@ bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, c
     matrix = BlockMatrix::part(vertices, graph.size(), pairs, shell.fixed, shell.guide, shell.guides);
     solver = single_precision_solver(threads);
     for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
-        potential.hessian(x, curvature, *matrix);
+        set_mean_hessian(potential, x, other, curvature, *matrix);
         const BlockMatrix own = matrix->restricted(keep);
         const Stopwatch watch(potential.time_spent(), Task::factorization);
         if (curvature == Curvature::exact) solver->analyze(own);

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/shell/pieces.h"
 #include "core/solver/vertex_turns.h"
@@ -16,6 +17,8 @@ namespace {
 /// block is far stiffer than what sheets and shards do as a whole, and a share of it may be many times that;
 /// what changes by a share of itself stays a preconditioner for these, too.
 constexpr double small_change = 0.03, small_part = 0.3;
+/// When a search has had so many systems, and contact is as it was in one of them, it comes and goes.
+constexpr std::size_t most_fitted = 5;
 constexpr int rings_around = 3;        // of a patch around what has changed
 constexpr double largest_patch = 0.4;  // share of the vertices, beyond which a factor costs little more
 
@@ -61,15 +64,21 @@ void LaggedSystem::factorize(const Potential& potential, const Positions& x) {
     frames = inverse_frames(potential.of_shell(), x);
     turns.clear();
     of_piece = inertia_of_pieces(potential);
-    in_factor = in_patch = potential.contact_stiffness(x);
+    in_factor = potential.contact_stiffness(x);
+    forget(x);
+}
+
+void LaggedSystem::forget(Positions x) {
     patch.clear();
+    fitted.clear();
+    fitted.push_back({in_factor, std::move(x)});
+    fits_two = false;
 }
 
 void LaggedSystem::turn(const Potential& potential, const Positions& x) {
     turns = vertex_turns(potential.of_shell(), frames, x);
     of_piece = inertia_of_pieces(potential);
-    patch.clear();
-    in_patch = in_factor;
+    forget();
 }
 
 bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known,
@@ -88,29 +97,41 @@ bool LaggedSystem::differ(std::size_t vertex, const Matrix3d& stiffness, const M
 std::vector<char> LaggedSystem::changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const {
     std::vector<char> flags = cracked;
     for (std::size_t v = 0; v < flags.size(); ++v)
-        if (differ(v, stiffness[v], in_factor[v], 0)) flags[v] = 1;
-    if (std::ranges::count(flags, 1) == 0) return {};
+        if (differ(v, stiffness[v], in_factor[v], 0) ||
+            (fits_two && differ(v, fitted.back().stiffness[v], in_factor[v], 0)))
+            flags[v] = 1;
+    if (std::ranges::count(flags, 1) == 0) return flags;
     for (int ring = 0; ring < rings_around; ++ring) grow(shell, flags);
     return flags;
 }
 
+bool LaggedSystem::is_known(const std::vector<Matrix3d>& stiffness, std::size_t count) const {
+    const std::size_t first = fitted.size() - std::min(count, fitted.size());
+    for (std::size_t v = 0; v < stiffness.size(); ++v) {
+        std::size_t i = fitted.size();
+        while (i > first && differ(v, stiffness[v], fitted[i - 1].stiffness[v], small_part)) --i;
+        if (i == first) return false;
+    }
+    return true;
+}
+
 LaggedSystem::Fit LaggedSystem::fit(const Potential& potential, const Positions& x) {
-    const std::vector<Matrix3d> stiffness = potential.contact_stiffness(x);
+    std::vector<Matrix3d> stiffness = potential.contact_stiffness(x);
     const bool is_patched = !patch.empty() || std::ranges::count(cracked, 1) == 0;
-    bool fits = is_patched;
-    for (std::size_t v = 0; v < stiffness.size() && fits; ++v)
-        fits = !differ(v, stiffness[v], in_patch[v], small_part);
-    if (fits) return Fit::fits;
+    if (is_patched && is_known(stiffness, fits_two ? 2 : 1)) return Fit::fits;
+    const Positions& before = fitted.back().x;
+    fits_two = fitted.size() == most_fitted && before.size() > 0 && is_known(stiffness, most_fitted);
     const std::vector<char> inside = changed(potential.of_shell(), stiffness);
-    in_patch = in_factor;
-    patch.clear();
-    if (inside.empty()) return Fit::patched;
     const auto count = static_cast<double>(std::ranges::count(inside, 1));
+    patch.clear();
     if (count > largest_patch * static_cast<double>(inside.size())) return Fit::needs_factor;
     if (graph.size() == 0) graph = VertexGraph(static_cast<Index>(inside.size()), potential.pattern());
-    if (!patch.build(potential, graph, x, inside, threads)) return Fit::needs_factor;
+    if (count > 0 && !patch.build(potential, graph, x, fits_two ? &before : nullptr, inside, threads))
+        return Fit::needs_factor;
     for (std::size_t v = 0; v < inside.size(); ++v)
-        if (inside[v]) in_patch[v] = stiffness[v];
+        if (!inside[v]) stiffness[v] = in_factor[v];
+    fitted.push_back({std::move(stiffness), x});
+    if (fitted.size() > most_fitted) fitted.pop_front();
     return Fit::patched;
 }
 
@@ -143,7 +164,6 @@ Positions LaggedSystem::solve(const Potential& potential, const Positions& right
 void LaggedSystem::topology_changed(const ShellChange& change) {
     outdated = true;
     system.follow(change);
-    patch.clear();
     graph = {};
     if (change.remeshes()) sources.clear();
     if (!has_factor()) return;
@@ -155,13 +175,13 @@ void LaggedSystem::topology_changed(const ShellChange& change) {
         cracked[parent] = 1;
         cracked.push_back(1);
     }
-    in_patch = in_factor;
+    forget();
     turns.clear();
 }
 
 void LaggedSystem::visit_state(StateVisitor& visit) {
-    auto& [threads, system, outdated, sources, cracked, frames, turns, of_piece, in_factor, in_patch, graph,
-           patch] = *this;
+    auto& [threads, system, outdated, sources, cracked, frames, turns, of_piece, in_factor, fitted, fits_two,
+           graph, patch] = *this;
     visit(system, outdated, sources, cracked, frames, in_factor);
     if (has_factor()) system.visit_factor(visit);
 }

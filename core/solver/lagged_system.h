@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <utility>
 
 #include "core/solver/hessian_patch.h"
@@ -13,7 +14,8 @@ namespace sherd {
 /// takes its part of it turned as the sheet around it has turned since; vertices that were born since take
 /// that of the vertex that they come from. Where contacts have come or gone and around new cracks, a patch
 /// with the Hessian as it is corrects it, before and after (symmetric multiplicative Schwarz: Smith,
-/// Bjorstad, Gropp, Domain Decomposition, 1996).
+/// Bjorstad, Gropp, Domain Decomposition, 1996). Where a contact comes and goes from one iteration to the
+/// next, the patch has half of it.
 class LaggedSystem {
   public:
     explicit LaggedSystem(Threads of = Threads())
@@ -39,12 +41,23 @@ class LaggedSystem {
     void visit_state(StateVisitor& visit);
 
   private:
+    /// What contact had in the system at some place of a search.
+    struct Fitted {
+        std::vector<Matrix3d> stiffness;  ///< [V] N/m, diagonal blocks
+        Positions x;                      ///< m, [3, V]; empty: not a place of this search
+    };
+
     Positions solve_lagged(const Potential& potential, const Positions& right_side);
     /// Whether what contact has at a vertex is not what is known of it, but for little beside the vertex's
     /// block in the factor, and for a part of what is known.
     bool differ(std::size_t vertex, const Matrix3d& stiffness, const Matrix3d& known, double part) const;
-    /// The vertices that differ from the factor, and those around them, [V].
+    /// Whether at each vertex contact is like in one of the last `count` systems of this search.
+    bool is_known(const std::vector<Matrix3d>& stiffness, std::size_t count) const;
+    /// The vertices where contact, or what a patch has beside it, differs from the factor, and those around
+    /// them, [V].
     std::vector<char> changed(const Shell& shell, const std::vector<Matrix3d>& stiffness) const;
+    /// Begins to know what fits, at x or where the factor was made.
+    void forget(Positions x = {});
 
     Threads threads;
     NewtonSystem system;
@@ -55,7 +68,8 @@ class LaggedSystem {
     std::vector<Matrix3d> turns;      ///< [V] since then; empty: none
     VectorXd of_piece;                ///< [V] N/m, see inertia_of_pieces()
     std::vector<Matrix3d> in_factor;  ///< [V] N/m, contact's part of them
-    std::vector<Matrix3d> in_patch;   ///< [V] N/m, the same with what the patch has
+    std::deque<Fitted> fitted;        ///< the last ones of a search; the last of them is the system now
+    bool fits_two = false;            ///< whether the patch has half of the one before it, too
     VertexGraph graph;                ///< of the shell as it is; empty: not made yet
     HessianPatch patch;
 };
