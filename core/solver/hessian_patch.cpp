@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solver/hessian_patch.h"
 
+#include <span>
+
 namespace sherd {
 namespace {
 
-void set_mean_hessian(const Potential& potential, const Positions& x, const Positions* other,
-                      Curvature curvature, BlockMatrix& matrix) {
+/// The Hessian at x; with another place, contact's part of it is the mean of both.
+void set_hessian(const Potential& potential, const Positions& x, const Positions* other, Curvature curvature,
+                 BlockMatrix& matrix) {
     potential.hessian(x, curvature, matrix);
     if (other == nullptr) return;
-    const std::vector<double> here(matrix.values().begin(), matrix.values().end());
-    potential.hessian(*other, curvature, matrix);
-    matrix.blend(here, matrix.values(), 0.5);
+    std::vector<double> rest(matrix.values().begin(), matrix.values().end());
+    potential.contact_hessian(x, curvature, matrix);
+    const std::span<const double> of_contact = matrix.values();
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = 2 * rest[i] - of_contact[i];
+    potential.contact_hessian(*other, curvature, matrix);
+    matrix.blend(rest, matrix.values(), 0.5);
 }
 
 }  // namespace
@@ -43,7 +49,7 @@ bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, c
     matrix = BlockMatrix::part(vertices, graph.size(), pairs, shell.fixed, shell.guide, shell.guides);
     solver = single_precision_solver(threads);
     for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
-        set_mean_hessian(potential, x, other, curvature, *matrix);
+        set_hessian(potential, x, other, curvature, *matrix);
         const BlockMatrix own = matrix->restricted(keep);
         const Stopwatch watch(potential.time_spent(), Task::factorization);
         if (curvature == Curvature::exact) solver->analyze(own);

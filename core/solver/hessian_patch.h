@@ -14,9 +14,9 @@ namespace sherd {
 /// Part of a shell whose own equations are solved with the Hessian as it is, the vertices around it held.
 class HessianPatch {
   public:
-    /// The Hessian is that at x, or the mean of those at x and at another place. graph: of all blocks but
-    /// those of contacts. inside: [V] flags. Returns false if the part's matrix, even the convex one, is not
-    /// positive definite.
+    /// The Hessian is that at x, its part of contact perhaps the mean of x and another place. graph: of all
+    /// blocks but those of contacts. inside: [V] flags. Returns false if the part's matrix, even the convex
+    /// one, is not positive definite.
     bool build(const Potential& potential, const VertexGraph& graph, const Positions& x,
                const Positions* other, const std::vector<char>& inside, const Threads& threads);
     void clear() { matrix.reset(); }

@@ -79,10 +79,7 @@ BlockMatrix Potential::hessian_pattern(const Positions& x) const {
 
 std::vector<Matrix3d> Potential::contact_stiffness(const Positions& x) const {
     BlockMatrix stiffness = BlockMatrix::diagonal(static_cast<Index>(x.cols()));
-    stiffness.share_among(threads);
-    each([&](const Energy& energy) {
-        if (energy.task() == Task::contact) energy.add_hessian(x, Curvature::exact, stiffness);
-    });
+    contact_hessian(x, Curvature::exact, stiffness);
     std::vector<Matrix3d> blocks;
     for (Index v = 0; v < static_cast<Index>(x.cols()); ++v) blocks.push_back(stiffness.diagonal_block(v));
     return blocks;
@@ -104,6 +101,14 @@ void Potential::hessian(const Positions& x, Curvature curvature, BlockMatrix& he
     hessian.set_zero();
     hessian.share_among(threads);
     each([&](const Energy& energy) { energy.add_hessian(x, curvature, hessian); });
+}
+
+void Potential::contact_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const {
+    hessian.set_zero();
+    hessian.share_among(threads);
+    each([&](const Energy& energy) {
+        if (energy.task() == Task::contact) energy.add_hessian(x, curvature, hessian);
+    });
 }
 
 }  // namespace sherd

@@ -38,6 +38,8 @@ class Potential {
     /// The pairs of vertices that have a block in the Hessian at x because they are in contact.
     std::vector<std::pair<Index, Index>> contacts(const Positions& x) const;
     void hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
+    /// The same of contact and friction alone.
+    void contact_hessian(const Positions& x, Curvature curvature, BlockMatrix& hessian) const;
     /// Fraction, 0 to 1, of a straight motion from x [3, V] in which nothing passes through a sheet.
     double safe_fraction(const Positions& x, const Positions& motion) const;
     const Shell& of_shell() const { return shell; }
