@@ -7,26 +7,27 @@ namespace sherd {
 namespace {
 
 /// The Hessian at x; with another place, contact's part of it is the mean of both.
-void set_hessian(const Potential& potential, const Positions& x, const Positions* other, Curvature curvature,
-                 BlockMatrix& matrix) {
+void set_hessian(const Potential& potential, const Positions& x, const Positions* elsewhere,
+                 Curvature curvature, BlockMatrix& matrix) {
     potential.hessian(x, curvature, matrix);
-    if (other == nullptr) return;
+    if (elsewhere == nullptr) return;
     std::vector<double> rest(matrix.values().begin(), matrix.values().end());
     potential.contact_hessian(x, curvature, matrix);
     const std::span<const double> of_contact = matrix.values();
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = 2 * rest[i] - of_contact[i];
-    potential.contact_hessian(*other, curvature, matrix);
+    potential.contact_hessian(*elsewhere, curvature, matrix);
     matrix.blend(rest, matrix.values(), 0.5);
 }
 
 }  // namespace
 
 bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, const Positions& x,
-                         const Positions* other, const std::vector<char>& inside, const Threads& threads) {
+                         const Positions* elsewhere, const std::vector<char>& inside,
+                         const Threads& threads) {
     const Shell& shell = potential.of_shell();
     std::vector<std::pair<Index, Index>> pairs = potential.contacts(x);
-    if (other != nullptr) {
-        const std::vector<std::pair<Index, Index>> there = potential.contacts(*other);
+    if (elsewhere != nullptr) {
+        const std::vector<std::pair<Index, Index>> there = potential.contacts(*elsewhere);
         pairs.insert(pairs.end(), there.begin(), there.end());
     }
     std::erase_if(pairs, [&](const auto& pair) { return !inside[pair.first] && !inside[pair.second]; });
@@ -49,7 +50,7 @@ bool HessianPatch::build(const Potential& potential, const VertexGraph& graph, c
     matrix = BlockMatrix::part(vertices, graph.size(), pairs, shell.fixed, shell.guide, shell.guides);
     solver = single_precision_solver(threads);
     for (const Curvature curvature : {Curvature::exact, Curvature::convex}) {
-        set_hessian(potential, x, other, curvature, *matrix);
+        set_hessian(potential, x, elsewhere, curvature, *matrix);
         const BlockMatrix own = matrix->restricted(keep);
         const Stopwatch watch(potential.time_spent(), Task::factorization);
         if (curvature == Curvature::exact) solver->analyze(own);

@@ -18,7 +18,7 @@ class HessianPatch {
     /// blocks but those of contacts. inside: [V] flags. Returns false if the part's matrix, even the convex
     /// one, is not positive definite.
     bool build(const Potential& potential, const VertexGraph& graph, const Positions& x,
-               const Positions* other, const std::vector<char>& inside, const Threads& threads);
+               const Positions* elsewhere, const std::vector<char>& inside, const Threads& threads);
     void clear() { matrix.reset(); }
     bool empty() const { return !matrix; }
     /// The motion inside, m, with which the forces there vanish; zero elsewhere. right_side: N, [3, V].
