@@ -79,7 +79,7 @@ double largest(const VectorXd& measures) {
 
 Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
     : options(options),
-      breakable(with_cracks(supported(std::move(sheets), options.held))),
+      breakable(at_start(supported(std::move(sheets), options.held))),
       stepper(make_stepper(breakable.mechanics(), stepper_options(options, breakable.mechanics()))),
       growth(breakable, options.stepper.shell.membrane, options.stepper.scheme == Scheme::statics),
       fragments(breakable.mesh(), breakable.face_areas()),
@@ -90,10 +90,15 @@ Simulation::Simulation(BreakableShell sheets, const SimulationOptions& options)
       pace(little_fall(breakable.mechanics(), options.stepper)),
       scripts(breakable.mechanics().motions.size()) {}
 
-BreakableShell Simulation::with_cracks(BreakableShell sheets) {
+BreakableShell Simulation::at_start(BreakableShell sheets) {
     keep_loads(sheets, options.stepper.shell);
     residual = residual_at_start = residual_energy(sheets, options.cracks);
-    if (options.cracks.empty()) return sheets;
+    if (!options.cracks.empty()) open_cracks(sheets);
+    release_apart(sheets, options.stepper.contact.bodies, 0);
+    return sheets;
+}
+
+void Simulation::open_cracks(BreakableShell& sheets) {
     for (const Edge edge : options.cracks) {
         EdgeFailure failure;
         failure.edge = static_cast<Index>(edge);
@@ -104,14 +109,12 @@ BreakableShell Simulation::with_cracks(BreakableShell sheets) {
     const BreakableShell::Change change = sheets.fail(options.cracks);
     record_change(change.cracks);
     follow(sheets.mechanics(), change.shell, options.gauges);
-    return sheets;
 }
 
 StepReport Simulation::step() try {
     StepReport report;
     report.step = ++steps;
     is_resort_tried = false;
-    release_apart();
     while (!attempt(report))
         if (!try_otherwise(report)) give_up(report);
     finish(report);
@@ -263,12 +266,12 @@ void Simulation::update_fragments() {
         events.births.push_back({0, steps, fragment, fragments.parents()[fragment]});
 }
 
-void Simulation::release_apart() {
-    const Stopwatch watch(stepper->time_spent(), Task::contact);
+bool Simulation::release_apart(BreakableShell& sheets, const std::vector<RigidBody>& bodies,
+                               double time) const {
     const ContactOptions& contact = options.stepper.contact;
-    const bool of_sheets = contact.sheets && breakable.release_apart();
-    const bool of_colliders = shrink_start_depths(breakable.mechanics(), contact.obstacles, bodies(), time());
-    if (of_sheets || of_colliders) stepper->topology_changed({});
+    const bool of_sheets = contact.sheets && sheets.release_apart();
+    const bool of_colliders = shrink_start_depths(sheets.mechanics(), contact.obstacles, bodies, time);
+    return of_sheets || of_colliders;
 }
 
 void Simulation::report_peaks(StepReport& report, const Measured& measured) const {
@@ -317,6 +320,11 @@ void Simulation::finish(StepReport& report) {
     report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
     report.fragments = fragments.count();
     report.is_explicit = stepper->scheme() == Scheme::explicit_differences;
+    {
+        // The stepper that made the step knows where its contacts are; one of another scheme has yet to begin.
+        const Stopwatch watch(stepper->time_spent(), Task::contact);
+        if (release_apart(breakable, bodies(), time())) stepper->topology_changed({});
+    }
     pace_on(report);
 }
 

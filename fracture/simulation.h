@@ -147,12 +147,14 @@ class Simulation {
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
-    /// Keeps what loads refer to, opens what has failed before the run, and begins the list of events with
-    /// it.
-    BreakableShell with_cracks(BreakableShell sheets);
+    /// Keeps what loads refer to, opens what has failed before the run, begins the list of events with it, and
+    /// lets what is apart at the start meet.
+    BreakableShell at_start(BreakableShell sheets);
+    void open_cracks(BreakableShell& sheets);
     void update_fragments();
-    /// Leaves the lips of cracks that have parted since, and what overlapped at the start, to contact.
-    void release_apart();
+    /// Re-enables contact between crack faces, and between what overlapped at the start, that are apart where
+    /// everything is at `time` (s). Returns whether any are.
+    bool release_apart(BreakableShell& sheets, const std::vector<RigidBody>& bodies, double time) const;
     void report_peaks(StepReport& report, const Measured& measured) const;
     void finish(StepReport& report);
     void pace_on(const StepReport& report);
