@@ -16,6 +16,10 @@ struct MotionKey {
     double angle = 0;  ///< rad about the axis through the pivot; applied before the translation
 };
 
+/// The number of parts of a motion that turns by `turn`, rad, in which points may go straight: they are then
+/// off their arc by at most 1/128 of its radius.
+int straight_parts(double turn);
+
 /// A scripted motion.
 struct Motion {
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  ///< the pose if there are no keys
@@ -29,6 +33,8 @@ struct Motion {
     /// last key. Between two keys with the same axis the angle is interpolated, over any number of turns;
     /// otherwise the rotation takes the shortest way.
     Eigen::Isometry3d at(double time) const;
+    /// No less than the angle, rad, by which it turns between two times, whole turns and ways back included.
+    double turn_between(double from, double to) const;
 };
 
 }  // namespace sherd

@@ -135,9 +135,14 @@ void Simulation::give_up(const StepReport& report) const {
     const bool statics = options.stepper.scheme == Scheme::statics;
     const char* unit = statics ? "" : " s";
     std::ostringstream text;
-    text << "step " << report.step << ", at " << (statics ? "load " : "") << time() << unit
-         << ": even a step of " << step_size.size() << unit << " cannot be solved within "
-         << options.max_iterations
+    text << "step " << report.step << ", at " << (statics ? "load " : "") << time() << unit << ": even ";
+    if (urgency == Urgency::passage) {
+        text << "in a step of " << step_size.size() << unit
+             << " something passes through what it meets; a thicker or stiffer sheet, less speed, or a finer "
+                "mesh may help";
+        throw Error(text.str(), Fault::run);
+    }
+    text << "a step of " << step_size.size() << unit << " cannot be solved within " << options.max_iterations
          << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help, and "
             "sherd check warns of numbers that are hardly meant";
     if (statics)
@@ -214,6 +219,7 @@ MinimiserResult Simulation::break_in_stages(StepReport& report, MinimiserResult 
             ++report.stages;
             if (!stepper->solves_again()) return newton;
             newton = solve_stage(report, iterations_between_stages);
+            if (newton.passes) return newton;
             is_cut_short = newton.limited;
         } else if (is_cut_short) {
             newton = solve_stage(report, options.max_iterations);
@@ -255,6 +261,7 @@ Simulation::Measured Simulation::measured() const {
 MinimiserResult Simulation::solve_stage(StepReport& report, int max_iterations) {
     const MinimiserResult result = stepper->solve(max_iterations);
     report.newton_iterations += result.iterations;
+    if (result.passes) urgency = Urgency::passage;
     return result;
 }
 

@@ -17,9 +17,10 @@ enum class Urgency : std::uint8_t {
     crack,        ///< something fails
     unsolved,     ///< the step cannot be solved
     overwhelmed,  ///< explicit steps cannot go on: implicit ones shall
+    passage,      ///< something passes through what it meets in the step that was solved
 };
 
-inline constexpr std::size_t urgency_count = 6;
+inline constexpr std::size_t urgency_count = 7;
 
 /// What a step has done, or would do.
 struct StepActivity {

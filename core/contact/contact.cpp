@@ -56,6 +56,11 @@ void Contact::end_at(const Positions& x) {
     if (body_contact) body_contact->end_at(x);
 }
 
+bool Contact::passes(const StepContext& step, const Positions& x) const {
+    return (sheet_contact && sheet_contact->passes(step, shell.position, x)) ||
+           (body_contact && body_contact->passes(step, x));
+}
+
 void Contact::finish(const Positions& x) {
     if (body_contact) body_contact->finish(x);
     for (const auto& contact : obstacle_contact) contact->finish(x);

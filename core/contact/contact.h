@@ -42,6 +42,9 @@ class Contact {
     void end_at(const Positions& x);
     /// Whether the bodies can make the step that ends with the shell at x; else it is too long for them.
     bool bodies_arrive(const Positions& x) const { return !body_contact || body_contact->arrive(x); }
+    /// Whether anything passes through what it meets in the step that ends with the shell at x: the shell
+    /// straight, obstacles and bodies by their screws. A minimiser may have gone around a rim.
+    bool passes(const StepContext& step, const Positions& x) const;
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
 

@@ -11,6 +11,7 @@ struct MinimiserResult {
     bool converged = false;
     bool limited = false;   ///< whether it ended because it had all the iterations that it was given
     double correction = 0;  ///< m, largest coordinate of the last correction
+    bool passes = false;    ///< whether a step to this solution passes through something: see Contact
 };
 
 /// Finds the minimum of a potential. It may keep patterns, orderings and factors from one call to the next,

@@ -131,9 +131,10 @@ MinimiserResult ImplicitStepper::solve(int max_iterations) {
     } catch (const IndefiniteMatrix&) {
         // Inertia of a shorter step may be what the matrix lacks.
     }
-    if (result.converged && contact.of_bodies() != nullptr) {
+    if (result.converged && !contact.empty()) {
         const Stopwatch of_contact(spent, Task::contact);
-        result.converged = contact.bodies_arrive(position);
+        result.passes = contact.passes(step, position);
+        result.converged = !result.passes && contact.bodies_arrive(position);
     }
     ledger.solved(stored());
     opening.solved(position);

@@ -41,6 +41,23 @@ TEST(Motion, TurnsAboutThePivotAsOftenAsAsked) {
     EXPECT_LT((m.at(3.5) * Vector3d(0.5, 0, 0) - Vector3d(1, -0.5, 4)).norm(), 1e-12) << "5.5 pi";
 }
 
+// A turn that is cut into too few parts goes straight through what it should sweep.
+TEST(Motion, SaysHowFarItTurnsBetweenTwoTimes) {
+    for (const bool smooth : {true, false}) {
+        const Motion m = motion(smooth);
+        EXPECT_NEAR(m.turn_between(0, 9), 7 * pi, 1e-12) << "three turns, and half of one back";
+        EXPECT_NEAR(m.turn_between(1, 2), 3 * pi, 1e-12);
+        EXPECT_NEAR(m.turn_between(2, 3.5), 3.5 * pi, 1e-12);
+        EXPECT_EQ(m.turn_between(0, 0.5) + m.turn_between(5, 6), 0);
+    }
+    EXPECT_EQ(Motion{}.turn_between(0, 1), 0);
+    for (const double turn : {0.0, 0.3, 2.0, 1e9}) {
+        const int parts = straight_parts(turn);
+        EXPECT_GE(parts, 1);
+        if (turn < 1e3) EXPECT_LT(1 - std::cos(turn / parts / 2), 1.0 / 127);
+    }
+}
+
 TEST(Motion, SmoothStartsAndEndsAtRest) {
     const Motion m = motion(true);
     const auto height = [&](double time) { return m.at(time).translation().z(); };

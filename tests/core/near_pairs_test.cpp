@@ -110,5 +110,25 @@ TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     EXPECT_GT(freedom(1e9), 1) << "128 widths of 11 mm, each plate its half";
 }
 
+// A step in which two plates change places is none, though they are apart at both ends; one in which they slide
+// over each other, or come nearer than their thickness for a moment, is.
+TEST(NearPairs, WhatChangesPlacesPasses) {
+    const double apart = 0.01;
+    const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
+    const NearPairs near{ContactSurface(shell)};
+    const auto count = static_cast<Eigen::Index>(shell.position.cols());
+    const auto passes = [&](const Vector3d& of_upper) {
+        Positions motion = Positions::Zero(3, count);
+        motion.rightCols(count / 2).colwise() += of_upper;
+        return near.passes(shell.position, motion);
+    };
+    EXPECT_TRUE(passes({0, 0, -2 * apart}));
+    EXPECT_TRUE(passes({0.01, 0.02, -2 * apart}));
+    EXPECT_FALSE(passes({0, 0, -0.95 * apart})) << "within the thickness";
+    EXPECT_FALSE(passes({0.05, 0, 0}));
+    EXPECT_FALSE(passes({0, 0, 2 * apart}));
+    EXPECT_FALSE(passes({0.5, 0, -1e-3}));
+}
+
 }  // namespace
 }  // namespace sherd

@@ -103,5 +103,23 @@ TEST(WithScheme, TheBalanceHasWhatContactStoresOtherwise) {
     }
 }
 
+// Pieces part after the last step of one scheme, and before the first one of another: a stepper that has not
+// begun is told of it, and must not read where free bodies are to go.
+TEST(WithScheme, AStepperThatHasNotBegunHearsOfChanges) {
+    for (const Scheme scheme : {Scheme::explicit_differences, Scheme::implicit_euler, Scheme::bdf2}) {
+        Flight told, untold;
+        for (Flight* flight : {&told, &untold}) {
+            flight->options.scheme = scheme;
+            flight->stepper = make_stepper(flight->shell, flight->options);
+        }
+        told.stepper->topology_changed({});
+        EXPECT_EQ(told.energy(), untold.energy());
+        advance(*told.stepper, 3, 2e-5);
+        advance(*untold.stepper, 3, 2e-5);
+        EXPECT_EQ(told.shell.position, untold.shell.position);
+        EXPECT_EQ(told.stepper->bodies()[0].centre, untold.stepper->bodies()[0].centre);
+    }
+}
+
 }  // namespace
 }  // namespace sherd::test

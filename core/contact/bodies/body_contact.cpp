@@ -22,7 +22,8 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       finished(started),
       ended(started),
       surfaces(surface_pairs(started, obstacles, crossed)),
-      held_by_shell(started.size()) {
+      held_by_shell(started.size()),
+      base(VectorXd::Zero(static_cast<Eigen::Index>(6 * started.size()))) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -33,7 +34,7 @@ ContactSurface BodyContact::with_surface(std::size_t body) const {
 
 void BodyContact::begin(const StepContext& step) {
     started = finished;
-    base = VectorXd::Zero(static_cast<Eigen::Index>(6 * started.size()));
+    base.setZero();
     make_steps(step);
     VectorXd ahead(base.size());
     for (std::size_t b = 0; b < steps.size(); ++b) ahead.segment<6>(6 * b) = steps[b].prediction();

@@ -38,9 +38,11 @@ class BodyContact : public Energy {
     bool blocked() const { return is_blocked; }
     /// Lets the bodies make the step that ends with the shell at x [3, V] m, which is not finished yet.
     void end_at(const Positions& x);
-    /// Whether the poses for the shell at x are the best, and no body came there around a sheet. Else the
-    /// step is too long for the bodies.
+    /// Whether the poses for the shell at x are the best. Else the step is too long for the bodies.
     bool arrive(const Positions& x) const;
+    /// Whether a body passes through the shell, which gets straight to x, or through another body or an
+    /// obstacle, in the step, when all of them move by their screws.
+    bool passes(const StepContext& step, const Positions& x) const;
     /// Ends the step with the shell at x.
     void finish(const Positions& x);
     /// The bodies at the end of the last step that was finished.
@@ -74,7 +76,7 @@ class BodyContact : public Energy {
         auto& [shell, obstacles, gravity, started, finished, ended, pairs, surfaces, steps, obstacle_starts,
                obstacle_places, points, sliding, held_by_shell, held_by_points, start_stored, is_blocked,
                base, last, best, at_best] = *this;
-        visit(started, finished, pairs, surfaces, held_by_shell, held_by_points, base);
+        visit(started, finished, pairs, surfaces, held_by_shell, held_by_points);
     }
 
   private:
@@ -147,6 +149,7 @@ class BodyContact : public Energy {
     /// others. `ahead` also counts contacts that may occur soon.
     std::vector<std::size_t> groups(const VectorXd& q, bool ahead) const;
     double free_way(const Positions& x, const VectorXd& from, const VectorXd& to) const;
+    bool passes(const StepContext& step, const SurfacePairs& pair) const;  ///< when bodies get to `best`
     bool is_small(const VectorXd& correction) const;
     /// The correction of Newton's method at the best q so far.
     VectorXd correction() const;
@@ -173,7 +176,7 @@ class BodyContact : public Energy {
     StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
     bool is_blocked = false;
-    VectorXd base;  ///< [6 B] poses free of overlap with the shell, where solve() starts
+    VectorXd base;  ///< [6 B] motions in the step to poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

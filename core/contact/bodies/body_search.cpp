@@ -149,8 +149,35 @@ bool BodyContact::arrive(const Positions& x) const {
     const Potential& here = solve(x);
     const VectorXd correction = here.hessian.ldlt().solve(here.gradient);
     const bool is_best = here.gradient.dot(correction) <= still_to_gain * std::abs(here.value);
-    if (!is_best && !is_small(correction)) return false;
-    return have_straight_ways(x, best, 1, 1);
+    return is_best || is_small(correction);
+}
+
+bool BodyContact::passes(const StepContext& step, const Positions& x) const {
+    solve(x);
+    for (std::size_t b = 0; b < steps.size(); ++b)
+        if (steps[b].passes(x, part(best, b))) return true;
+    return std::ranges::any_of(surfaces, [&](const auto& pair) { return passes(step, *pair); });
+}
+
+bool BodyContact::passes(const StepContext& step, const SurfacePairs& pair) const {
+    const auto turn_of = [&](std::size_t one) {
+        return is_free(one) ? part(best, one).tail<3>().norm()
+                            : obstacles[one - steps.size()].motion.turn_between(step.begin, step.end());
+    };
+    const auto place_of = [&](std::size_t one, double share) {
+        return is_free(one) ? steps[one].pose(share * part(best, one)).place
+                            : obstacles[one - steps.size()].motion.at(step.begin + share * step.length);
+    };
+    // What deforms is known at both ends only.
+    const int parts = pair.other_deforms() ? 1 : straight_parts(turn_of(pair.body) + turn_of(pair.other));
+    PairPlaces before = start_of(pair);
+    for (int part = 1; part <= parts; ++part) {
+        const double share = static_cast<double>(part) / parts;
+        const PairPlaces after{place_of(pair.body, share), place_of(pair.other, share)};
+        if (pair.pass_between(before, after)) return true;
+        before = after;
+    }
+    return false;
 }
 
 bool BodyContact::have_straight_ways(const Positions& x, const VectorXd& q, double widths,

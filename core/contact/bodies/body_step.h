@@ -61,10 +61,12 @@ class BodyStep {
     double free_way(const Positions& x, const Vector6d& from, const Vector6d& to) const;
     /// Fraction, 0 to 1, of the shell's motion from x on which it does not reach the body at q.
     double free_motion(const Positions& x, const Positions& motion, const Vector6d& q) const;
-    /// Whether the step, in which the shell gets to x and the body to q, can be made straight: the body gets
-    /// no farther than some of its own widths beyond where the shell meets it on that way. A search for the
-    /// best pose may have taken it around the rim of a sheet.
-    bool has_straight_way(const Positions& x, const Vector6d& q, double widths = 1) const;
+    /// Whether a body that goes straight, without turning, gets no farther than some of its own widths beyond
+    /// where it meets the shell, which gets to x meanwhile.
+    bool has_straight_way(const Positions& x, const Vector6d& q, double widths) const;
+    /// Whether the body passes through the shell in the step, in which it gets to q by its screw and the shell
+    /// straight to x. A search for the best pose may have taken it around the rim of a sheet.
+    bool passes(const Positions& x, const Vector6d& q) const;
     /// Adds the vertices that may touch the body at q soon.
     void add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const;
     /// The vertices of the shell that touch the body at q, with their depth.

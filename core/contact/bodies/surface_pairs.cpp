@@ -199,6 +199,12 @@ bool SurfacePairs::has_straight_way(const PairPlaces& from, const PairPlaces& to
     return (1 - near().safe_fraction(all, seen(moved) - all)) * way <= width;
 }
 
+bool SurfacePairs::pass_between(const PairPlaces& from, const PairPlaces& to) const {
+    if (!may_meet(from, to)) return false;
+    const Positions all = seen(from);
+    return near().passes(all, seen(to) - all);
+}
+
 Vector3d SurfacePairs::pushed_along(const PairPlaces& from, const PairPlaces& to) const {
     Vector3d most = Vector3d::Zero();
     if (!may_meet(from, to)) return most;

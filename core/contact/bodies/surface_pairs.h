@@ -61,7 +61,9 @@ class SurfacePairs {
     /// Fraction, 0 to 1, of the straight way from places to others on which the surfaces do not meet.
     double free_way(const PairPlaces& from, const PairPlaces& to) const;
     /// See BodyStep.
-    bool has_straight_way(const PairPlaces& from, const PairPlaces& to, double widths = 1) const;
+    bool has_straight_way(const PairPlaces& from, const PairPlaces& to, double widths) const;
+    /// Whether the surfaces pass through each other on the straight way from places to others.
+    bool pass_between(const PairPlaces& from, const PairPlaces& to) const;
     /// By what, m, in space, what deforms moves between these places where the body, which stays, is in its
     /// way.
     Vector3d pushed_along(const PairPlaces& from, const PairPlaces& to) const;

@@ -22,11 +22,12 @@ constexpr double most_steps = 10;
 /// this many.
 constexpr double widths_of_part = 2, most_parts = 64;
 
-/// Share of the range that a motion may leave of it. Springs are asked only whether elements pass each other.
-constexpr double clearance_of_springs = 1e-3;
+/// Share of the range that a motion may leave of it; the least where only passing counts, as for springs.
+constexpr double clearance_of_barriers = 0.5, clearance_of_passing = 1e-3;
+constexpr double room_for_barriers = 0.02;  // of their range, at least
 
 double clearance(const ContactPair& pair) {
-    return (pair.spring ? clearance_of_springs : 0.5) * pair.barrier().range;
+    return (pair.spring ? clearance_of_passing : clearance_of_barriers) * pair.barrier().range;
 }
 
 /// How far elements are from each other, on the mean: edges where triangles are even, the width of needles.
@@ -89,35 +90,52 @@ const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) cons
     return active;
 }
 
-double NearPairs::safe_fraction(const Positions& x, const Positions& motion) const {
+double NearPairs::free_fraction(const Positions& x, const Positions& motion, Kept kept) const {
     const Positions way = Neighbourhood(x, motion, 0, of.collider_vertices()).motion;
     const double length = way.cols() > 0 ? way.colwise().norm().maxCoeff() : 0;
     const double longest = widths_of_part * mean_width(of, x);
-    if (!(longest > 0 && length > longest)) return safe_fraction_of_part(x, motion);
+    if (!(longest > 0 && length > longest)) return free_fraction_of_part(x, motion, kept);
     const double parts = std::ceil(length / longest);
     const Positions part = motion / parts;
     for (double before = 0; before < std::min(parts, most_parts); ++before)
-        if (const double fraction = safe_fraction_of_part(x + before * part, part); fraction < 1)
+        if (const double fraction = free_fraction_of_part(x + before * part, part, kept);
+            fraction < 1)
             return (before + fraction) / parts;
     return std::min(1.0, most_parts / parts);
 }
 
-double NearPairs::safe_fraction_of_part(const Positions& x, const Positions& motion) const {
+double NearPairs::free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const {
     const ContactCandidates& all = candidates(x, motion);
     const double round_off = 4 * all.neighbourhood().round_off;
+    struct Room {
+        double minimum, clearance;
+    };
+    const auto room_of = [&](const ContactPair& pair) {
+        return kept == Kept::minimum ? Room{pair.minimum(), clearance(pair)}
+                                     : Room{0, clearance_of_passing * pair.activation_distance};
+    };
     const auto may_meet = [&](const ContactPair& pair, double least) {
         const double way = approach(pair.kind, columns(motion, pair.vertices)) + round_off;
-        return !surely_free(least - round_off, way, pair.minimum(), clearance(pair));
+        const auto [minimum, clearance] = room_of(pair);
+        return !surely_free(least - round_off, way, minimum, clearance);
     };
     double fraction = 1;
     for (const ContactPair& pair : all.near(x, motion, 1, 0, may_meet)) {
         const PairPositions from = columns(x, pair.vertices);
         const PairPositions way = fraction * columns(motion, pair.vertices);
-        const double kept = pair.minimum() + clearance(pair);
-        if (distance_of_boxes(pair.kind, from) < kept + approach(pair.kind, way))
-            fraction *= sherd::safe_fraction(pair.kind, from, way, pair.minimum(), clearance(pair));
+        const auto [minimum, clearance] = room_of(pair);
+        if (distance_of_boxes(pair.kind, from) < minimum + clearance + approach(pair.kind, way))
+            fraction *= sherd::safe_fraction(pair.kind, from, way, minimum, clearance);
     }
     return fraction;
+}
+
+bool NearPairs::leave_room_for_barriers(const Positions& x) const {
+    return std::ranges::none_of(active_pairs(x), [&](const ContactPair& pair) {
+        const double minimum = of.minimum_of_barrier(pair);
+        return within(minimum + room_for_barriers * (pair.activation_distance - minimum), pair,
+                      columns(x, pair.vertices));
+    });
 }
 
 std::vector<ContactPair> NearPairs::pairs_nearby_once(const Positions& x) const {

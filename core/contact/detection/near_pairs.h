@@ -23,7 +23,16 @@ class NearPairs {
     const std::vector<ContactPair>& active_pairs(const Positions& x) const;
     /// Fraction, 0 to 1, of a straight motion from x up to which every pair stays above its minimum distance;
     /// less where a vertex moves by more than 128 widths of triangles beside the others.
-    double safe_fraction(const Positions& x, const Positions& motion) const;
+    double safe_fraction(const Positions& x, const Positions& motion) const {
+        return free_fraction(x, motion, Kept::minimum);
+    }
+    /// Whether middle surfaces pass through each other somewhere in a straight motion from x, whatever their
+    /// thickness, or a vertex moves as far as safe_fraction() does not look.
+    bool passes(const Positions& x, const Positions& motion) const {
+        return free_fraction(x, motion, Kept::nothing) < 1;
+    }
+    /// Whether pairs at x that are springs could be barriers, with some of their range left.
+    bool leave_room_for_barriers(const Positions& x) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
     /// nearer there than a tenth of the thinnest sheet's thickness.
     std::vector<ContactPair> pairs_nearby(const Positions& x, const Positions& motion) const;
@@ -48,7 +57,10 @@ class NearPairs {
 
   private:
     void find(const Positions& x, const Positions& motion) const;
-    double safe_fraction_of_part(const Positions& x, const Positions& motion) const;
+    /// The distance that pairs keep on a way that counts as free: their minimum, or none.
+    enum class Kept { minimum, nothing };
+    double free_fraction(const Positions& x, const Positions& motion, Kept kept) const;
+    double free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const;
     Neighbourhood surroundings(const Positions& x, const Positions& motion) const;  ///< of pairs_nearby()
     // The candidates of a neighbourhood with x, and with the motion from it:
     const ContactCandidates& candidates(const Positions& x) const;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surfaces of the bodies of explicit_bodies.h against those of each other and of obstacles.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include "core/contact/bodies/body_potential.h"
 #include "core/contact/explicit/explicit_bodies.h"
 #include "core/contact/explicit/moving_collider.h"
 #include "core/contact/explicit/pair_friction.h"
@@ -16,7 +19,43 @@ double largest_mobility(const RigidBody& body, double arm) {
     return 1 / body.mass + arm * arm / body.inertia.minCoeff();
 }
 
+/// The rotation vector, rad, of a body from one state to another one, with the whole turns that it makes
+/// meanwhile, in `length` s.
+Vector3d turn_of(const RigidBody& from, const RigidBody& to, double length) {
+    const Eigen::AngleAxisd turn(to.rotation * from.rotation.transpose());
+    const double spun = 0.5 * length * (from.spin() + to.spin()).dot(turn.axis());
+    const double whole = 2 * std::numbers::pi;
+    return (turn.angle() + whole * std::round((spun - turn.angle()) / whole)) * turn.axis();
+}
+
 }  // namespace
+
+bool ExplicitBodies::pass_shell(const StepContext& step, const Positions& end) const {
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        if (!pairs[b]) continue;
+        const Vector3d turn = turn_of(started[b], all[b], step.length);
+        const int parts = straight_parts(turn.norm());
+        Positions before = seen_from(started[b], step.origin);
+        for (int part = 1; part <= parts; ++part) {
+            const double share = static_cast<double>(part) / parts;
+            RigidBody then = all[b];
+            if (part < parts) {
+                then.centre = started[b].centre + share * (all[b].centre - started[b].centre);
+                then.rotation = turned(share * turn) * started[b].rotation;
+            }
+            const Positions after = seen_from(then, step.origin + share * (end - step.origin));
+            if (pairs[b]->passes(before, after - before)) return true;
+            before = after;
+        }
+    }
+    return false;
+}
+
+bool ExplicitBodies::leave_room_for_barriers(const Positions& x) const {
+    for (std::size_t b = 0; b < all.size(); ++b)
+        if (pairs[b] && !pairs[b]->leave_room_for_barriers(seen_from(all[b], x))) return false;
+    return true;
+}
 
 std::vector<Eigen::Isometry3d> ExplicitBodies::with_bodies(std::span<const Eigen::Isometry3d> places) const {
     std::vector<Eigen::Isometry3d> together;

@@ -102,10 +102,10 @@ Vector3d ExplicitBodies::velocity_at(std::size_t body, const Vector3d& at) const
     return all[body].velocity + all[body].spin().cross(at - all[body].centre);
 }
 
-Positions ExplicitBodies::seen_from(std::size_t body, const Positions& x) const {
-    const Positions& of_body = all[body].surface->points;
+Positions ExplicitBodies::seen_from(const RigidBody& body, const Positions& x) {
+    const Positions& of_body = body.surface->points;
     Positions together(3, of_body.cols() + x.cols());
-    together << of_body, all[body].pose().inverse() * x;
+    together << of_body, body.pose().inverse() * x;
     return together;
 }
 
@@ -154,7 +154,7 @@ PairPositions ExplicitBodies::friction_of(std::size_t body, const ContactPair& p
 }
 
 void ExplicitBodies::add_pairs(std::size_t body, const Substep& substep, ContactForces& sum) {
-    const Positions local = seen_from(body, substep.position);
+    const Positions local = seen_from(all[body], substep.position);
     const Index first = all[body].surface->size();
     for (const ContactPair& pair : pairs[body]->active_pairs(local)) {
         const PairPositions at = all[body].pose() * columns(local, pair.vertices);
@@ -243,7 +243,7 @@ double ExplicitBodies::stored_energy(const Positions& x, std::span<const Eigen::
         at_vertices[b].add_springs(x, all[b].pose(), Curvature::convex,
                                    [&](Index, const PointForce& spring) { sum += spring.value; });
         if (!pairs[b]) continue;
-        const Positions local = seen_from(b, x);
+        const Positions local = seen_from(all[b], x);
         for (const ContactPair& pair : pairs[b]->active_pairs(local))
             sum += value(pair, columns(local, pair.vertices));
     }
@@ -280,7 +280,7 @@ void ExplicitBodies::add_touch(const Positions& x, std::span<const Eigen::Isomet
         Touch own;
         at_vertices[b].add_touch(x, all[b].pose(), own);
         std::set<const ColliderSurface*> itself;
-        if (pairs[b]) pairs[b]->add_touched(seen_from(b, x), own.vertices, itself);
+        if (pairs[b]) pairs[b]->add_touched(seen_from(all[b], x), own.vertices, itself);
         if (!own.vertices.empty()) touch.bodies.insert(b);
         touch.include(own);
     }

@@ -45,6 +45,12 @@ class ExplicitBodies {
     void add_forces(const Substep& substep, std::span<const Eigen::Isometry3d> before,
                     std::span<const Eigen::Isometry3d> places, ContactForces& sum);
 
+    /// Whether a body passes through the shell in the step, which has been made: the shell straight to `end`
+    /// [3, V] m, bodies by their screws.
+    bool pass_shell(const StepContext& step, const Positions& end) const;
+    /// See SheetContact; x: [3, V] m.
+    bool leave_room_for_barriers(const Positions& x) const;
+
     const std::vector<RigidBody>& bodies() const { return all; }
     /// Stored in the contacts with the shell at x and with obstacles at these places, J.
     double stored_energy(const Positions& x, std::span<const Eigen::Isometry3d> places) const;
@@ -114,7 +120,8 @@ class ExplicitBodies {
     void measure_triangles();
     /// The share of a body in the mobility of pair_friction(), 1/kg; force: those along the slip, on it.
     double mobility(std::size_t body, const Force& force) const;
-    Positions seen_from(std::size_t body, const Positions& x) const;
+    /// m, of a body's points and the shell's vertices, in the body's frame.
+    static Positions seen_from(const RigidBody& body, const Positions& x);
     const Collider& collider(std::size_t number) const;
 
     const Shell& shell;

@@ -213,17 +213,20 @@ void ExplicitContact::end(const StepContext& step, const Positions& end_of_sheet
 }
 
 void ExplicitContact::require_no_passage(const StepContext& step, const Positions& end) {
-    if (!sheets) return;
-    sheets->begin(step);
-    const bool free = sheets->safe_fraction_of_step(step.origin, end - step.origin) == 1;
-    const bool is_too_deep = options.barriers_follow && !sheets->leaves_room_for_barriers(end);
-    sheets->begin(substep);
+    bool passes = bodies.pass_shell(step, end);
+    bool is_too_deep = options.barriers_follow && !bodies.leave_room_for_barriers(end);
+    if (sheets) {
+        sheets->begin(step);
+        passes = passes || sheets->passes(step, step.origin, end);
+        is_too_deep = is_too_deep || (options.barriers_follow && !sheets->leaves_room_for_barriers(end));
+        sheets->begin(substep);
+    }
     if (is_too_deep)
         throw std::runtime_error(
             "contact: a sheet is pressed so far into another one, or into an obstacle, that implicit steps "
             "could not go on from there: the springs of explicit contact are overwhelmed; a stiffer or a "
             "thicker sheet, or less speed, may help");
-    if (!free)
+    if (passes)
         throw std::runtime_error(
             "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
             "contact are overwhelmed; a stiffer or a thicker sheet, less speed, or implicit steps may help");

@@ -8,8 +8,6 @@
 namespace sherd {
 namespace {
 
-constexpr double room_for_barriers = 0.02;  // of their range, at least
-
 std::string message(const ContactSurface& surface, const ContactPair& pair, double apart) {
     std::string of_sheets, of_colliders;
     for (const Index vertex : pair.vertices)
@@ -124,13 +122,21 @@ void SheetContact::require_apart(const Positions& x) const {
     }
 }
 
-bool SheetContact::leaves_room_for_barriers(const Positions& x) const {
-    const Positions& all = at_end(x);
-    return std::ranges::none_of(near.active_pairs(all), [&](const ContactPair& pair) {
-        const double minimum = surface().minimum_of_barrier(pair);
-        return within(minimum + room_for_barriers * (pair.activation_distance - minimum), pair,
-                      columns(all, pair.vertices));
-    });
+bool SheetContact::passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const {
+    double turn = 0;
+    for (const Obstacle& obstacle : obstacles)
+        turn = std::max(turn, obstacle.motion.turn_between(step.begin, step.end()));
+    const int parts = straight_parts(turn);
+    Positions before = with(start, x);
+    for (int part = 1; part <= parts; ++part) {
+        const double share = static_cast<double>(part) / parts;
+        const Positions colliders_then =
+            part == parts ? end : collider_positions(obstacles, step.begin + share * step.length);
+        const Positions after = with(colliders_then, x + share * (end_of_shell - x));
+        if (near.passes(before, after - before)) return true;
+        before = after;
+    }
+    return false;
 }
 
 }  // namespace sherd

@@ -115,7 +115,12 @@ class SheetContact : public Energy {
     /// at the beginning of the step, where the shell is at x.
     void require_apart(const Positions& x) const;
     /// Whether pairs that are springs could be barriers with the shell at x at the end of the step.
-    bool leaves_room_for_barriers(const Positions& x) const;
+    bool leaves_room_for_barriers(const Positions& x) const {
+        return near.leave_room_for_barriers(at_end(x));
+    }
+    /// Whether sheets pass through each other, or through a collider, in the step, which begin() has been told
+    /// of: the shell moves straight from x, colliders as they are told.
+    bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;
         visit(near, start, end);
