@@ -4,9 +4,9 @@
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_dependency(Eigen3 3.4)
-find_dependency(CGAL 5.5)
+find_dependency(CGAL)
 find_dependency(CHOLMOD)
-find_dependency(TBB 2021)
+find_dependency(TBB)
 find_dependency(OpenVDB 10)
 # CMake looks for HDF5 by compiling a program in C.
 if(NOT CMAKE_C_COMPILER_LOADED)

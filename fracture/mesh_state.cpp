@@ -56,7 +56,7 @@ void visit_points(StateVisitor& visit, Mesh& mesh) {
 
 template <class Element, class T, class Elements>
 void visit_property(StateVisitor& visit, Mesh& mesh, const char* name, const Elements& elements) {
-    auto [values, exists] = mesh.property_map<Element, T>(name);
+    auto [values, exists] = find_property<Element, T>(mesh, name);
     if (!exists) return;
     for (const Element element : elements) visit(values[element]);
 }

@@ -21,7 +21,7 @@ struct SharedValues {
 template <class T>
 SharedValues<T> shared_values(const Mesh& mesh, const char* name) {
     SharedValues<T> shared;
-    const auto [values, exists] = mesh.property_map<Face, std::shared_ptr<const T>>(name);
+    const auto [values, exists] = find_property<Face, std::shared_ptr<const T>>(mesh, name);
     if (!exists) return shared;
     std::map<T, Index> known;
     for (const Face face : mesh.faces()) {
@@ -40,7 +40,7 @@ SharedValues<T> shared_values(const Mesh& mesh, const char* name) {
 /// Gives them back to the faces of a mesh that has the property.
 template <class T>
 void give_values(const SharedValues<T>& shared, const char* name, Mesh& mesh) {
-    auto values = mesh.property_map<Face, std::shared_ptr<const T>>(name).first;
+    auto values = find_property<Face, std::shared_ptr<const T>>(mesh, name).first;
     std::vector<std::shared_ptr<const T>> rows;
     for (const T& row : shared.rows) rows.push_back(std::make_shared<const T>(row));
     for (const Face face : mesh.faces()) {

@@ -11,7 +11,7 @@ namespace {
 
 CornerTexture corner_texture(const Mesh& mesh) {
     CornerTexture corners;
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) return corners;
     corners.resize(6, static_cast<Eigen::Index>(mesh.number_of_faces()));
     for (const Face face : mesh.faces())
@@ -21,7 +21,8 @@ CornerTexture corner_texture(const Mesh& mesh) {
 
 template <class Element, class Value>
 void take_property(Mesh& mesh, const Mesh& of, const char* name, const Value& otherwise) {
-    if (of.property_map<Element, Value>(name).second) mesh.add_property_map<Element, Value>(name, otherwise);
+    if (find_property<Element, Value>(of, name).second)
+        mesh.add_property_map<Element, Value>(name, otherwise);
 }
 
 }  // namespace
@@ -61,9 +62,9 @@ SurfaceLook surface_look(const Mesh& mesh, std::span<const Index> original, std:
     auto groups = shared_values<std::vector<std::string>>(mesh, property::groups);
     look.group = std::move(groups.number);
     look.groups = std::move(groups.rows);
-    if (const auto [colour, exists] = mesh.property_map<Face, Colour>(property::face_colour); exists)
+    if (const auto [colour, exists] = find_property<Face, Colour>(mesh, property::face_colour); exists)
         for (const Face face : mesh.faces()) look.face_colour.push_back(colour[face]);
-    if (const auto [colour, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour); exists) {
+    if (const auto [colour, exists] = find_property<Vertex, Colour>(mesh, property::vertex_colour); exists) {
         look.vertex_colour.assign(count, white);
         for (const Vertex v : mesh.vertices()) look.vertex_colour[original[v]] = colour[v];
     }

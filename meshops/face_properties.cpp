@@ -40,7 +40,7 @@ Eigen::Vector2d texture_at(const std::map<Face, ReplacedFace>& old, const Shares
 }
 
 void inherit_texture(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
-    auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) return;
     std::map<Vertex, Parents> parents;
     for (const auto* vertices : {&change.vertices, &change.moved})
@@ -57,7 +57,7 @@ void inherit_texture(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const 
 }
 
 void inherit_axis(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const TopologyChange& change) {
-    auto [axis, exists] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
+    auto [axis, exists] = find_property<Face, Eigen::Vector3d>(mesh, property::axis);
     if (!exists) return;
     std::map<Face, Eigen::Vector3d> before;
     for (const auto& [face, was] : old) before[face] = axis[face];
@@ -73,7 +73,7 @@ void inherit_axis(Mesh& mesh, const std::map<Face, ReplacedFace>& old, const Top
 /// Values are those of the old face with the largest part.
 template <class Value>
 void inherit_largest(Mesh& mesh, const TopologyChange& change, const char* name) {
-    auto [values, exists] = mesh.property_map<Face, Value>(name);
+    auto [values, exists] = find_property<Face, Value>(mesh, name);
     if (!exists) return;
     std::map<Face, Value> now;
     for (const auto& [face, shares] : change.reshaped) now[face] = values[shares.front().element];
@@ -81,7 +81,7 @@ void inherit_largest(Mesh& mesh, const TopologyChange& change, const char* name)
 }
 
 void inherit_vertex_colour(Mesh& mesh, const TopologyChange& change) {
-    auto [colour, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour);
+    auto [colour, exists] = find_property<Vertex, Colour>(mesh, property::vertex_colour);
     if (!exists) return;
     std::map<Vertex, Colour> now;
     for (const auto* vertices : {&change.vertices, &change.moved})
@@ -102,7 +102,7 @@ void inherit_properties(Mesh& mesh, const std::map<Face, ReplacedFace>& old, con
     inherit_largest<FaceMaterial>(mesh, change, property::surface_material);
     inherit_largest<Colour>(mesh, change, property::face_colour);
     inherit_vertex_colour(mesh, change);
-    auto [number, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    auto [number, exists] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
     if (!exists) return;
     for (const Born<Vertex>& vertex : change.vertices)
         number[vertex.element] = std::numeric_limits<std::uint32_t>::max();

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshops/line_cut.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
+#include "meshops/aabb_tree.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/place_vertex.h"
@@ -53,9 +50,6 @@ class NearestOnSurface {
     }
 
   private:
-    using SurfacePrimitive =
-        CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-
     bool is_on_rim(Face face, const Vector3d& place) const {
         constexpr double round_off = 1e-6;
         const SurfacePoint point = nearest_point(mesh, face, place);
@@ -68,7 +62,7 @@ class NearestOnSurface {
 
     const Mesh& mesh;
     std::vector<Kernel::Triangle_3> triangles;
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, SurfacePrimitive>> tree;
+    AabbTree<TrianglePrimitive> tree;
 };
 
 bool turns(const Vector3d& before, const Vector3d& at, const Vector3d& after) {

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace sherd {
 
@@ -31,5 +33,21 @@ inline constexpr const char* texture = "f:texture";  ///< FaceTexture of each fa
 inline constexpr const char* file_vertex =
     "v:file_vertex";  ///< std::uint32_t, number of the vertex in the file read, from 0
 }  // namespace property
+
+/// An answer of CGAL 5 about a property map, and one of CGAL 6, in the form of the former.
+template <class Map>
+std::pair<Map, bool> found_property(const std::pair<Map, bool>& answer) {
+    return answer;
+}
+template <class Map>
+std::pair<Map, bool> found_property(const std::optional<Map>& answer) {
+    return {answer.value_or(Map()), answer.has_value()};
+}
+
+/// The property map `name` of the mesh and whether there is one; without, the map refers to nothing.
+template <class Element, class Value>
+std::pair<Mesh::Property_map<Element, Value>, bool> find_property(const Mesh& mesh, const char* name) {
+    return found_property(mesh.property_map<Element, Value>(name));
+}
 
 }  // namespace sherd

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshops/nearest_triangle.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-
 #include <vector>
 
+#include "meshops/aabb_tree.h"
 #include "meshops/error.h"
-#include "meshops/mesh.h"
 
 namespace sherd {
 
 struct NearestTriangle::Tree {
-    using Triangles = std::vector<Kernel::Triangle_3>;
-    using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-
-    Triangles triangles;
+    std::vector<Kernel::Triangle_3> triangles;
     std::vector<std::size_t> numbers;  ///< of each of them
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> boxes;
+    AabbTree<TrianglePrimitive> boxes;
 };
 
 NearestTriangle::NearestTriangle(const Eigen::Matrix3Xd& points,

@@ -16,7 +16,7 @@ std::array<Eigen::Vector2d, 2> texture_along(const Mesh& mesh, Halfedge h, const
 }
 
 bool is_seam(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) return false;
     const auto here = texture_along(mesh, h, texture[mesh.face(h)]);
     const auto there = texture_along(mesh, other, texture[mesh.face(other)]);
@@ -24,7 +24,7 @@ bool is_seam(const Mesh& mesh, Halfedge h, Halfedge other) {
 }
 
 bool separates_groups(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [groups, exists] = mesh.property_map<Face, GroupNames>(property::groups);
+    const auto [groups, exists] = find_property<Face, GroupNames>(mesh, property::groups);
     if (!exists) return false;
     const GroupNames &here = groups[mesh.face(h)], &there = groups[mesh.face(other)];
     if (!here || !there) return here != there;
@@ -32,7 +32,7 @@ bool separates_groups(const Mesh& mesh, Halfedge h, Halfedge other) {
 }
 
 bool separates_materials(const Mesh& mesh, Halfedge h, Halfedge other) {
-    const auto [material, exists] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    const auto [material, exists] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
     return exists && !is_same(material[mesh.face(h)], material[mesh.face(other)]);
 }
 

@@ -65,7 +65,7 @@ Retriangulation::Retriangulation(Mesh& mesh)
 void Retriangulation::replace(Face face) {
     if (face == Mesh::null_face() || shares.contains(face)) return;
     const Vector3d normal = triangle_normal(face_points(mesh, face));
-    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
     old_faces[face] = {face_corners(mesh, face), normal.norm() / 2, normal,
                        has_texture ? texture[face] : FaceTexture()};
     shares[face] = {{face, 1}};

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshops/surface_crossings.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include "meshops/aabb_tree.h"
 
 namespace sherd {
 namespace {
 
 using Triangle = Kernel::Triangle_3;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Point point(const Eigen::Vector3d& at) {
     return {at.x(), at.y(), at.z()};
@@ -25,7 +21,7 @@ std::vector<Face> surface_crossings(const Mesh& mesh, std::span<const Eigen::Vec
         const Triangle triangle(point(points[a]), point(points[b]), point(points[c]));
         if (!triangle.is_degenerate()) surface.push_back(triangle);
     }
-    const Tree tree(surface.cbegin(), surface.cend());
+    const AabbTree<TrianglePrimitive> tree(surface.cbegin(), surface.cend());
     std::vector<Face> crossing;
     for (const Face face : mesh.faces()) {
         const Halfedge edge = mesh.halfedge(face);

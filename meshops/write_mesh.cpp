@@ -154,11 +154,11 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         const Point& p = mesh.point(v);
         sheet.points.emplace_back(p.x(), p.y(), p.z());
     }
-    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
-    const auto [groups, has_groups] = mesh.property_map<Face, GroupNames>(property::groups);
-    const auto [axis, has_axis] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
-    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
-    const auto [colour, has_colour] = mesh.property_map<Face, Colour>(property::face_colour);
+    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [groups, has_groups] = find_property<Face, GroupNames>(mesh, property::groups);
+    const auto [axis, has_axis] = find_property<Face, Eigen::Vector3d>(mesh, property::axis);
+    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    const auto [colour, has_colour] = find_property<Face, Colour>(mesh, property::face_colour);
     for (const Face face : mesh.faces()) {
         auto& triangle = sheet.triangles.emplace_back();
         auto corner = triangle.begin();
@@ -169,7 +169,7 @@ TriangleSheet triangle_sheet(const Mesh& mesh) {
         if (has_material) sheet.material.push_back(material[face]);
         if (has_colour) sheet.colour.push_back(colour[face]);
     }
-    if (const auto [at_point, exists] = mesh.property_map<Vertex, Colour>(property::vertex_colour); exists)
+    if (const auto [at_point, exists] = find_property<Vertex, Colour>(mesh, property::vertex_colour); exists)
         for (const Vertex v : mesh.vertices()) sheet.point_colour.push_back(at_point[v]);
     return sheet;
 }

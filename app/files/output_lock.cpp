@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -55,7 +56,7 @@ std::string host_name() {
 
 std::string introduction() {
     return fmt::format("{}'{}' (process {} on {}, since {:%F %T})\n", marker, command_line(), getpid(),
-                       host_name(), fmt::localtime(std::chrono::system_clock::now()));
+                       host_name(), fmt::localtime(std::time(nullptr)));
 }
 
 /// A lock file, and whether it was not there before.

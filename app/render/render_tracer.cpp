@@ -71,10 +71,7 @@ HitPacket RenderTracer::nearest_hits(const RayPacket& rays) const {
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect8(valid.lanes.data(), hierarchy, &context, &packet);
+    find_nearest(valid.lanes.data(), hierarchy, packet);
     HitPacket hits;
     for (int i = 0; i < ray_packet; ++i)
         if (rays[i].active && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
@@ -86,9 +83,7 @@ HitPacket RenderTracer::nearest_hits(const RayPacket& rays) const {
 std::array<bool, ray_packet> RenderTracer::occluded(const RayPacket& rays) const {
     RTCRay8 packet;
     const Valid valid = load(rays, packet);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded8(valid.lanes.data(), hierarchy, &context, &packet);
+    find_occluded(valid.lanes.data(), hierarchy, packet);
     std::array<bool, ray_packet> blocked{};
     for (int i = 0; i < ray_packet; ++i) blocked[i] = rays[i].active && packet.tfar[i] < 0;
     return blocked;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <array>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "app/render/embree.h"
 #include "app/render/render_scene.h"
 
 namespace sherd {

@@ -43,7 +43,7 @@ FaceTexture texture_on(const InputSurface& surface, const Mesh::Property_map<Fac
 }
 
 void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
-    const auto [number, exists] = surface.mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    const auto [number, exists] = find_property<Vertex, std::uint32_t>(surface.mesh, property::file_vertex);
     if (!exists) return;
     auto places = mesh.add_property_map<Vertex, FileWeights>(property::file_weights).first;
     for (const Vertex v : mesh.vertices()) {
@@ -54,7 +54,7 @@ void carry_file_vertices(const InputSurface& surface, const std::vector<Face>& b
 }
 
 void carry_vertex_colour(const InputSurface& surface, const std::vector<Face>& below, Mesh& mesh) {
-    const auto [colour, exists] = surface.mesh.property_map<Vertex, Colour>(property::vertex_colour);
+    const auto [colour, exists] = find_property<Vertex, Colour>(surface.mesh, property::vertex_colour);
     if (!exists) return;
     auto carried = mesh.add_property_map<Vertex, Colour>(property::vertex_colour).first;
     for (const Vertex v : mesh.vertices()) {
@@ -68,17 +68,17 @@ void carry_vertex_colour(const InputSurface& surface, const std::vector<Face>& b
 
 /// Whether there is something that faces carry.
 bool has_face_values(const Mesh& mesh) {
-    return mesh.property_map<Face, FaceTexture>(property::texture).second ||
-           mesh.property_map<Face, GroupNames>(property::groups).second ||
-           mesh.property_map<Face, Vector3d>(property::axis).second ||
-           mesh.property_map<Face, FaceMaterial>(property::surface_material).second ||
-           mesh.property_map<Face, Colour>(property::face_colour).second;
+    return find_property<Face, FaceTexture>(mesh, property::texture).second ||
+           find_property<Face, GroupNames>(mesh, property::groups).second ||
+           find_property<Face, Vector3d>(mesh, property::axis).second ||
+           find_property<Face, FaceMaterial>(mesh, property::surface_material).second ||
+           find_property<Face, Colour>(mesh, property::face_colour).second;
 }
 
 /// side: [F] the face of the surface below each face, which has its value.
 template <class Value>
 void carry_values(const InputSurface& surface, const std::vector<Face>& side, const char* name, Mesh& mesh) {
-    const auto [values, exists] = surface.mesh.property_map<Face, Value>(name);
+    const auto [values, exists] = find_property<Face, Value>(surface.mesh, name);
     if (!exists) return;
     auto carried = mesh.add_property_map<Face, Value>(name).first;
     for (const Face face : mesh.faces()) carried[face] = values[side[face]];
@@ -90,7 +90,7 @@ void carry_properties(const InputSurface& surface, const std::vector<Face>& belo
     carry_file_vertices(surface, below, mesh);
     carry_vertex_colour(surface, below, mesh);
     if (!has_face_values(surface.mesh)) return;
-    const auto [texture, has_texture] = surface.mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [texture, has_texture] = find_property<Face, FaceTexture>(surface.mesh, property::texture);
     Mesh::Property_map<Face, FaceTexture> new_texture;
     if (has_texture) new_texture = mesh.add_property_map<Face, FaceTexture>(property::texture).first;
     std::vector<Face> side;

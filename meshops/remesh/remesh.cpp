@@ -2,8 +2,6 @@
 #include "meshops/remesh/remesh.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "meshops/aabb_tree.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
 #include "meshops/property_border.h"
@@ -48,7 +47,7 @@ void add_near(const Mesh& mesh, double distance, FaceMarks& marks) {
 
 /// Where most edges are seams, as of a texture whose every triangle is an island, none can be kept.
 bool drop_torn_texture(Mesh& mesh) {
-    auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) return false;
     std::size_t seams = 0;
     for (const Edge edge : mesh.edges()) seams += is_property_border(mesh, mesh.halfedge(edge)) ? 1 : 0;
@@ -59,9 +58,8 @@ bool drop_torn_texture(Mesh& mesh) {
 
 /// m, how far the vertices and middles of faces of a mesh are from another one at most.
 double farthest(const Mesh& mesh, const Mesh& from) {
-    using FaceTree =
-        CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
-    const FaceTree tree(faces(from).first, faces(from).second, from);
+    const AabbTree<CGAL::AABB_face_graph_triangle_primitive<Mesh>> tree(faces(from).first, faces(from).second,
+                                                                        from);
     double squared = 0;
     const auto include = [&](const Point& at) { squared = std::max(squared, tree.squared_distance(at)); };
     for (const Vertex v : mesh.vertices()) include(mesh.point(v));

@@ -48,7 +48,7 @@ Mesh read(const std::filesystem::path& file) {
 void expect_rule_on(const std::filesystem::path& mesh_file, unsigned percent,
                     const std::filesystem::path& folder) {
     const Mesh mesh = read(mesh_file);
-    const auto number = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex).first;
+    const auto number = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).first;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Edge>> edges;
     for (const Edge edge : mesh.edges())
         edges[std::minmax(number[mesh.vertex(edge, 0)], number[mesh.vertex(edge, 1)])].push_back(edge);

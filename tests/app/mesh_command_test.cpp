@@ -91,7 +91,7 @@ TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     int left = 0;
     for (const Vertex v : all.vertices()) left += is_in_group(all, v, "left");
     EXPECT_EQ(left, 3) << "a group of one sheet goes on in the next";
-    const auto texture = all.property_map<Face, FaceTexture>(property::texture);
+    const auto texture = find_property<Face, FaceTexture>(all, property::texture);
     ASSERT_TRUE(texture.second);
     EXPECT_EQ(texture.first[Face(0)][2], Eigen::Vector2d(0, 1));
 

@@ -141,8 +141,8 @@ TEST_F(TexturedRun, ObjAndItsMaterialsAreReadBackAsTheyWereRecorded) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "-o", "elsewhere/last.obj"});
     const Snapshot frame = last();
     const Mesh mesh = read("elsewhere/last.obj");
-    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
-    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
     ASSERT_TRUE(has_texture && has_material);
     ASSERT_EQ(mesh.number_of_faces(), frame.faces.size());
     for (const Face face : mesh.faces()) {
@@ -166,8 +166,8 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
     for (std::size_t f = 0; f < frame.faces.size(); ++f)
         EXPECT_EQ(frame.rest.look.group[f], frame.rest.look.material[f] == 0 ? -1 : 0);
     const Mesh mesh = read("last.obj");
-    const auto groups = mesh.property_map<Face, GroupNames>(property::groups).first;
-    const auto material = mesh.property_map<Face, FaceMaterial>(property::surface_material).first;
+    const auto groups = find_property<Face, GroupNames>(mesh, property::groups).first;
+    const auto material = find_property<Face, FaceMaterial>(mesh, property::surface_material).first;
     for (const Face face : mesh.faces()) {
         const std::vector<std::string>& names = *groups[face];
         EXPECT_TRUE(names.back().starts_with("fragment_"));
@@ -187,8 +187,8 @@ TEST_F(TexturedRun, GroupsAndObjectsAreOnThePiecesAsGroups) {
 TEST_F(TexturedRun, BrokenSidesOfSolidsAreInsideAndMeasuredInMetres) {
     succeeds({"export", "run.h5", "--to", "obj", "--sheets-only", "--solid", "-o", "solid.obj"});
     const Mesh mesh = read("solid.obj");
-    const auto [texture, has_texture] = mesh.property_map<Face, FaceTexture>(property::texture);
-    const auto [material, has_material] = mesh.property_map<Face, FaceMaterial>(property::surface_material);
+    const auto [texture, has_texture] = find_property<Face, FaceTexture>(mesh, property::texture);
+    const auto [material, has_material] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
     ASSERT_TRUE(has_texture && has_material);
     const std::size_t faces = last().faces.size();
     std::size_t inside = 0;
@@ -335,8 +335,8 @@ TEST_F(TexturedRun, ColoursOfPlyAreThoseOfTheirPlacesOnThePieces) {
     const Snapshot frame = recording.frame(recording.frame_count() - 1);
     ASSERT_GT(frame.position.cols(), frame.rest.position.cols()) << "nothing broke";
     const Mesh plate = read("plate.ply"), mesh = read("painted.ply");
-    const auto vertex = mesh.property_map<Vertex, Colour>(property::vertex_colour).first;
-    const auto face = mesh.property_map<Face, Colour>(property::face_colour).first;
+    const auto vertex = find_property<Vertex, Colour>(mesh, property::vertex_colour).first;
+    const auto face = find_property<Face, Colour>(mesh, property::face_colour).first;
     for (std::size_t f = 0; f < frame.faces.size(); ++f) {
         Vector3d middle = Vector3d::Zero();
         for (int k = 0; k < 3; ++k) {

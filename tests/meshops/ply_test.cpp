@@ -199,8 +199,8 @@ TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     const Mesh mesh = read_mesh(folder.path / "a.ply", {}, warnings);
     write_mesh(triangle_sheet(mesh), folder.path / "b.ply");
     for (const Mesh& known : {mesh, read_mesh(folder.path / "b.ply", {}, warnings)}) {
-        const auto [vertex, has_vertex] = known.property_map<Vertex, Colour>(property::vertex_colour);
-        const auto [face, has_face] = known.property_map<Face, Colour>(property::face_colour);
+        const auto [vertex, has_vertex] = find_property<Vertex, Colour>(known, property::vertex_colour);
+        const auto [face, has_face] = find_property<Face, Colour>(known, property::face_colour);
         ASSERT_TRUE(has_vertex && has_face);
         EXPECT_EQ(vertex[Vertex(0)], (Colour{1, 2, 3, 4}));
         EXPECT_EQ(vertex[Vertex(1)], (Colour{250, 251, 252, 255}));

@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> axes_in(const std::string& text, bool repair = fals
     std::vector<std::string> warnings;
     const Mesh mesh =
         read_mesh(directory.write("a.ply", text), {.repair = repair ? Repair::all : Repair::least}, warnings);
-    const auto [axis, exists] = mesh.property_map<Face, Eigen::Vector3d>(property::axis);
+    const auto [axis, exists] = find_property<Face, Eigen::Vector3d>(mesh, property::axis);
     std::vector<Eigen::Vector3d> found;
     if (exists)
         for (const Face face : mesh.faces()) found.push_back(axis[face]);

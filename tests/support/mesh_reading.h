@@ -57,7 +57,7 @@ using Triangles = std::vector<std::vector<unsigned>>;
 
 /// Corners of each face as numbers in the file, beginning with the first.
 inline Triangles triangles(const Mesh& mesh) {
-    const auto [file_vertex, exists] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
+    const auto [file_vertex, exists] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
     EXPECT_TRUE(exists);
     Triangles result;
     for (const Face face : mesh.faces()) {

@@ -21,7 +21,7 @@ using EdgesByEnds = std::vector<std::pair<VertexPair, Edge>>;
 /// The mesh's edges, in the order of the numbers of their ends in the file. Where the reader separated what
 /// was not manifold, several edges share a pair.
 EdgesByEnds edges_by_file_vertices(const Mesh& mesh) {
-    const auto number = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex).first;
+    const auto number = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).first;
     EdgesByEnds edges;
     edges.reserve(mesh.number_of_edges());
     for (const Edge edge : mesh.edges())

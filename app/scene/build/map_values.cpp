@@ -95,8 +95,8 @@ std::vector<double> at_vertices(const MapProperty& map, const SheetSpec& sheet, 
     const auto* file = std::get_if<MeshFile>(&sheet.mesh);
     if (file == nullptr) throw Error("the mesh has no properties of a file: give a PLY file");
     const std::vector<double> of_file = read_vertex_property(file->path, map.name);
-    const auto [number, is_as_read] = mesh.property_map<Vertex, std::uint32_t>(property::file_vertex);
-    const auto place = mesh.property_map<Vertex, FileWeights>(property::file_weights).first;
+    const auto [number, is_as_read] = find_property<Vertex, std::uint32_t>(mesh, property::file_vertex);
+    const auto place = find_property<Vertex, FileWeights>(mesh, property::file_weights).first;
     std::vector<double> values;
     for (const Vertex v : mesh.vertices()) {
         if (is_as_read) values.push_back(of_file[number[v]]);

@@ -120,7 +120,7 @@ std::vector<Vector3d> axes_of(const AxisTexture& axis, const Mesh& mesh, const E
 
 std::vector<Vector3d> axes_of(const AxisField&, const Mesh& mesh, const Eigen::Isometry3d& place,
                               std::vector<std::string>&) {
-    const auto [field, exists] = mesh.property_map<Face, Vector3d>(property::axis);
+    const auto [field, exists] = find_property<Face, Vector3d>(mesh, property::axis);
     if (!exists)
         throw Error(
             "the mesh has no axes: give a PLY file with face properties axis_x, axis_y and axis_z of type "

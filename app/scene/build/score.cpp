@@ -12,7 +12,7 @@ namespace sherd {
 namespace {
 
 std::vector<Edge> edges_of(const ScoreFile& score, const Mesh& mesh, const Eigen::Isometry3d&) {
-    if (!mesh.property_map<Vertex, std::uint32_t>(property::file_vertex).second)
+    if (!find_property<Vertex, std::uint32_t>(mesh, property::file_vertex).second)
         throw Error("a list of edges needs a mesh from a file, without remesh: give a line instead");
     return read_edge_list(score.path, mesh);
 }

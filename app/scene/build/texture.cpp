@@ -8,7 +8,7 @@
 
 namespace sherd {
 Mesh::Property_map<Face, FaceTexture> texture_coordinates(const Mesh& mesh) {
-    const auto [texture, exists] = mesh.property_map<Face, FaceTexture>(property::texture);
+    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
     if (!exists) throw Error("the mesh has no texture coordinates: give an OBJ file with vt lines");
     for (const Face face : mesh.faces())
         for (const Eigen::Vector2d& corner : texture[face])

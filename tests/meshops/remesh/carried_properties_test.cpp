@@ -47,8 +47,8 @@ TEST(CarriedProperties, TextureAndGroupsChangeAtTheSameLine) {
     for (const double edge_length : {0.7, 2.3}) {
         const Remeshed result = remesh(two_halves("halves.obj"), {edge_length});
         EXPECT_FALSE(result.texture_lost);
-        const auto [texture, has_texture] = result.mesh.property_map<Face, FaceTexture>(property::texture);
-        const auto [groups, has_groups] = result.mesh.property_map<Face, GroupNames>(property::groups);
+        const auto [texture, has_texture] = find_property<Face, FaceTexture>(result.mesh, property::texture);
+        const auto [groups, has_groups] = find_property<Face, GroupNames>(result.mesh, property::groups);
         ASSERT_TRUE(has_texture && has_groups);
         for (const Face face : result.mesh.faces()) {
             const bool is_left = centroid(result.mesh, face).x() < 10;
@@ -70,7 +70,7 @@ TEST(CarriedProperties, AxesAreThoseBelow) {
     for (const Face face : mesh.faces())
         axis[face] = centroid(mesh, face).y() < 10 ? Vector3d::UnitX() : Vector3d::UnitY();
     const Mesh result = remesh(mesh, {1.3}).mesh;
-    const auto [carried, exists] = result.property_map<Face, Vector3d>(property::axis);
+    const auto [carried, exists] = find_property<Face, Vector3d>(result, property::axis);
     ASSERT_TRUE(exists);
     for (const Face face : result.faces())
         if (const double y = centroid(result, face).y(); std::abs(y - 10) > 0.5) {
@@ -90,8 +90,8 @@ TEST(CarriedProperties, ColoursAreThoseBelow) {
     for (const Face face : mesh.faces())
         of_face[face] = centroid(mesh, face).x() < 10 ? Colour{1, 2, 3, 255} : Colour{4, 5, 6, 255};
     const Mesh result = remesh(mesh, {1.3}).mesh;
-    const auto [vertex, has_vertex] = result.property_map<Vertex, Colour>(property::vertex_colour);
-    const auto [face_colour, has_face] = result.property_map<Face, Colour>(property::face_colour);
+    const auto [vertex, has_vertex] = find_property<Vertex, Colour>(result, property::vertex_colour);
+    const auto [face_colour, has_face] = find_property<Face, Colour>(result, property::face_colour);
     ASSERT_TRUE(has_vertex && has_face);
     for (const Vertex v : result.vertices()) {
         EXPECT_NEAR(vertex[v][0], 10 * position(result, v).x(), 0.5 + 1e-9);
@@ -104,13 +104,13 @@ TEST(CarriedProperties, ColoursAreThoseBelow) {
 // Were all seams kept, nothing could be remeshed.
 TEST(CarriedProperties, ATextureInShredsIsLostAndItSaysSo) {
     Mesh mesh = two_halves("halves.obj");
-    auto texture = mesh.property_map<Face, FaceTexture>(property::texture).first;
+    auto texture = find_property<Face, FaceTexture>(mesh, property::texture).first;
     for (const Face face : mesh.faces())
         for (Vector2d& at : texture[face]) at.x() += 2.0 * face.idx();
     const Remeshed result = remesh(mesh, {2.3});
     EXPECT_TRUE(result.texture_lost);
     EXPECT_LT(result.mesh.number_of_faces(), 300u);
-    EXPECT_FALSE((result.mesh.property_map<Face, FaceTexture>(property::texture).second));
+    EXPECT_FALSE((find_property<Face, FaceTexture>(result.mesh, property::texture).second));
 }
 
 }  // namespace
