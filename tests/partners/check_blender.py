@@ -73,9 +73,15 @@ def check_obj(last):
         check_near(world_points(bpy.data.objects[name])[0], places, f"obj: {name}")
 
 
+def import_mesh(kind):
+    """By Blender's importer, which has another name since Blender 4.2."""
+    importer = getattr(bpy.ops.wm, kind + "_import") if bpy.app.version >= (4, 2) else getattr(bpy.ops.import_mesh, kind)
+    importer(filepath=exported("run." + kind))
+
+
 def check_ply(last):
     clear()
-    bpy.ops.import_mesh.ply(filepath=exported("run.ply"))
+    import_mesh("ply")
     points, faces = world_points(bpy.context.selected_objects[0])
     check_near(points, last["vertex/position"][:], "ply")
     assert np.array_equal(faces, last["face/vertices"][:]), "ply: faces"
@@ -83,7 +89,7 @@ def check_ply(last):
 
 def check_stl(last):
     clear()
-    bpy.ops.import_mesh.stl(filepath=exported("run.stl"))
+    import_mesh("stl")
     assert len(bpy.context.selected_objects[0].data.polygons) == last["face/vertices"].shape[0]
 
 

@@ -57,7 +57,9 @@ def check_materials(materials):
     assert base(glaze).size[:] == (64, 64)
     assert np.allclose(base(clay), [0.7, 0.4, 0.2]) and np.allclose(base(lost), [0.1, 0.6, 0.1])
     assert base(sheet) == [1, 1, 1]
-    assert principled(clay)["Alpha"].default_value == 0.5 and clay.blend_method == "BLEND"
+    # Since Blender 4.2 each material lets light through, by dots that are hashed.
+    transparent = "BLEND" if bpy.app.version < (4, 2) else "HASHED"
+    assert principled(clay)["Alpha"].default_value == 0.5 and clay.blend_method == transparent
     assert 0.4 < principled(clay)["Roughness"].default_value < 0.6, "Ns 225 is half way from rough to smooth"
 
 
