@@ -13,9 +13,9 @@ using TrianglePositions = Eigen::Matrix<double, 3, 3>;
 /// Constant-strain triangle of a St. Venant-Kirchhoff membrane.
 struct MembraneTriangle {
     double area = 0;  ///< m^2, at rest
-    Eigen::Matrix<double, 3, 2>
-        derivatives;      ///< d(shape function)/d(rest coordinate), 1/m: F = x derivatives
-    Matrix3d elasticity;  ///< N/m, on (E00, E11, 2 E01) in the rest frame
+    Eigen::Matrix<double, 3, 2> derivatives =
+        decltype(derivatives)::Zero();       ///< d(shape function)/d(rest coordinate), 1/m: F = x derivatives
+    Matrix3d elasticity = Matrix3d::Zero();  ///< N/m, on (E00, E11, 2 E01) in the rest frame
 };
 
 /// The membrane of a triangle, whose rest frame has the frame_axes() at rest. elasticity: see
