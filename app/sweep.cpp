@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/files/program_file.h"
 #include "app/progress/interruption.h"
 #include "app/run_cost.h"
 #include "app/scene/build/built_scene.h"
@@ -163,8 +164,8 @@ SlurmJob slurm_job(const Sweep& sweep, const SweepOptions& options, const fs::pa
     SlurmJob job{.chunk = chunk, .tasks = {}, .jobs = std::max(1, options.jobs), .sweep = {}};
     for (const std::size_t row : wanted)
         if (job.tasks.empty() || job.tasks.back() != row / chunk) job.tasks.push_back(row / chunk);
-    job.sweep = {fs::read_symlink("/proc/self/exe").string(), "sweep",
-                 fs::absolute(sweep.study.file).string(), "-o", folder.string()};
+    job.sweep = {fs::canonical(program_to_start()).string(), "sweep", fs::absolute(sweep.study.file).string(),
+                 "-o", folder.string()};
     if (options.quick) job.sweep.emplace_back("--quick");
     if (options.retry) job.sweep.emplace_back("--retry");
     return job;

@@ -13,11 +13,10 @@
 #include <chrono>
 #include <cstring>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
+#include "app/files/program_file.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -39,8 +38,7 @@ std::string printable(std::string text) {
 
 /// This program as it was called.
 std::string command_line() {
-    std::ifstream stream("/proc/self/cmdline", std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(stream), {});
+    std::string text = command_words();
     if (text.empty()) return "another program";
     text.pop_back();
     text.erase(0, text.substr(0, text.find('\0')).rfind('/') + 1);

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "app/files/program_file.h"
 #include "app/machine/exit_code.h"
 #include "meshops/error.h"
 
@@ -39,7 +40,8 @@ Descriptor open_pipe(Descriptor& to_read) {
 }  // namespace
 
 ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string& program) {
-    std::string name = program == this_program ? "sherd" : program;
+    const std::string file = program == this_program ? program_to_start().string() : program;
+    std::string name = program;
     std::vector<char*> pointers{name.data()};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
@@ -49,8 +51,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments, const std::string
     posix_spawn_file_actions_adddup2(&redirection, outputs, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&redirection, errors, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&redirection, told, report_descriptor);
-    const int reason =
-        posix_spawnp(&process, program.c_str(), &redirection, nullptr, pointers.data(), environ);
+    const int reason = posix_spawnp(&process, file.c_str(), &redirection, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&redirection);
     require(reason);
 }

@@ -12,7 +12,7 @@ namespace sherd {
 /// pipe more by which it can tell how far it is.
 class ChildProcess {
   public:
-    static constexpr const char* this_program = "/proc/self/exe";  ///< also where PATH has changed
+    static constexpr const char* this_program = "sherd";
 
     /// arguments: without the program's name. Throws Error (run) when it cannot be started.
     explicit ChildProcess(std::vector<std::string> arguments, const std::string& program = this_program);

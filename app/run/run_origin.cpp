@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/files/checksum.h"
+#include "app/files/program_file.h"
 #include "app/run/obstacle_track.h"
 #include "app/run/state_archive.h"
 
@@ -56,7 +57,7 @@ std::string setting_words(const std::string& key, const std::string* before, con
 RunOrigin run_origin(const Runner& runner) {
     const Scene& scene = runner.scene();
     RunOrigin origin;
-    origin.program = fmt::format("sherd {} ({:016x})", SHERD_VERSION, checksum_of("/proc/self/exe"));
+    origin.program = fmt::format("sherd {} ({:016x})", SHERD_VERSION, checksum_of(program_file()));
     origin.settings = scene.settings;
     for (const char* key : free_keys) origin.settings.erase(key);
     const std::filesystem::path folder = std::filesystem::absolute(scene.file).parent_path();

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/files/pending_file.h"
+#include "app/files/program_file.h"
 #include "app/machine/exit_code.h"
 #include "app/measures/measures.h"
 #include "app/run/checkpoint.h"
@@ -71,7 +72,7 @@ bool RowRun::listen() {
     }
     measuring = true;
     words.clear();
-    process.emplace("", 1, python_arguments(rows.python, recording), "python3");
+    process.emplace("", 1, python_arguments(rows.python, recording), python_to_start());
     return true;
 }
 

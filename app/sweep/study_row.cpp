@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/files/checksum.h"
+#include "app/files/program_file.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
@@ -196,7 +197,7 @@ std::set<std::size_t> rows_to_build(const Study& study, const std::vector<StudyR
 StudyRows study_rows(const Study& study, bool build) {
     StudyRows all;
     all.scene = scene_of(study);
-    all.program = checksum_of("/proc/self/exe");
+    all.program = checksum_of(program_file());
     if (!study.python.empty()) all.python = beside(study, study.python);
     RowReader reader(study, all);
     const std::vector<std::vector<std::string>> points = design_points(study);
