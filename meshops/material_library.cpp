@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string_view>
 
 #include "meshops/error.h"
+#include "meshops/obj_name.h"
+#include "meshops/text_line.h"
 
 namespace sherd {
 namespace {
@@ -36,7 +39,8 @@ bool is_number(std::string_view word) {
     return !word.empty() && error == std::errc() && end == word.data() + word.size();
 }
 
-bool names_picture(std::string_view keyword) {
+bool names_picture(std::string_view word) {
+    const std::string keyword = lower_case(word);
     return keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" || keyword == "decal" ||
            keyword == "norm" || keyword == "refl";
 }
@@ -55,7 +59,8 @@ std::string_view picture_name(std::string_view arguments) {
             arguments = rest;
         }
     }
-    return arguments;
+    const bool is_quoted = arguments.size() > 1 && arguments.starts_with('"') && arguments.ends_with('"');
+    return is_quoted ? arguments.substr(1, arguments.size() - 2) : arguments;
 }
 
 template <class Visit>
@@ -75,20 +80,22 @@ std::map<std::string, std::string> read_material_library(const fs::path& file) {
     std::ifstream stream(file);
     if (!stream || fs::is_directory(file))
         throw Error(file.string() + ": the file of materials cannot be read; check its permissions");
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
     std::map<std::string, std::string> definitions;
     std::string* current = nullptr;
-    std::size_t number = 0;
-    for (std::string line; std::getline(stream, line);) {
-        ++number;
-        std::string_view words = without_blanks_at_end(line);
+    TextLines lines(file, without_byte_order_mark(file, content));
+    while (!lines.is_at_end()) {
+        std::string_view words = without_blanks_at_end(lines.next_text());
         const std::string_view whole = words, keyword = take_word(words);
         if (keyword.empty() || keyword.starts_with('#')) continue;
-        if (keyword != "newmtl") {
+        if (lower_case(keyword) != "newmtl") {
             if (current) current->append(whole).append("\n");
             continue;
         }
-        if (words.empty()) throw Error(file.string() + ":" + std::to_string(number) + ": newmtl has no name");
-        current = &definitions[std::string(words)];
+        const std::string name = name_in(words);
+        if (name.empty())
+            throw Error(file.string() + ":" + std::to_string(lines.number()) + ": newmtl has no name");
+        current = &definitions[name];
         current->clear();
     }
     const auto absolute = [&](const std::string& name) { return absolute_name(file.parent_path(), name); };
@@ -103,7 +110,9 @@ std::string with_pictures(const std::string& definition,
         std::string_view arguments = line;
         const bool is_picture = names_picture(take_word(arguments));
         const std::string_view name = is_picture ? picture_name(arguments) : std::string_view();
-        result.append(line.substr(0, line.size() - name.size()));
+        // Options stay; quotes around a name go.
+        const bool is_quoted = !name.empty() && name.data() + name.size() < line.data() + line.size();
+        result.append(line.substr(0, line.size() - name.size() - (is_quoted ? 2 : 0)));
         if (!name.empty()) result += renamed(std::string(name));
         result += '\n';
     });
@@ -113,7 +122,7 @@ std::string with_pictures(const std::string& definition,
 std::string statement(const SurfaceMaterial& material, const std::string& keyword) {
     std::string found;
     visit_lines(material.definition, [&](std::string_view line) {
-        if (found.empty() && take_word(line) == keyword)
+        if (found.empty() && lower_case(take_word(line)) == lower_case(keyword))
             found = names_picture(keyword) ? picture_name(line) : line;
     });
     return found;
@@ -136,7 +145,7 @@ std::string material_text(const std::vector<FaceMaterial>& materials, const fs::
     std::set<std::string> written;
     for (const FaceMaterial& material : materials) {
         if (!written.insert(material_name(material)).second) continue;
-        text += (text.empty() ? "newmtl " : "\nnewmtl ") + material_name(material) + "\n";
+        text += (text.empty() ? "newmtl " : "\nnewmtl ") + writable_name(material_name(material)) + "\n";
         text += material ? with_pictures(material->definition, relative) : "Kd 0.8 0.8 0.8\n";
     }
     return text;

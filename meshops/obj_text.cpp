@@ -5,8 +5,10 @@
 #include <array>
 #include <map>
 
+#include "meshops/error.h"
 #include "meshops/material_library.h"
 #include "meshops/number_text.h"
+#include "meshops/obj_name.h"
 
 namespace sherd {
 namespace {
@@ -27,7 +29,7 @@ void append_named_groups(std::string& text, const GroupNames& names, bool has_ob
     std::string group = "g", object = "o";
     if (names)
         for (const std::string& name : *names)
-            append_all(name.find(' ') == name.npos ? group : object, " ", name.c_str());
+            append_all(name.find(' ') == name.npos ? group : object, " ", writable_name(name).c_str());
     append_all(text, group.c_str(), "\n");
     if (has_objects) append_all(text, object.c_str(), "\n");
 }
@@ -71,7 +73,7 @@ void append_state(std::string& text, const TriangleSheet& sheet, std::size_t tri
     }
     if (!sheet.material.empty() && !is_same(sheet.material[triangle], state.material)) {
         state.material = sheet.material[triangle];
-        append_all(text, "usemtl ", material_name(state.material).c_str(), "\n");
+        append_all(text, "usemtl ", writable_name(material_name(state.material)).c_str(), "\n");
     }
 }
 
@@ -117,12 +119,19 @@ std::vector<std::size_t> points_of(const TriangleSheet& sheet, const std::vector
     return points;
 }
 
+/// The name of the file of materials. Throws Error if it has a line break.
+std::string library_name(const fs::path& file) {
+    std::string name = material_file(file).filename().string();
+    if (name.find_first_of("\r\n") == name.npos) return name;
+    throw Error(file.string() + ": the name has a line break, which an OBJ file cannot hold; give another",
+                Fault::run);
+}
+
 }  // namespace
 
 std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     std::string text;
-    if (!sheet.material.empty())
-        append_all(text, "mtllib ", material_file(file).filename().string().c_str(), "\n");
+    if (!sheet.material.empty()) append_all(text, "mtllib ", library_name(file).c_str(), "\n");
     ObjState state;
     std::vector<std::vector<std::size_t>> triangles(std::max<std::size_t>(sheet.group_names.size(), 1));
     for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
@@ -136,7 +145,7 @@ std::string obj_text(const TriangleSheet& sheet, const fs::path& file) {
     }
     for (std::size_t group = 0; group < triangles.size(); ++group) {
         if (triangles[group].empty()) continue;
-        append_all(text, "o ", sheet.group_names[group].c_str(), "\n");
+        append_all(text, "o ", writable_name(sheet.group_names[group]).c_str(), "\n");
         append_object(text, sheet, triangles[group], points_of(sheet, triangles[group]), state);
     }
     return text;

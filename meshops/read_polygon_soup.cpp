@@ -7,6 +7,7 @@
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
 #include "meshops/read_mesh.h"
+#include "meshops/text_line.h"
 
 namespace sherd {
 namespace {
@@ -37,11 +38,13 @@ std::string extension_of(const fs::path& file) {
 }  // namespace
 
 PolygonSoup read_polygon_soup(const fs::path& file) {
-    const std::string text = file_text(file);
+    const std::string content = file_text(file);
     const std::string extension = extension_of(file);
+    // A binary STL file may begin with any bytes.
+    if (extension == ".stl") return parse_stl(file, content);
+    const std::string_view text = without_byte_order_mark(file, content);
     if (extension == ".ply") return parse_ply(file, text);
     if (extension == ".off") return parse_off(file, text);
-    if (extension == ".stl") return parse_stl(file, text);
     if (extension != ".obj") {
         throw Error(file.string() + ": unknown kind of mesh file `" + extension +
                     "`; known are .obj, .ply, .off and .stl");
@@ -53,7 +56,8 @@ PolygonSoup read_polygon_soup(const fs::path& file) {
 std::vector<double> read_vertex_property(const fs::path& file, const std::string& name) {
     if (extension_of(file) != ".ply")
         throw Error(file.string() + ": only a PLY file has properties of its vertices");
-    return parse_ply_property(file, file_text(file), name);
+    const std::string content = file_text(file);
+    return parse_ply_property(file, without_byte_order_mark(file, content), name);
 }
 
 }  // namespace sherd

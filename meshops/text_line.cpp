@@ -2,6 +2,7 @@
 #include "meshops/text_line.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <limits>
 
@@ -42,10 +43,29 @@ void TextLine::fail(const std::string& what, std::string_view word) const {
     throw Error(file->string() + ":" + std::to_string(number) + ": " + quoted + what);
 }
 
+std::string_view without_byte_order_mark(const std::filesystem::path& file, std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw Error(file.string() + ": is text of UTF-16; save it as UTF-8");
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    return text;
+}
+
+std::string lower_case(std::string_view word) {
+    std::string result(word);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
+    return result;
+}
+
+TextLines::TextLines(const std::filesystem::path& file, std::string_view text) : file(&file), rest(text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    ends_alone = end != text.npos && text.substr(end, 1) == "\r" && text.substr(end, 2) != "\r\n";
+}
+
 std::string_view TextLines::next_text() {
-    const std::size_t end = rest.find('\n');
+    const std::size_t end = rest.find_first_of("\r\n");
     const std::string_view text = rest.substr(0, end);
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    const bool is_pair = !ends_alone && end != rest.npos && rest.substr(end, 2) == "\r\n";
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + (is_pair ? 2 : 1));
     ++count;
     return text;
 }

@@ -29,14 +29,23 @@ class TextLine {
     std::string_view rest;
 };
 
-/// The lines of a text file, in order.
+/// Returns a text without the UTF-8 byte order mark that some editors put in front. Throws Error if the mark
+/// is that of UTF-16.
+std::string_view without_byte_order_mark(const std::filesystem::path& file, std::string_view text);
+
+std::string lower_case(std::string_view word);
+
+/// The lines of a text file, in order. A line ends with LF, CR LF or CR alone.
 class TextLines {
   public:
     /// `file` and `text` must outlive the lines.
-    TextLines(const std::filesystem::path& file, std::string_view text) : file(&file), rest(text) {}
+    TextLines(const std::filesystem::path& file, std::string_view text);
 
     /// Returns the next line; none at the end of the file.
     std::optional<TextLine> next();
+    /// Returns the text of the next line, without its end; empty at the end of the file.
+    std::string_view next_text();
+    bool is_at_end() const { return rest.empty(); }
     /// Returns the next line that has a word before a `comment` sign, up to that sign; '\0': there are no
     /// comments.
     std::optional<TextLine> next_with_words(char comment = '\0');
@@ -44,10 +53,9 @@ class TextLines {
     std::string_view remaining() const { return rest; }  ///< text behind the last line returned
 
   private:
-    std::string_view next_text();
-
     const std::filesystem::path* file;
     std::string_view rest;
+    bool ends_alone;  ///< whether CR alone ends the first line: then LF behind CR is no part of the same end
     std::size_t count = 0;
 };
 
