@@ -328,7 +328,8 @@ void Simulation::finish(StepReport& report) {
     report.fragments = fragments.count();
     report.is_explicit = stepper->scheme() == Scheme::explicit_differences;
     {
-        // The stepper that made the step knows where its contacts are; one of another scheme has yet to begin.
+        // The stepper that made the step knows where its contacts are; one of another scheme has yet to
+        // begin.
         const Stopwatch watch(stepper->time_spent(), Task::contact);
         if (release_apart(breakable, bodies(), time())) stepper->topology_changed({});
     }

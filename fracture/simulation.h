@@ -147,8 +147,8 @@ class Simulation {
     void follow_change(const BreakableShell::Change& change);
     void record_failures(std::span<const Edge> edges, const HingeMeasures& measures, Index stage);
     void record_change(const CrackMesh::Change& change);
-    /// Keeps what loads refer to, opens what has failed before the run, begins the list of events with it, and
-    /// lets what is apart at the start meet.
+    /// Keeps what loads refer to, opens what has failed before the run, begins the list of events with it,
+    /// and lets what is apart at the start meet.
     BreakableShell at_start(BreakableShell sheets);
     void open_cracks(BreakableShell& sheets);
     void update_fragments();

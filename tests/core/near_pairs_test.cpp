@@ -110,8 +110,8 @@ TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     EXPECT_GT(freedom(1e9), 1) << "128 widths of 11 mm, each plate its half";
 }
 
-// A step in which two plates change places is none, though they are apart at both ends; one in which they slide
-// over each other, or come nearer than their thickness for a moment, is.
+// A step in which two plates change places is none, though they are apart at both ends; one in which they
+// slide over each other, or come nearer than their thickness for a moment, is.
 TEST(NearPairs, WhatChangesPlacesPasses) {
     const double apart = 0.01;
     const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);

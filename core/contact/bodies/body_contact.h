@@ -176,7 +176,8 @@ class BodyContact : public Energy {
     StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
     bool is_blocked = false;
-    VectorXd base;  ///< [6 B] motions in the step to poses free of overlap with the shell, where solve() starts
+    VectorXd
+        base;  ///< [6 B] motions in the step to poses free of overlap with the shell, where solve() starts
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

@@ -193,8 +193,7 @@ bool BodyStep::passes(const Positions& x, const Vector6d& q) const {
     Positions before = seen_from(pose(Vector6d::Zero()), shell.position);
     for (int part = 1; part <= parts; ++part) {
         const double share = static_cast<double>(part) / parts;
-        const Positions after =
-            seen_from(pose(share * q), shell.position + share * (x - shell.position));
+        const Positions after = seen_from(pose(share * q), shell.position + share * (x - shell.position));
         if (near->passes(before, after - before)) return true;
         before = after;
     }

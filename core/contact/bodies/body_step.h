@@ -64,8 +64,8 @@ class BodyStep {
     /// Whether a body that goes straight, without turning, gets no farther than some of its own widths beyond
     /// where it meets the shell, which gets to x meanwhile.
     bool has_straight_way(const Positions& x, const Vector6d& q, double widths) const;
-    /// Whether the body passes through the shell in the step, in which it gets to q by its screw and the shell
-    /// straight to x. A search for the best pose may have taken it around the rim of a sheet.
+    /// Whether the body passes through the shell in the step, in which it gets to q by its screw and the
+    /// shell straight to x. A search for the best pose may have taken it around the rim of a sheet.
     bool passes(const Positions& x, const Vector6d& q) const;
     /// Adds the vertices that may touch the body at q soon.
     void add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const;

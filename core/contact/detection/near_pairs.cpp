@@ -98,8 +98,7 @@ double NearPairs::free_fraction(const Positions& x, const Positions& motion, Kep
     const double parts = std::ceil(length / longest);
     const Positions part = motion / parts;
     for (double before = 0; before < std::min(parts, most_parts); ++before)
-        if (const double fraction = free_fraction_of_part(x + before * part, part, kept);
-            fraction < 1)
+        if (const double fraction = free_fraction_of_part(x + before * part, part, kept); fraction < 1)
             return (before + fraction) / parts;
     return std::min(1.0, most_parts / parts);
 }

@@ -118,8 +118,8 @@ class SheetContact : public Energy {
     bool leaves_room_for_barriers(const Positions& x) const {
         return near.leave_room_for_barriers(at_end(x));
     }
-    /// Whether sheets pass through each other, or through a collider, in the step, which begin() has been told
-    /// of: the shell moves straight from x, colliders as they are told.
+    /// Whether sheets pass through each other, or through a collider, in the step, which begin() has been
+    /// told of: the shell moves straight from x, colliders as they are told.
     bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;
     void visit_state(StateVisitor& visit) override {
         auto& [shell, threads, obstacles, obstacle_of, colliders, near, start, end, whole] = *this;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OBJ and MTL files as other programs write them.
+#include <gtest/gtest.h>
+
+#include "meshops/surface_material.h"
+#include "tests/support/mesh_reading.h"
+
+namespace sherd {
+namespace {
+
+using ReadObj = test::MeshReading;
+using test::area, test::triangles, test::Triangles;
+
+// Exporters differ in what surrounds the numbers: none of it may take a vertex or make one.
+TEST_F(ReadObj, ReadsObjHoweverItIsSetOut) {
+    const std::string plain = test::square + "f 3 1 2\nf 1 3 4\n";
+    const auto ended_by = [&](const std::string& end) {
+        std::string text;
+        for (const char c : plain) text += c == '\n' ? end : std::string(1, c);
+        return text;
+    };
+    const std::string upper = "V 0 0 0\nV 1 0 0\nV 1 1 0\nV 0 1 0\nF 3 1 2\nF 1 3 4\n";
+    const std::string continued =
+        "v 0 0 \\ \n 0\nv 1 0 0\n# a comment \\\nv 1 1 0\nv 0 1 0\nf 3 1 2\nf 1 3 4\n";
+    for (const std::string& text :
+         {"\xEF\xBB\xBF" + plain, ended_by("\r"), ended_by("\r\n"), upper, continued}) {
+        const Mesh mesh = read("a.obj", text);
+        EXPECT_EQ(triangles(mesh), (Triangles{{2, 0, 1}, {0, 2, 3}})) << text;
+        EXPECT_DOUBLE_EQ(area(mesh), 1) << text;
+        EXPECT_TRUE(warnings.empty());
+    }
+    EXPECT_DOUBLE_EQ(area(read("w.obj", "v 0 0 0 1\nv 2 0 0 2\nv 3 3 0 3\nv 0 1 0\nf 1 2 3 4\n")), 1)
+        << "a weight divides";
+    expect_failure("w0.obj", "v 0 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "weight 0");
+    expect_failure("wide.obj", "\xFF\xFEv", "UTF-16");
+}
+
+// What is not read is said once a kind, and why a file without polygons has none.
+TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
+    read("a.obj", test::square + "l 1 2\nl 2 3\nfrobnicate 3\nvn 0 0 1\ns 1\nf 1 2 3 4\n");
+    ASSERT_EQ(warnings.size(), 2U);
+    expect_warning("2 lines were passed over, of lines (`l`) (the first: line 5");
+    expect_warning(
+        "1 line was passed over, of statements that Sherd does not know (the first: line 7, `frobnicate`)");
+    expect_failure("lines.obj", test::square + "l 1 2\n", "no faces (`f`), only lines");
+    expect_failure("free.obj", test::square + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\n", "free-form");
+}
+
+TEST_F(ReadObj, TakesTexturePointsBehindTheFacesThatNameThem) {
+    const Mesh mesh = read("a.obj", test::square + "f 1/1 2/2 3/3\nvt 0 0\nvt 1 0\nvt 1 1\n");
+    const auto [texture, exists] = find_property<Face, FaceTexture>(mesh, property::texture);
+    ASSERT_TRUE(exists);
+    EXPECT_EQ(texture[Face(0)][2], Eigen::Vector2d(1, 1));
+    expect_failure("b.obj", test::square + "f 1/1 2/2 3/4\nvt 0 0\nvt 1 0\nvt 1 1\n", "texture point");
+}
+
+// Materials are found by names that have blanks, quotes or signs of comments in them.
+TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
+    directory.write("m#2.mtl", "\xEF\xBB\xBFnewmtl red  glass\rKd 1 0 0\r");
+    const Mesh mesh =
+        read("a.obj", "mtllib m#2.mtl\n" + test::square + "usemtl \"red  glass\" # of old\nf 1 2 3 4\n");
+    EXPECT_TRUE(warnings.empty()) << warnings[0];
+    const auto [material, exists] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
+    ASSERT_TRUE(exists);
+    EXPECT_EQ(material[Face(0)]->name, "red glass");
+    EXPECT_NE(material[Face(0)]->definition.find("Kd 1 0 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sherd
