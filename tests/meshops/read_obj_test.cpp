@@ -58,7 +58,7 @@ TEST_F(ReadObj, TakesTexturePointsBehindTheFacesThatNameThem) {
 TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     directory.write("m#2.mtl", "\xEF\xBB\xBFnewmtl red  glass\rKd 1 0 0\r");
     const Mesh mesh =
-        read("a.obj", "mtllib m#2.mtl\n" + test::square + "usemtl \"red  glass\" # of old\nf 1 2 3 4\n");
+        read("a.obj", "mtllib m#2.mtl\n" + test::square + "usemtl \"red glass\" # of old\nf 1 2 3 4\n");
     EXPECT_TRUE(warnings.empty()) << warnings[0];
     const auto [material, exists] = find_property<Face, FaceMaterial>(mesh, property::surface_material);
     ASSERT_TRUE(exists);
