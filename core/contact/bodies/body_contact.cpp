@@ -22,8 +22,7 @@ BodyContact::BodyContact(const Shell& shell, std::vector<RigidBody> bodies,
       finished(started),
       ended(started),
       surfaces(surface_pairs(started, obstacles, crossed)),
-      held_by_shell(started.size()),
-      base(VectorXd::Zero(static_cast<Eigen::Index>(6 * started.size()))) {
+      held_by_shell(started.size()) {
     for (std::size_t b = 0; b < started.size(); ++b)
         pairs.push_back(started[b].surface ? std::make_unique<NearPairs>(with_surface(b)) : nullptr);
 }
@@ -34,7 +33,7 @@ ContactSurface BodyContact::with_surface(std::size_t body) const {
 
 void BodyContact::begin(const StepContext& step) {
     started = finished;
-    base.setZero();
+    base.resize(0);
     make_steps(step);
     VectorXd ahead(base.size());
     for (std::size_t b = 0; b < steps.size(); ++b) ahead.segment<6>(6 * b) = steps[b].prediction();
@@ -54,6 +53,7 @@ void BodyContact::make_steps(const StepContext& step) {
     for (std::size_t b = 0; b < started.size(); ++b)
         steps.emplace_back(shell, started[b], gravity, step, step.bodies[b], pairs[b].get(),
                            obstacles.size() + b, held_by_shell[b]);
+    if (base.size() == 0) base = VectorXd::Zero(static_cast<Eigen::Index>(6 * steps.size()));
     last.resize(3, 0);
     points = point_contacts(started, obstacles.size());
     sliding.clear();
