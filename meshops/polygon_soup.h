@@ -33,11 +33,11 @@ struct PolygonSoup {
 /// .stl are joined. Throws Error if the file is missing, unreadable, of unknown extension or damaged.
 PolygonSoup read_polygon_soup(const std::filesystem::path& file);
 
-/// Parses the text of an OBJ file for read_polygon_soup(): `v`, `vt`, `f`, `g` and `o` lines in any letter case,
-/// with negative indices, weights and continued lines, `usemtl` and `mtllib`; what else would make a surface is
-/// passed over with a warning. A face belongs to the groups of the last `g` line, each word a name (or to none
-/// if there are no words), and to a group named by the last `o` line. Files of materials are read beside
-/// `file`. Throws Error if there are no faces, but free-form surfaces, lines or the like.
+/// Parses the text of an OBJ file for read_polygon_soup(): `v`, `vt`, `f`, `g` and `o` lines in any letter
+/// case, with negative indices, weights and continued lines, `usemtl` and `mtllib`; what else would make a
+/// surface is passed over with a warning. A face belongs to the groups of the last `g` line, each word a name
+/// (or to none if there are no words), and to a group named by the last `o` line. Files of materials are read
+/// beside `file`. Throws Error if there are no faces, but free-form surfaces, lines or the like.
 PolygonSoup parse_obj(const std::filesystem::path& file, std::string_view text);
 /// Parses the content of an STL file, text or binary.
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text);

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "app/files/output_lock.h"
@@ -26,13 +27,30 @@ void wait_until_there(const fs::path& file) {
     for (int i = 0; i < 6000 && !fs::exists(file); ++i) std::this_thread::sleep_for(moment);
 }
 
-/// Sends signals as soon as a file is there.
+/// Whether a set of signals of a program, a line of its status, has a signal.
+bool has_signal(pid_t program, const std::string& set, int signal) {
+    std::ifstream status(fs::path("/proc") / std::to_string(program) / "status");
+    for (std::string word; status >> word;)
+        if (word == set && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1) != 0;
+    return false;
+}
+
+/// Waits until a program has a handler for a signal: it has begun.
+void wait_until_it_catches(pid_t program, int signal) {
+    for (int i = 0; i < 6000 && !has_signal(program, "SigCgt:", signal); ++i)
+        std::this_thread::sleep_for(moment);
+}
+
+/// Sends signals as soon as a file is there, each when the one before has been taken.
 std::function<void(pid_t)> when_there(const fs::path& file, const std::vector<int>& signals) {
     return [=](pid_t program) {
         wait_until_there(file);
+        int before = 0;
         for (const int signal : signals) {
+            for (int i = 0; before != 0 && i < 60000 && has_signal(program, "ShdPnd:", before); ++i)
+                std::this_thread::sleep_for(moment / 10);
             kill(program, signal);
-            std::this_thread::sleep_for(5 * moment);
+            before = signal;
         }
     };
 }
@@ -77,7 +95,7 @@ TEST(Interruption, WhatWritesNothingUntilItsEndEndsAtOnce) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_disc);
     const auto interrupt = [](pid_t program) {
-        std::this_thread::sleep_for(50 * moment);  // it has begun, and takes minutes
+        wait_until_it_catches(program, SIGINT);  // it takes minutes from there on
         kill(program, SIGINT);
     };
     const std::vector<std::string> long_ones[] = {
