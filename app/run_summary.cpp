@@ -48,10 +48,15 @@ std::string load_words(const LoadHistory& load) {
 
 /// How long, how often and why explicit steps were made between implicit ones, and how often they could not.
 std::string explicit_words(const RunTotals& totals) {
-    constexpr std::array<const char*, 5> names{"", "strikes", "stress", "cracks", "unsolved steps"};
+    constexpr std::array<std::pair<Urgency, const char*>, 5> names{{{Urgency::strike, "strikes"},
+                                                                    {Urgency::stress, "stress"},
+                                                                    {Urgency::crack, "cracks"},
+                                                                    {Urgency::unsolved, "unsolved steps"},
+                                                                    {Urgency::passage, "passages"}}};
     std::vector<std::string> causes;
-    for (std::size_t u = 1; u < names.size(); ++u)
-        if (totals.urgencies[u] > 0) causes.push_back(fmt::format("{} {}", names[u], totals.urgencies[u]));
+    for (const auto& [urgency, name] : names)
+        if (const auto times = totals.urgencies[static_cast<std::size_t>(urgency)]; times > 0)
+            causes.push_back(fmt::format("{} {}", name, times));
     std::string words = fmt::format("{:g} s of it", totals.explicit_time);
     if (!causes.empty()) words += fmt::format("; begun by: {}", fmt::join(causes, ", "));
     if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)

@@ -163,7 +163,7 @@ class ObjParser {
     }
 
     bool is_there(const std::string& name) const {
-        std::error_code not_a_name;  // of a file, such as one that is too long
+        std::error_code not_a_name;  // a text that no file can have as its name, such as a long one
         return std::filesystem::is_regular_file(soup.file.parent_path() / name, not_a_name);
     }
 

@@ -35,7 +35,7 @@ TEST_F(ReadObj, ReadsObjHoweverItIsSetOut) {
     expect_failure("wide.obj", "\xFF\xFEv", "UTF-16");
 }
 
-// What is not read is said once a kind, and why a file without polygons has none.
+// A user must learn which statements are not read, and why a file has no polygons.
 TEST_F(ReadObj, SaysWhichObjStatementsItPassesOver) {
     read("a.obj", test::square + "l 1 2\nl 2 3\nfrobnicate 3\nvn 0 0 1\ns 1\nf 1 2 3 4\n");
     ASSERT_EQ(warnings.size(), 2U);

@@ -176,8 +176,9 @@ class BodyContact : public Energy {
     StickMemory<std::size_t> held_by_points;
     double start_stored = 0;  ///< J
     bool is_blocked = false;
-    VectorXd
-        base;  ///< [6 B] motions in the step to poses free of overlap with the shell, where solve() starts
+    /// [6 B], empty before the first step: motions to poses free of overlap with the shell, where solve()
+    /// starts.
+    VectorXd base;
     // These are caches: no answer depends on them.
     mutable Positions last;
     mutable VectorXd best;

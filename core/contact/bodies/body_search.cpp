@@ -168,7 +168,7 @@ bool BodyContact::passes(const StepContext& step, const SurfacePairs& pair) cons
         return is_free(one) ? steps[one].pose(share * part(best, one)).place
                             : obstacles[one - steps.size()].motion.at(step.begin + share * step.length);
     };
-    // What deforms is known at both ends only.
+    // A surface that deforms is known at both ends only.
     const int parts = pair.other_deforms() ? 1 : straight_parts(turn_of(pair.body) + turn_of(pair.other));
     PairPlaces before = start_of(pair);
     for (int part = 1; part <= parts; ++part) {

@@ -188,16 +188,9 @@ bool BodyStep::has_straight_way(const Positions& x, const Vector6d& q, double wi
 }
 
 bool BodyStep::passes(const Positions& x, const Vector6d& q) const {
-    if (!near) return false;
-    const int parts = straight_parts(q.tail<3>().norm());
-    Positions before = seen_from(pose(Vector6d::Zero()), shell.position);
-    for (int part = 1; part <= parts; ++part) {
-        const double share = static_cast<double>(part) / parts;
-        const Positions after = seen_from(pose(share * q), shell.position + share * (x - shell.position));
-        if (near->passes(before, after - before)) return true;
-        before = after;
-    }
-    return false;
+    return near && near->passes_in_parts(straight_parts(q.tail<3>().norm()), [&](double share) {
+        return seen_from(pose(share * q), shell.position + share * (x - shell.position));
+    });
 }
 
 void BodyStep::add_near_vertices(const Positions& x, const Vector6d& q, std::set<Index>& found) const {

@@ -24,7 +24,8 @@ constexpr double widths_of_part = 2, most_parts = 64;
 
 /// Share of the range that a motion may leave of it; the least where only passing counts, as for springs.
 constexpr double clearance_of_barriers = 0.5, clearance_of_passing = 1e-3;
-constexpr double room_for_barriers = 0.02;  // of their range, at least
+/// Share of its range that a barrier has left, at least, where implicit steps shall go on.
+constexpr double room_for_barriers = 0.02;
 
 double clearance(const ContactPair& pair) {
     return (pair.spring ? clearance_of_passing : clearance_of_barriers) * pair.barrier().range;

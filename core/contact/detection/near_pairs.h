@@ -31,6 +31,17 @@ class NearPairs {
     bool passes(const Positions& x, const Positions& motion) const {
         return free_fraction(x, motion, Kept::nothing) < 1;
     }
+    /// Whether they pass on a way of so many straight parts; at(share): where all are after a share of it.
+    template <class At>
+    bool passes_in_parts(int parts, const At& at) const {
+        Positions before = at(0.0);
+        for (int part = 1; part <= parts; ++part) {
+            const Positions after = at(static_cast<double>(part) / parts);
+            if (passes(before, after - before)) return true;
+            before = after;
+        }
+        return false;
+    }
     /// Whether pairs at x that are springs could be barriers, with some of their range left.
     bool leave_room_for_barriers(const Positions& x) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are

@@ -30,24 +30,22 @@ Vector3d turn_of(const RigidBody& from, const RigidBody& to, double length) {
 
 }  // namespace
 
-bool ExplicitBodies::pass_shell(const StepContext& step, const Positions& end) const {
-    for (std::size_t b = 0; b < all.size(); ++b) {
-        if (!pairs[b]) continue;
-        const Vector3d turn = turn_of(started[b], all[b], step.length);
-        const int parts = straight_parts(turn.norm());
-        Positions before = seen_from(started[b], step.origin);
-        for (int part = 1; part <= parts; ++part) {
-            const double share = static_cast<double>(part) / parts;
-            RigidBody then = all[b];
-            if (part < parts) {
-                then.centre = started[b].centre + share * (all[b].centre - started[b].centre);
-                then.rotation = turned(share * turn) * started[b].rotation;
-            }
-            const Positions after = seen_from(then, step.origin + share * (end - step.origin));
-            if (pairs[b]->passes(before, after - before)) return true;
-            before = after;
+bool ExplicitBodies::passes_shell(std::size_t body, const StepContext& step, const Positions& end) const {
+    const RigidBody &from = started[body], &to = all[body];
+    const Vector3d turn = turn_of(from, to, step.length);
+    return pairs[body] && pairs[body]->passes_in_parts(straight_parts(turn.norm()), [&](double share) {
+        RigidBody then = share == 0 ? from : to;
+        if (share > 0 && share < 1) {
+            then.centre = from.centre + share * (to.centre - from.centre);
+            then.rotation = turned(share * turn) * from.rotation;
         }
-    }
+        return seen_from(then, step.origin + share * (end - step.origin));
+    });
+}
+
+bool ExplicitBodies::pass_shell(const StepContext& step, const Positions& end) const {
+    for (std::size_t b = 0; b < all.size(); ++b)
+        if (passes_shell(b, step, end)) return true;
     return false;
 }
 

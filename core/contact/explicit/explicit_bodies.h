@@ -120,7 +120,8 @@ class ExplicitBodies {
     void measure_triangles();
     /// The share of a body in the mobility of pair_friction(), 1/kg; force: those along the slip, on it.
     double mobility(std::size_t body, const Force& force) const;
-    /// m, of a body's points and the shell's vertices, in the body's frame.
+    bool passes_shell(std::size_t body, const StepContext& step, const Positions& end) const;
+    /// Positions, m, of a body's points and the shell's vertices, in the body's frame.
     static Positions seen_from(const RigidBody& body, const Positions& x);
     const Collider& collider(std::size_t number) const;
 

@@ -223,13 +223,15 @@ void ExplicitContact::require_no_passage(const StepContext& step, const Position
     }
     if (is_too_deep)
         throw std::runtime_error(
-            "contact: a sheet is pressed so far into another one, or into an obstacle, that implicit steps "
+            "contact: a sheet is pressed so far into another one, an obstacle or a body that implicit steps "
             "could not go on from there: the springs of explicit contact are overwhelmed; a stiffer or a "
             "thicker sheet, or less speed, may help");
     if (passes)
         throw std::runtime_error(
-            "contact: a sheet passes through another one, or through an obstacle: the springs of explicit "
-            "contact are overwhelmed; a stiffer or a thicker sheet, less speed, or implicit steps may help");
+            "contact: a sheet passes through another one, or an obstacle or a free body through a sheet: the "
+            "springs of explicit contact are overwhelmed; a stiffer or a thicker sheet, less speed, or "
+            "implicit "
+            "steps may help");
 }
 
 Positions ExplicitContact::lip_forces(const Positions& x) const {

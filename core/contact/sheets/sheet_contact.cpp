@@ -126,17 +126,11 @@ bool SheetContact::passes(const StepContext& step, const Positions& x, const Pos
     double turn = 0;
     for (const Obstacle& obstacle : obstacles)
         turn = std::max(turn, obstacle.motion.turn_between(step.begin, step.end()));
-    const int parts = straight_parts(turn);
-    Positions before = with(start, x);
-    for (int part = 1; part <= parts; ++part) {
-        const double share = static_cast<double>(part) / parts;
-        const Positions colliders_then =
-            part == parts ? end : collider_positions(obstacles, step.begin + share * step.length);
-        const Positions after = with(colliders_then, x + share * (end_of_shell - x));
-        if (near.passes(before, after - before)) return true;
-        before = after;
-    }
-    return false;
+    return near.passes_in_parts(straight_parts(turn), [&](double share) -> Positions {
+        const Positions shell_then = x + share * (end_of_shell - x);
+        if (share == 0 || share == 1) return with(share == 0 ? start : end, shell_then);
+        return with(collider_positions(obstacles, step.begin + share * step.length), shell_then);
+    });
 }
 
 }  // namespace sherd
