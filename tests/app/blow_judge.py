@@ -94,8 +94,8 @@ class KeyedMotion:
 # Crossings of straight motions
 
 
-def first_zeros(coefficients):
-    """Up to three zeros in [0, 1] of each cubic, in rows; NaN where there is none."""
+def zeros_of(coefficients):
+    """Up to three zeros in [0, 1] of each cubic, NaN where there is none, each with whether it rises there."""
     c0, c1, c2, c3 = coefficients
     with numpy.errstate(all="ignore"):
         root = numpy.sqrt(c2 * c2 - 3 * c1 * c3)
@@ -115,18 +115,18 @@ def first_zeros(coefficients):
             middle = (low + high) / 2
             left = (value(middle) < 0) == negative
             low, high = numpy.where(left, middle, low), numpy.where(left, high, middle)
-        zeros.append(numpy.where(found, (low + high) / 2, numpy.nan))
-    return numpy.stack(zeros)
+        zeros.append((numpy.where(found, (low + high) / 2, numpy.nan), negative))
+    return zeros
 
 
 def coplanar_times(a, b, c):
-    """When three vectors, each (start, change), lie in a plane."""
+    """When three vectors, each (start, change), lie in a plane, and whether their volume grows then."""
     def triple(u, v, w):
         return numpy.einsum("ij,ij->i", u, numpy.cross(v, w))
     c0 = triple(a[0], b[0], c[0])
     c1 = triple(a[1], b[0], c[0]) + triple(a[0], b[1], c[0]) + triple(a[0], b[0], c[1])
     c2 = triple(a[0], b[1], c[1]) + triple(a[1], b[0], c[1]) + triple(a[1], b[1], c[0])
-    return first_zeros((c0, c1, c2, triple(a[1], b[1], c[1])))
+    return zeros_of((c0, c1, c2, triple(a[1], b[1], c[1])))
 
 
 def overlapping(first, second):
@@ -142,49 +142,49 @@ def boxes(start, end, elements):
 
 @dataclasses.dataclass
 class Crossing:
-    """What passes what, when (share of the frame) and where, with the vertices of the second's element, and its two
-    weights. way: 1 where a vertex goes to the side of the normal, else -1; 0 of edges."""
-    time: float
-    place: numpy.ndarray
+    """Two elements that pass each other in a frame, once or an odd number of times: names of their surfaces, and how
+    far it was from the nearest rim of a sheet in which it happened (m)."""
     of: str
     through: str
-    element: tuple
-    weights: tuple
-    way: int
+    depth: float
 
 
 def at_time(start, end, vertices, time):
     return start[vertices] + time[:, None] * (end - start)[vertices]
 
 
-def vertex_crossings(points, faces_of, faces):
-    """Vertices of `points` through triangles; each (start, end). Yields (pairs, time, weights)."""
-    vertex, face = overlapping((numpy.minimum(*points), numpy.maximum(*points)), boxes(*faces_of, faces))
+def vertex_crossings(points, moving, faces):
+    """Vertices of `points` through triangles; each (start, end). Yields vertices, 1 or -1 for the side of the triangle's
+    normal that each goes to, or its other one, and times."""
+    vertex, face = overlapping((numpy.minimum(*points), numpy.maximum(*points)), boxes(*moving, faces))
     corner = faces[face]
-    mine = (corner != vertex[:, None]).all(axis=1) if points is faces_of else numpy.ones(len(vertex), bool)
-    vertex, corner = vertex[mine], corner[mine]
+    apart = (corner != vertex[:, None]).all(axis=1) if points is moving else numpy.ones(len(vertex), bool)
+    vertex, corner = vertex[apart], corner[apart]
     if len(vertex) == 0:
         return
-
-    def side(array, k):
-        return array[corner[:, k]] - array[corner[:, 0]]
-    start, end = faces_of
-    a, b = [(side(start, k), side(end - start, k)) for k in (1, 2)]
-    p = (points[0][vertex] - start[corner[:, 0]], (points[1] - points[0])[vertex] - (end - start)[corner[:, 0]])
-    for zeros in coplanar_times(a, b, p):
+    start, change = moving[0], moving[1] - moving[0]
+    a, b = [(start[corner[:, k]] - start[corner[:, 0]], change[corner[:, k]] - change[corner[:, 0]]) for k in (1, 2)]
+    p = (points[0][vertex] - start[corner[:, 0]], (points[1] - points[0])[vertex] - change[corner[:, 0]])
+    for zeros, rises in coplanar_times(a, b, p):
         found = ~numpy.isnan(zeros)
         t = zeros[found]
         u, v, w = [x[0][found] + t[:, None] * x[1][found] for x in (a, b, p)]
-        uu, uv, vv, wu, wv = [numpy.einsum("ij,ij->i", x, y) for x, y in ((u, u), (u, v), (v, v), (w, u), (w, v))]
-        with numpy.errstate(all="ignore"):
-            area = uu * vv - uv * uv
-            first, second = (vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area
-            inside = (first > INSIDE) & (second > INSIDE) & (first + second < 1 - INSIDE)
-        yield vertex[found][inside], corner[found][inside], t[inside], first[inside], second[inside]
+        first, second = shares(u, v, w)
+        inside = (first > INSIDE) & (second > INSIDE) & (first + second < 1 - INSIDE)
+        yield vertex[found][inside], numpy.where(rises[found][inside], 1, -1), t[inside]
+
+
+def shares(u, v, w):
+    """The shares of u and v in w, which is in their plane."""
+    uu, uv, vv, wu, wv = [numpy.einsum("ij,ij->i", x, y) for x, y in ((u, u), (u, v), (v, v), (w, u), (w, v))]
+    with numpy.errstate(all="ignore"):
+        area = uu * vv - uv * uv
+        found = numpy.stack([(vv * wu - uv * wv) / area, (uu * wv - uv * wu) / area])
+    return numpy.where(area > 1e-12 * uu * vv, found, numpy.nan)
 
 
 def edge_crossings(one, edges_of_one, other, edges_of_other):
-    """Edges that cross edges."""
+    """Edges that cross edges. Yields those of either surface, times and places."""
     first, second = overlapping(boxes(*one, edges_of_one), boxes(*other, edges_of_other))
     if one is other:
         once = first < second
@@ -199,21 +199,14 @@ def edge_crossings(one, edges_of_one, other, edges_of_other):
     a = (one[0][e[:, 1]] - one[0][e[:, 0]], change[e[:, 1]] - change[e[:, 0]])
     b = (other[0][f[:, 1]] - other[0][f[:, 0]], other_change[f[:, 1]] - other_change[f[:, 0]])
     d = (other[0][f[:, 0]] - one[0][e[:, 0]], other_change[f[:, 0]] - change[e[:, 0]])
-    for zeros in coplanar_times(a, b, d):
+    for zeros, _ in coplanar_times(a, b, d):
         found = ~numpy.isnan(zeros)
         t = zeros[found]
         u, v, w = [x[0][found] + t[:, None] * x[1][found] for x in (a, b, d)]
-        uu, uv, vv, wu, wv = [numpy.einsum("ij,ij->i", x, y) for x, y in ((u, u), (u, v), (v, v), (w, u), (w, v))]
-        with numpy.errstate(all="ignore"):
-            area = uu * vv - uv * uv
-            s, r = (wu * vv - wv * uv) / area, (wu * uv - wv * uu) / area
-            inside = (s > INSIDE) & (s < 1 - INSIDE) & (r > INSIDE) & (r < 1 - INSIDE) & (area > 1e-12 * uu * vv)
-        yield e[found][inside], f[found][inside], t[inside], s[inside], r[inside]
-
-
-def edges_of(faces):
-    pairs = numpy.sort(numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
-    return numpy.unique(pairs, axis=0)
+        first, second = shares(u, v, w)
+        inside = (first > INSIDE) & (first < 1 - INSIDE) & (second < -INSIDE) & (second > INSIDE - 1)
+        e_in, t = e[found][inside], t[inside]
+        yield e_in, f[found][inside], t, at_time(*one, e_in[:, 0], t) + first[inside, None] * u[inside]
 
 
 @dataclasses.dataclass
@@ -222,32 +215,79 @@ class Surface:
     name: str
     motion: object
     faces: numpy.ndarray
-    edges: numpy.ndarray
     is_sheet: bool
 
+    def __post_init__(self):
+        sides = numpy.sort(numpy.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]]), axis=1)
+        self.edges, count = numpy.unique(sides, axis=0, return_counts=True)
+        self.rim = self.edges[count == 1]
 
-def crossings_of(one, other, parts):
-    """All crossings of two surfaces, or of a sheet with itself, in a frame."""
-    found = []
-    times = numpy.linspace(0, 1, parts + 1)
-    for begin, end in zip(times, times[1:]):
+    def depth(self, place, time):
+        """How far a place is from the rim, at a time in the frame (m)."""
+        if len(self.rim) == 0:
+            return numpy.inf
+        corner = self.motion.at(time)
+        start, way = corner[self.rim[:, 0]], corner[self.rim[:, 1]] - corner[self.rim[:, 0]]
+        share = numpy.clip(((place - start) * way).sum(axis=1) / (way ** 2).sum(axis=1), 0, 1)
+        return numpy.linalg.norm(start + share[:, None] * way - place, axis=1).min()
+
+
+def parts_of(one, other):
+    """Begin and end of parts of a frame in which neither turns far."""
+    turn = max(numpy.linalg.norm(one.motion.turn), numpy.linalg.norm(other.motion.turn))
+    times = numpy.linspace(0, 1, (int(numpy.ceil(turn / TURN)) or 1) + 1)
+    return zip(times, times[1:])
+
+
+def crossings_of(one, other):
+    """What two surfaces, or a sheet with itself, pass of each other in a frame; not what returns within it."""
+    # By surface and vertex, the sum of the ways; by pair of edges, how often: each with the last time and place
+    vertices, pairs = {}, {}
+    for begin, end in parts_of(one, other):
         a = (one.motion.at(begin), one.motion.at(end))
         b = a if one is other else (other.motion.at(begin), other.motion.at(end))
-        both = [(a, one, b, other)] if one is other else [(a, one, b, other), (b, other, a, one)]
-        for points, mine, triangles, its in both:
-            for vertex, corner, t, u, v in vertex_crossings(points, triangles, its.faces):
-                places = at_time(*points, vertex, t)
-                for i in range(len(vertex)):
-                    found.append(Crossing(begin + t[i] * (end - begin), places[i], mine.name, its.name,
-                                          tuple(corner[i]), (1 - u[i] - v[i], u[i], v[i]), 1))
-        for e, f, t, s, r in edge_crossings(a, one.edges, b, other.edges):
-            for i in range(len(e)):
-                sheet = one if one.is_sheet and not other.is_sheet else other
-                edge, weight = (e[i], s[i]) if sheet is one else (f[i], r[i])
-                place = a[0][e[i, 0]] + t[i] * (a[1] - a[0])[e[i, 0]]
-                found.append(Crossing(begin + t[i] * (end - begin), place, (other if sheet is one else one).name, sheet.name,
-                                      tuple(edge), (1 - weight, weight), 0))
-    return found
+        for points, mine, triangles, its in [(a, one, b, other), (b, other, a, one)][:1 if one is other else 2]:
+            for vertex, way, t in vertex_crossings(points, triangles, its.faces):
+                for i, place in enumerate(at_time(*points, vertex, t)):
+                    key = (mine.name, its.name, vertex[i])
+                    vertices[key] = (vertices.get(key, (0,))[0] + way[i], begin + t[i] * (end - begin), place)
+        for e, f, t, place in edge_crossings(a, one.edges, b, other.edges):
+            for i, key in enumerate(zip(map(tuple, e), map(tuple, f))):
+                pairs[key] = (pairs.get(key, (0,))[0] + 1, begin + t[i] * (end - begin), place[i])
+    sheet = {surface.name: surface for surface in (one, other) if surface.is_sheet}
+    found = [Crossing(of, through, (sheet.get(through) or sheet[of]).depth(place, time))
+             for (of, through, _), (ways, time, place) in vertices.items() if ways != 0]
+    return found + [Crossing(one.name, other.name, min(s.depth(place, time) for s in sheet.values()))
+                    for times, time, place in pairs.values() if times % 2 == 1]
+
+
+def largest_motion(one, other):
+    """How far any point of either goes in a frame, seen from the middle of the other one (m)."""
+    begin, end = [[surface.motion.at(time) for surface in (one, other)] for time in (0, 1)]
+    shift = end[1].mean(axis=0) - begin[1].mean(axis=0)
+    return max(numpy.linalg.norm(last - first - shift, axis=1).max() for first, last in zip(begin, end))
+
+
+def standing_crossings(one, other, time):
+    """How many edges of two surfaces are in triangles of the other one, at a time in the frame."""
+    count = 0
+    for edged, faced in [(one, other), (other, one)][:1 if one is other else 2]:
+        corner, points = faced.motion.at(time), edged.motion.at(time)
+        edge, face = overlapping(boxes(points, points, edged.edges), boxes(corner, corner, faced.faces))
+        ends, triangle = edged.edges[edge], faced.faces[face]
+        if one is other:
+            apart = (ends[:, :, None] != triangle[:, None, :]).all(axis=(1, 2))
+            ends, triangle = ends[apart], triangle[apart]
+        count += int(is_through(points[ends[:, 0]], points[ends[:, 1]], *[corner[triangle[:, k]] for k in range(3)]).sum())
+    return count
+
+
+def is_through(start, end, a, b, c):
+    """Whether each way goes through its triangle."""
+    def volume(p, q, r, s):
+        return numpy.einsum("ij,ij->i", q - p, numpy.cross(r - p, s - p))
+    sides = numpy.stack([volume(start, end, a, b), volume(start, end, b, c), volume(start, end, c, a)])
+    return (volume(start, a, b, c) * volume(end, a, b, c) < 0) & ((sides > 0).all(axis=0) | (sides < 0).all(axis=0))
 
 
 # Sides

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads the recording of a random blow, and looks at it frame by frame with blow_judge.py."""
+import collections
+
+import h5py
+import numpy
+
+import blow_judge
+
+LOOKS = 8  # at points on their ways, in a frame
+INSIDE = 0.5  # of the sphere around a point that a solid fills: the point is in it
+
+
+class Seen:
+    """What a recording shows. passed: words of what cannot be doubted: points on the other side of a sheet whose side
+    is known, edges that stand in faces, vertices in solids; `deep`, `crossed`: words of what crossed between two frames,
+    farther from all rims than anything moved, and at all; `shoved`: by how much the blow changed the mean velocity of the
+    sheet that is struck, and of the striker (m/s)."""
+
+    def __init__(self, blow, recording):
+        self.blow, self.passed, self.deep, self.crossed = blow, [], [], []
+        with h5py.File(recording) as file:
+            frames = [file["frames"][name] for name in sorted(file["frames"])]
+            self.names = [name.decode() for name in file["obstacles/names"][:]] if "obstacles" in file else []
+            self.sheets = [name.decode() for name in file["rest/sheet_names"][:]]
+            faces, sheet = frames[0]["face/vertices"][:], frames[0]["face/sheet"][:]
+            self.vertices = [numpy.unique(faces[sheet == i]) for i in range(len(self.sheets))]
+            self.faces = [numpy.searchsorted(used, faces[sheet == i]) for i, used in enumerate(self.vertices)]
+            self.positions = [frame["vertex/position"][:] for frame in frames]
+            self.times = [frame.attrs["time"] for frame in frames]
+            self.poses = [frame["obstacle/pose"][:].reshape(-1, 3, 4) if self.names else None for frame in frames]
+            self.shoved = self.shove(frames)
+        self.sides = None
+        for k in range(len(self.times) - 1):
+            self.look(k)
+
+    def shove(self, frames):
+        if len(frames) < 2:
+            return numpy.zeros(2)
+        used, mass = self.vertices[0], frames[0]["vertex/mass"][:][self.vertices[0], None]
+        first, last = [(frame["vertex/velocity"][:][used] * mass).sum(axis=0) / mass.sum() for frame in (frames[0], frames[-1])]
+        bodies = [name for name in self.blow.solids if name not in self.blow.turns]
+        if not bodies:
+            return numpy.array([numpy.linalg.norm(last - first), 0])
+        i = self.names.index(bodies[0])
+        ways = [(self.poses[b][i][:, 3] - self.poses[a][i][:, 3]) / (self.times[b] - self.times[a]) for a, b in ((0, 1), (-2, -1))]
+        return numpy.array([numpy.linalg.norm(last - first), numpy.linalg.norm(ways[1] - ways[0])])
+
+    def body(self, name, solid, k):
+        corner, faces = solid
+        middle = corner.mean(axis=0)
+        corner = middle + blow_judge.SHRUNK * (corner - middle)
+        if name in self.blow.turns:
+            motion = blow_judge.KeyedMotion(corner, self.blow.turns[name], self.times[k], self.times[k + 1])
+        else:
+            first, begin, end = [self.poses[i][self.names.index(name)] for i in (0, k, k + 1)]
+            turned = [pose[:, :3] @ first[:, :3].T for pose in (begin, end)]
+            poses = [(matrix, pose[:, 3] - matrix @ first[:, 3]) for matrix, pose in zip(turned, (begin, end))]
+            motion = blow_judge.BodyMotion(corner, *poses)
+        return blow_judge.Surface(name, motion, faces, False)
+
+    def surfaces(self, k):
+        """What moves between the frames k and k + 1."""
+        found = []
+        for name, used, faces in zip(self.sheets, self.vertices, self.faces):
+            motion = blow_judge.SheetMotion(self.positions[k][used], self.positions[k + 1][used])
+            found.append(blow_judge.Surface(name, motion, faces, True))
+        return found + [self.body(name, solid, k) for name, solid in self.blow.solids.items()]
+
+    def look(self, k):
+        moving = self.surfaces(k)
+        for i, one in enumerate(moving):
+            for other in moving[i:]:
+                if one.is_sheet:
+                    self.look_at_pair(k, one, other)
+        if self.blow.struck:
+            self.look_at_sides(k, moving)
+
+    def look_at_pair(self, k, one, other):
+        where = f"frame {k + 1}: {one.name} and {other.name}"
+        count = blow_judge.standing_crossings(one, other, 1)
+        if count:
+            self.passed.append(f"{where}: {count} edges stand in faces")
+        if not other.is_sheet:
+            within = blow_judge.solid_angles(one.motion.at(1), other.motion.at(1), other.faces) / (4 * numpy.pi)
+            if (numpy.abs(within) > INSIDE).any():
+                self.passed.append(f"{where}: {(numpy.abs(within) > INSIDE).sum()} vertices are in the solid")
+        if self.blow.struck and {one.name, other.name} == {self.blow.struck, self.striker([one, other]).name}:
+            return  # sides say it
+        found = blow_judge.crossings_of(one, other)
+        if found:
+            moved = blow_judge.largest_motion(one, other)
+            self.crossed.append(f"{where}: {len(found)} crossings")
+            deep = [crossing.depth for crossing in found if crossing.depth > moved]
+            if deep:
+                self.deep.append(f"{where}: {len(deep)} crossings up to {max(deep):.3g} m from the rim, all moved up to {moved:.3g} m")
+
+    def look_at_sides(self, k, moving):
+        target, striker = next(s for s in moving if s.name == self.blow.struck), self.striker(moving)
+        if self.sides is None:
+            self.sides = blow_judge.Sides(self.blow.border, target.motion.at(0), target.faces, striker.motion.at(0))
+        beyond = self.sides.step([striker.motion.at(s) for s in numpy.linspace(0, 1, LOOKS + 1)[1:]], target.motion.at(1))
+        if beyond.any():
+            self.passed.append(f"frame {k + 1}: {beyond.sum()} of {len(beyond)} points of {striker.name} are on the other side")
+
+    def striker(self, moving):
+        return next((s for s in moving if s.name != self.blow.struck), moving[0])
+
+    def shows_less_than(self, finer):
+        """Whether hardly anything was felt of a blow that finer steps feel."""
+        return bool(((finer.shoved > 0.1 * self.blow.speed) & (self.shoved < 0.2 * finer.shoved)).any())
+
+    def words(self):
+        lines = (self.passed or self.deep or self.crossed)
+        kinds = collections.Counter(line.split(": ", 1)[1] for line in lines)
+        return "; ".join(lines[:2]) + (f" and {len(lines) - 2} more" if len(kinds) > 2 else "")
