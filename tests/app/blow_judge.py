@@ -11,6 +11,9 @@ TURN = 0.1  # rad, in a part of a frame in which all moves straight
 SHRUNK = 0.97  # solids, about their middle: round obstacles have facets, which lie within
 INSIDE = 1e-9  # of an element, beside its border
 BISECTIONS = 40
+KNOWN = 1.5  # rad, that a body turns in a frame and cannot well be another way
+FLAT = 1e-9  # of an edge's length, from the plane of a face that it is in
+NEAR = 0.1  # of a sheet's extent, from its rim
 
 
 # Motions
@@ -42,6 +45,7 @@ def rotation(vector):
 
 class SheetMotion:
     """A sheet between two frames: straight, after its mean rotation is taken out."""
+    is_known = True
 
     def __init__(self, start, end):
         self.begin, self.end = start.mean(axis=0), end.mean(axis=0)
@@ -56,7 +60,8 @@ class SheetMotion:
 
 
 class BodyMotion:
-    """A solid between two poses (rotation, translation) against its place: by their screw."""
+    """A solid between two poses (rotation, translation) against its place: by their screw, or, where it turns so far that
+    this may have been several times, with its middle straight."""
 
     def __init__(self, corner, start, end):
         self.corner = corner @ start[0].T + start[1]
@@ -69,7 +74,10 @@ class BodyMotion:
         # The point that the rotation leaves where it is, nearest to the middle of the solid
         middle = self.corner.mean(axis=0)
         self.fixed = middle
-        if angle > 1e-9:
+        self.is_known = angle < KNOWN
+        if not self.is_known:
+            self.slide = matrix @ middle + shift - middle
+        elif angle > 1e-9:
             here = matrix @ middle + shift - self.slide - middle
             across = numpy.cross(self.axis, here)
             self.fixed = middle + here / 2 + across / (2 * numpy.tan(angle / 2))
@@ -80,6 +88,7 @@ class BodyMotion:
 
 class KeyedMotion:
     """A solid that moves by its keys, which the scene has."""
+    is_known = True
 
     def __init__(self, corner, keys, begin, end):
         self.corner, self.keys, self.begin, self.end = corner, keys, begin, end
@@ -226,10 +235,14 @@ class Surface:
         """How far a place is from the rim, at a time in the frame (m)."""
         if len(self.rim) == 0:
             return numpy.inf
-        corner = self.motion.at(time)
-        start, way = corner[self.rim[:, 0]], corner[self.rim[:, 1]] - corner[self.rim[:, 0]]
-        share = numpy.clip(((place - start) * way).sum(axis=1) / (way ** 2).sum(axis=1), 0, 1)
-        return numpy.linalg.norm(start + share[:, None] * way - place, axis=1).min()
+        return distances(place[None], self.motion.at(time), self.rim)[0]
+
+
+def distances(places, corner, edges):
+    """How far each place is from the nearest of these edges (m)."""
+    start, way = corner[edges[:, 0]], corner[edges[:, 1]] - corner[edges[:, 0]]
+    share = numpy.clip(((places[:, None] - start) * way).sum(axis=2) / (way ** 2).sum(axis=1), 0, 1)
+    return numpy.linalg.norm(start + share[..., None] * way - places[:, None], axis=2).min(axis=1)
 
 
 def parts_of(one, other):
@@ -287,7 +300,11 @@ def is_through(start, end, a, b, c):
     def volume(p, q, r, s):
         return numpy.einsum("ij,ij->i", q - p, numpy.cross(r - p, s - p))
     sides = numpy.stack([volume(start, end, a, b), volume(start, end, b, c), volume(start, end, c, a)])
-    return (volume(start, a, b, c) * volume(end, a, b, c) < 0) & ((sides > 0).all(axis=0) | (sides < 0).all(axis=0))
+    normal = numpy.cross(b - a, c - a)
+    normal /= numpy.linalg.norm(normal, axis=1)[:, None]
+    before, after = [numpy.einsum("ij,ij->i", end_ - a, normal) for end_ in (start, end)]
+    clear = numpy.minimum(abs(before), abs(after)) > FLAT * numpy.linalg.norm(end - start, axis=1)
+    return clear & (before * after < 0) & ((sides > 0).all(axis=0) | (sides < 0).all(axis=0))
 
 
 # Sides
@@ -321,18 +338,24 @@ def times_through(start, end, corner, faces):
 
 
 class Sides:
-    """On which side of a sheet points are, frame by frame."""
+    """On which side of a sheet points are, frame by frame. Points that come near a rim that rests are dropped: between
+    two frames they may go round it."""
 
-    def __init__(self, border, corner, faces, points):
-        self.border, self.rest, self.faces = border, corner, faces
+    def __init__(self, border, sheet, points):
+        self.border, self.rest, self.faces, self.rim = border, sheet.motion.at(0), sheet.faces, sheet.rim
         self.points, self.through = points, numpy.zeros(len(points), int)
-        self.first = solid_angles(points, corner, faces)
+        self.kept = numpy.ones(len(points), bool)
+        self.near = NEAR * numpy.ptp(self.rest, axis=0).max()
+        self.first = solid_angles(points, self.rest, self.faces)
 
-    def step(self, points, corner):
-        """Which of the points are on the other side at the end of this frame. points: at several times in it."""
+    def step(self, points, corner, known):
+        """Which of the points are on the other side at the end of this frame. points: at several times in it. known: of
+        which the ways are."""
+        self.kept &= known
         if self.border == "pinned":
             for place in points:
                 self.through += times_through(self.points, place, self.rest, self.faces)
+                self.kept &= distances(place, self.rest, self.rim) > self.near
                 self.points = place
         last = points[-1]
         now = solid_angles(last, corner, self.faces)
@@ -341,4 +364,4 @@ class Sides:
         if self.border == "large":
             return (now * self.first < 0) & (numpy.abs(self.first) > numpy.pi) & (numpy.abs(now) > numpy.pi)
         between = numpy.rint((now - solid_angles(last, self.rest, self.faces)) / (4 * numpy.pi)).astype(int)
-        return between - self.through != 0
+        return self.kept & (between - self.through != 0)

@@ -11,7 +11,8 @@ from blow_solids import as_obj, as_stl, ball, closed_box, octahedron, prism, tur
 PRESETS = {"stoneware": 5400, "porcelain": 5400, "glass": 5300, "pmma": 1640, "eggshell": 3600, "steel": 5200,
            "aluminium": 5100, "paper": 1960, "cotton": 63}  # speed of sound, m/s
 SUBSTEPS = 4000  # about as many at most in a run that has explicit steps
-LARGEST_TURN = 1.5  # rad a step, of what spins freely: beyond half a turn nobody can tell which way it went
+FASTEST = 0.25  # of the speed of sound in the sheet, unless explicit steps would be too many
+LARGEST_TURN = 1.5  # rad a step: of what turns beyond half a turn nobody can tell which way it went
 SMALLEST_VOXEL = 2e-5  # m
 
 
@@ -78,14 +79,13 @@ def pace(chance, scheme, how, thickest=0.05):
     if how == "large":
         steps = chance.randint(3, 6)
         sizes = min(chance.between(0.005, 0.03), 0.08 / steps)
-    speed = chance.between(3, 100)
-    if scheme not in ("explicit", "auto"):
-        return Pace(size, sizes, steps, scheme, material(chance, size, 2e-4, thickest), sizes * size / speed)
-    stuff = material(chance, size, 3e-3, thickest)
-    lasts = SUBSTEPS * 0.3 * min(size / 7, 5 * stuff.thickness) / stuff.sound
-    fastest = 0.5 * stuff.sound
-    steps = max(3, min(steps, int(fastest * lasts / (sizes * size))))
-    speed = max(min(speed, fastest), sizes * size * steps / lasts)
+    implicit = scheme not in ("explicit", "auto")
+    stuff = material(chance, size, 2e-4 if implicit else 3e-3, thickest)
+    speed = min(chance.between(3, 100), FASTEST * stuff.sound)
+    if not implicit:
+        lasts = SUBSTEPS * 0.3 * min(size / 7, 5 * stuff.thickness) / stuff.sound
+        steps = max(3, min(steps, int(FASTEST * stuff.sound * lasts / (sizes * size))))
+        speed = max(speed, sizes * size * steps / lasts)
     return Pace(size, sizes, steps, scheme, stuff, sizes * size / speed)
 
 
@@ -111,11 +111,16 @@ def flat(chance, size, faces):
         structured = ", structured = true" if chance.random() < 0.3 else ""
         return (f'{{ generate = "rectangle", width = {size:.6g}, height = {height:.6g}, edge_length = {edge:.6g}'
                 f"{structured} }}"), numpy.array([size / 2, height / 2, 0])
-    return (f'{{ generate = "disc", radius = {size / 2:.6g}, edge_length = {edge * 0.9:.6g} }}'), numpy.zeros(3)
+    return (f'{{ generate = "disc", radius = {size / 2:.6g}, edge_length = {min(edge * 0.9, size * 0.4):.6g} }}'), numpy.zeros(3)
 
 
-def spin(chance, step, largest):
-    return chance.direction() * min(chance.between(0.01, 1) * largest, LARGEST_TURN) / step
+def turn(chance, much, size):
+    """Of something so large, up to about as fast as the blow is (rad a step)."""
+    return min(chance.between(0.02, 1) * 2 * much.speed * much.step / size, LARGEST_TURN)
+
+
+def spin(chance, much, size):
+    return f"spin = {vector(chance.direction() * turn(chance, much, size) / much.step)}"
 
 
 def sheet_words(name, mesh, stuff, more):
@@ -132,7 +137,7 @@ def pane(chance, much, how):
     if how == "pinned":
         more.append("pin = { boundary = true }")
     if how == "spinning":
-        more.append(f"spin = {vector(spin(chance, much.step, 1))}")
+        more.append(spin(chance, much, size))
     inside = 0.15 if how in ("pinned", "large") else 0.3
     offset = matrix @ numpy.array([chance.uniform(-inside, inside), chance.uniform(-inside, inside), 0]) * size
     return Target(sheet_words("struck", mesh, much.stuff, more), offset, matrix[:, 2] * chance.choice([-1, 1]),
@@ -163,7 +168,7 @@ def shell(chance, much, how):
                 f"[{size * 0.4:.6g}, {size * 0.05:.6g}], [{size * 0.4:.6g}, {size * 0.85:.6g}], [0, {size * 0.9:.6g}]] }}")
         normal = round_about(chance)
         point = normal * size * 0.4 + [0, 0, size * 0.45]
-    more = [f"spin = {vector(spin(chance, much.step, 0.5))}"] if chance.random() < 0.3 else []
+    more = [spin(chance, much, size)] if chance.random() < 0.3 else []
     return Target(sheet_words("struck", mesh, much.stuff, more), point, normal, much.stuff.thickness,
                   "closed" if how == "closed" else None)
 

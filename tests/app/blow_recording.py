@@ -85,8 +85,8 @@ class Seen:
             within = blow_judge.solid_angles(one.motion.at(1), other.motion.at(1), other.faces) / (4 * numpy.pi)
             if (numpy.abs(within) > INSIDE).any():
                 self.passed.append(f"{where}: {(numpy.abs(within) > INSIDE).sum()} vertices are in the solid")
-        if self.blow.struck and {one.name, other.name} == {self.blow.struck, self.striker([one, other]).name}:
-            return  # sides say it
+        if self.blow.border in ("closed", "large") and one is not other:
+            return  # the sides say it
         found = blow_judge.crossings_of(one, other)
         if found:
             moved = blow_judge.largest_motion(one, other)
@@ -98,10 +98,19 @@ class Seen:
     def look_at_sides(self, k, moving):
         target, striker = next(s for s in moving if s.name == self.blow.struck), self.striker(moving)
         if self.sides is None:
-            self.sides = blow_judge.Sides(self.blow.border, target.motion.at(0), target.faces, striker.motion.at(0))
-        beyond = self.sides.step([striker.motion.at(s) for s in numpy.linspace(0, 1, LOOKS + 1)[1:]], target.motion.at(1))
+            self.sides = blow_judge.Sides(self.blow.border, target, self.points(striker, 0))
+        known = numpy.ones(len(self.sides.points), bool)
+        known[:-1] = striker.motion.is_known
+        ways = [self.points(striker, time) for time in numpy.linspace(0, 1, LOOKS + 1)[1:]]
+        beyond = self.sides.step(ways, target.motion.at(1), known)
         if beyond.any():
             self.passed.append(f"frame {k + 1}: {beyond.sum()} of {len(beyond)} points of {striker.name} are on the other side")
+
+    @staticmethod
+    def points(striker, time):
+        """Points of it, of a solid its middle last."""
+        corner = striker.motion.at(time)
+        return corner if striker.is_sheet else numpy.vstack([corner, corner.mean(axis=0)])
 
     def striker(self, moving):
         return next((s for s in moving if s.name != self.blow.struck), moving[0])

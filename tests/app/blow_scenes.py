@@ -6,7 +6,7 @@ import math
 
 import numpy
 
-from blow_parts import (Chance, Keys, flat, material, pace, placed, sheet_words, spin, striker_shape, target, vector)
+from blow_parts import (Chance, Keys, flat, material, pace, placed, sheet_words, spin, striker_shape, target, turn, vector)
 from blow_solids import closed_box, turned
 
 SCHEMES = ["implicit-euler"] * 4 + ["bdf2"] * 2 + ["explicit"] * 2 + ["auto"] * 2
@@ -45,13 +45,13 @@ def made(seed, kind, much, text, **known):
     return Blow(seed, kind, much.scheme, much.sizes, much.step, much.speed, text, **known)
 
 
-def keyed(chance, struck, much, turning, at, tilt, gap):
-    """A motion into the target, as far as it can give way."""
+def keyed(chance, struck, much, size, at, tilt, gap):
+    """A motion into the target, as far as it can give way. size: of the striker, if it turns, else None."""
     way = much.path
     if struck.border == "pinned":
         way = min(way, gap + much.size * chance.between(0.02, 0.25))
     begin, lasts = chance.choice([0, much.step * chance.uniform(0, 2)]), way / much.speed
-    degrees = math.degrees(min(chance.uniform(0.05, 1.5) * lasts / much.step, 6)) if turning else 0.
+    degrees = math.degrees(min(turn(chance, much, size) * lasts / much.step, 6)) if size else 0.
     return Keys(begin, begin + lasts, -tilt * way, chance.direction(), degrees, at, chance.random() < 0.3)
 
 
@@ -63,14 +63,15 @@ def striker(chance, struck, shape, much, motion):
     tilt /= numpy.linalg.norm(tilt)
     gap = struck.thickness + min(much.path * chance.uniform(0.05, 0.6), much.size * chance.uniform(0.05, 3))
     at = struck.point - struck.normal * (corner @ struck.normal).min() + tilt * gap
+    size = 2 * numpy.linalg.norm(corner, axis=1).max()
     lines = [f"[obstacle.striker]\n{shape.words}", placed(axis, degrees, at)]
     keys = None
     if motion == "free":
         lines += [f"density = {chance.between(100, 20000):.4g}", f"velocity = {vector(-tilt * much.speed)}"]
         if chance.random() < 0.3:
-            lines.append(f"spin = {vector(spin(chance, much.step, 1))}")
+            lines.append(spin(chance, much, size))
     else:
-        keys = keyed(chance, struck, much, motion == "turning", at, tilt, gap)
+        keys = keyed(chance, struck, much, size if motion == "turning" else None, at, tilt, gap)
         lines.append(keys.words())
     if chance.random() < 0.3:
         lines.append(f"friction = {chance.uniform(0.1, 1):.3g}")
@@ -109,7 +110,7 @@ def sheet_blow(chance, seed, scheme):
     at = struck.point + struck.normal * (gap - (extent @ struck.normal).min())
     more = [placed(axis, degrees, at - matrix @ middle), f"velocity = {vector(-struck.normal * much.speed)}"]
     if chance.random() < 0.3:
-        more.append(f"spin = {vector(spin(chance, much.step, 0.5))}")
+        more.append(spin(chance, much, size))
     words = struck.words + sheet_words("flying", mesh, stuff, more)
     return made(seed, f"sheet on {how}", much, scene_text(chance, much, words),
                 struck="struck" if struck.border else None, border=struck.border)
