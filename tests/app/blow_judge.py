@@ -27,7 +27,7 @@ def rotation_vector(matrix):
     if angle < 1e-9:
         return sine
     if angle > numpy.pi - 1e-4:  # the axis is that of the projection that is left
-        square = (matrix + numpy.eye(3)) / 2
+        square = (matrix + matrix.T) / 4 + numpy.eye(3) / 2
         axis = square[:, numpy.argmax(numpy.diag(square))]
         axis = axis / numpy.linalg.norm(axis)
         return angle * (axis if axis @ sine >= 0 else -axis)
@@ -230,6 +230,7 @@ class Surface:
         sides = numpy.sort(numpy.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]]), axis=1)
         self.edges, count = numpy.unique(sides, axis=0, return_counts=True)
         self.rim = self.edges[count == 1]
+        self.rims = set(map(tuple, self.rim))
 
     def depth(self, place, time):
         """How far a place is from the rim, at a time in the frame (m)."""
@@ -253,7 +254,8 @@ def parts_of(one, other):
 
 
 def crossings_of(one, other):
-    """What two surfaces, or a sheet with itself, pass of each other in a frame; not what returns within it."""
+    """What two surfaces, or a sheet with itself, pass of each other in a frame, unless all of it returns within: where
+    neither a vertex stays beyond a face nor a rim has passed an edge, parts only poked through and back."""
     # By surface and vertex, the sum of the ways; by pair of edges, how often: each with the last time and place
     vertices, pairs = {}, {}
     for begin, end in parts_of(one, other):
@@ -270,8 +272,11 @@ def crossings_of(one, other):
     sheet = {surface.name: surface for surface in (one, other) if surface.is_sheet}
     found = [Crossing(of, through, (sheet.get(through) or sheet[of]).depth(place, time))
              for (of, through, _), (ways, time, place) in vertices.items() if ways != 0]
+    odd = {key: where for key, (times, *where) in pairs.items() if times % 2 == 1}
+    if not found and not any(e in one.rims or f in other.rims for e, f in odd):
+        return []
     return found + [Crossing(one.name, other.name, min(s.depth(place, time) for s in sheet.values()))
-                    for times, time, place in pairs.values() if times % 2 == 1]
+                    for time, place in odd.values()]
 
 
 def largest_motion(one, other):

@@ -11,6 +11,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import argparse  # noqa: E402
 import collections  # noqa: E402
 import dataclasses  # noqa: E402
+import math  # noqa: E402
 import multiprocessing  # noqa: E402
 import pathlib  # noqa: E402
 import resource  # noqa: E402
@@ -145,7 +146,7 @@ def verdict(results):
     bad = any(r.outcome in FAULTS for r in results)
     if bad:
         print("again, and with what is left in a folder: blow_race.py SHERD --seed SEED --keep DIR")
-    return not bad and errors <= max(1, OFTEN * len(gentle)) and slow <= max(1, SELDOM * len(results))
+    return not bad and errors <= math.ceil(OFTEN * len(gentle)) and slow <= math.ceil(SELDOM * len(results))
 
 
 def main():

@@ -8,6 +8,8 @@ import numpy
 import blow_judge
 
 LOOKS = 8  # at points on their ways, in a frame
+FELT = 0.02  # of a blow's speed, that it changes at least
+MISSED = 0.2  # of what finer steps feel of a blow, below which it was missed
 INSIDE = 0.5  # of the sphere around a point that a solid fills: the point is in it
 
 
@@ -117,7 +119,8 @@ class Seen:
 
     def shows_less_than(self, finer):
         """Whether hardly anything was felt of a blow that finer steps feel."""
-        return bool(((finer.shoved > 0.1 * self.blow.speed) & (self.shoved < 0.2 * finer.shoved)).any())
+        felt = finer.shoved > FELT * self.blow.speed
+        return bool(felt.any() and (self.shoved < MISSED * finer.shoved)[felt].all())
 
     def words(self):
         lines = (self.passed or self.deep or self.crossed)

@@ -120,9 +120,9 @@ def fold_blow(chance, seed, scheme):
     """A strip, one end of which is turned over onto the other one, or, where steps are long, beyond."""
     much = pace(chance, scheme, "folded", thickest=0.01)
     size, degrees = much.size, chance.uniform(90, 170)
-    if much.sizes > 0.3 and chance.random() < 0.3:
-        degrees = chance.uniform(185, 260)
     much.steps = max(much.steps, 5)
+    if much.steps < 12 and chance.random() < 0.5:
+        degrees = chance.uniform(185, 260)
     much.sizes = math.radians(degrees) / 2 / much.steps
     width, edge = size * chance.uniform(0.1, 0.3), size * chance.uniform(0.06, 0.09)
     mesh = f'{{ generate = "rectangle", width = {size:.6g}, height = {width:.6g}, edge_length = {edge:.6g} }}'
@@ -143,7 +143,7 @@ def crush_blow(chance, seed, scheme):
             f'{{ generate = "cylinder", radius = {size / 2:.6g}, height = {size:.6g}, edge_length = {edge:.6g} }}')
     middle = 0 if closed else size / 2
     block = numpy.array([2 * size, size, 3 * size])
-    way = size * chance.uniform(0.4, 0.85)
+    way = size * chance.uniform(0.4, 0.75)
     much.sizes = min(way / much.path, 1) * much.sizes
     gap, lasts = 2 * much.stuff.thickness, way / much.speed
     anvil, hammer = [numpy.array([0, sign * (size + gap), middle]) for sign in (-1, 1)]

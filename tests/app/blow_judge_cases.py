@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""blow_judge_cases.py: holds the judge of random blows against motions that are known: what passes, what slides by,
+what bounces, what stands across. Exit code 1: it says something else of one."""
+import math
+import pathlib
+import sys
+import unittest
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import blow_judge as judge  # noqa: E402
+from blow_parts import Keys  # noqa: E402
+from blow_solids import ball, closed_box, prism, turned  # noqa: E402
+
+HERE = (numpy.eye(3), numpy.zeros(3))
+
+
+def grid(count=6, size=1.0):
+    """A square in the plane z = 0, around the origin: vertices and triangles."""
+    corner = numpy.array([[x / count - 0.5, y / count - 0.5, 0] for x in range(count + 1) for y in range(count + 1)])
+    faces = []
+    for x in range(count):
+        for y in range(count):
+            i = (count + 1) * x + y
+            faces += [(i, i + count + 1, i + 1), (i + 1, i + count + 1, i + count + 2)]
+    return corner * size, numpy.array(faces)
+
+
+def sheet(start, end, faces, name="sheet"):
+    return judge.Surface(name, judge.SheetMotion(start, end), faces, True)
+
+
+def solid(shape, start, end, name="solid"):
+    """A solid that goes from a place to another one."""
+    motion = judge.BodyMotion(shape[0], (numpy.eye(3), numpy.array(start, float)), (numpy.eye(3), numpy.array(end, float)))
+    return judge.Surface(name, motion, shape[1], False)
+
+
+def way(sheet_at, *places):
+    """Whether points of the last of the sheets' places are beyond, after a point went there. sheet_at: for each place,
+    where the sheet's vertices are."""
+    corner, faces = grid()
+    rest = judge.Surface("sheet", judge.SheetMotion(corner, corner), faces, True)
+    sides = judge.Sides("pinned", rest, numpy.array([places[0]], float))
+    for place, now in zip(places[1:], sheet_at):
+        beyond = sides.step([numpy.array([place], float)], now, True)
+    return bool(beyond[0])
+
+
+class Motions(unittest.TestCase):
+    def test_rotation_vectors_are_those_of_their_rotations(self):
+        chance = numpy.random.default_rng(1)
+        for angle in (0, 1e-12, 1e-3, 1, 3, math.pi - 1e-6, math.pi):
+            axis = chance.normal(size=3)
+            vector = angle * axis / numpy.linalg.norm(axis)
+            matrix = judge.rotation(vector)
+            numpy.testing.assert_allclose(judge.rotation(judge.rotation_vector(matrix)), matrix, atol=1e-7)
+
+    def test_screws_and_sheets_begin_and_end_where_they_should(self):
+        corner, _ = closed_box(numpy.array([1, 2, 3.]))
+        poses = [(judge.rotation(numpy.array(v)), numpy.array(s)) for v, s in
+                 (([0.3, 0.2, 0.1], [1, 2, 3.]), ([1, -0.2, 0.5], [2, 2, 9.]))]
+        motion = judge.BodyMotion(corner, *poses)
+        flat = judge.SheetMotion(*[corner @ matrix.T + shift for matrix, shift in poses])
+        for time, (matrix, shift) in zip((0, 1), poses):
+            numpy.testing.assert_allclose(motion.at(time), corner @ matrix.T + shift, atol=1e-12)
+            numpy.testing.assert_allclose(flat.at(time), corner @ matrix.T + shift, atol=1e-12)
+
+    def test_what_turns_keeps_its_shape_on_the_way(self):
+        corner, _ = grid()
+        motion = judge.SheetMotion(corner, corner @ turned([1, 0, 0], 120).T)
+        numpy.testing.assert_allclose(numpy.linalg.norm(motion.at(0.5), axis=1), numpy.linalg.norm(corner, axis=1), atol=1e-12)
+
+    def test_keys_turn_over_several_turns(self):
+        keys = Keys(0, 1, numpy.zeros(3), numpy.array([0, 0, 1.]), 720, numpy.zeros(3), False)
+        motion = judge.KeyedMotion(numpy.array([[1, 0, 0.]]), keys, 0, 1)
+        numpy.testing.assert_allclose(motion.at(0.25), [[-1, 0, 0]], atol=1e-12)
+
+
+class Crossings(unittest.TestCase):
+    def setUp(self):
+        self.corner, self.faces = grid()
+        self.still = sheet(self.corner, self.corner, self.faces)
+
+    def count(self, one, other=None):
+        return len(judge.crossings_of(self.still, one if other is None else other))
+
+    def test_all_solids_that_jump_through_are_seen(self):
+        for shape in (ball(0.1), closed_box(numpy.array([0.3, 0.1, 0.2])), prism(0.005, 0.6, 5), closed_box(numpy.array([3, 3, .1]))):
+            self.assertGreater(self.count(solid(shape, [0.03, 0.02, 1], [0.05, 0.01, -1])), 0)
+            self.assertGreater(self.count(solid(shape, [0.03, 0.02, 20], [0.05, 0.01, -30])), 0)
+
+    def test_a_thin_wire_that_no_vertex_meets_is_seen(self):
+        wire = prism(1e-4, 4, 3)
+        corner = wire[0] @ turned([0, 1, 0], 90).T + [0, 0.043, 0]
+        self.assertGreater(self.count(solid((corner, wire[1]), [0, 0, 0.1], [0, 0, -0.1])), 0)
+
+    def test_what_goes_beside_or_turns_back_is_not(self):
+        self.assertEqual(self.count(solid(ball(0.1), [0.62, 0, 1], [0.62, 0, -1])), 0)
+        self.assertEqual(self.count(solid(ball(0.1), [0, 0, 1], [0.3, 0, 0.101])), 0)
+        self.assertEqual(self.count(solid(ball(0.1), [-3, 0, 0.11], [3, 0, 0.11])), 0)
+
+    def test_what_comes_back_within_the_frame_is_not(self):
+        keys = Keys(0, 1, numpy.zeros(3), numpy.array([0, 1., 0]), 360, numpy.array([0.013, 0.021, 0.45]), False)
+        rod = closed_box(numpy.array([0.05, 0.05, 1]))
+        motion = judge.KeyedMotion(rod[0] + keys.centre, keys, 0, 1)
+        self.assertEqual(self.count(judge.Surface("rod", motion, rod[1], False)), 0)
+
+    def test_a_turning_rod_is_seen(self):
+        keys = Keys(0, 1, numpy.zeros(3), numpy.array([0, 1., 0]), 90, numpy.array([0, 0, 0.1]), False)
+        rod = closed_box(numpy.array([0.8, 0.05, 0.05]))
+        motion = judge.KeyedMotion(rod[0] + keys.centre, keys, 0, 1)
+        self.assertGreater(self.count(judge.Surface("rod", motion, rod[1], False)), 0)
+
+    def test_depth_is_the_distance_from_the_rim(self):
+        found = judge.crossings_of(self.still, solid(ball(0.01), [0.3, 0, 1], [0.3, 0, -1]))
+        self.assertAlmostEqual(max(crossing.depth for crossing in found), 0.21, delta=0.02)
+
+    def test_a_sheet_through_a_sheet_is_seen_and_both_that_fly_are_not(self):
+        small = self.corner * 0.3
+        other = sheet(small + [0, 0, 1], small + [0.01, 0.02, -1], self.faces, "other")
+        self.assertGreater(self.count(other), 0)
+        both = [sheet(c, c @ turned([1, 2, 3], 170).T + [5, 5, 5], self.faces, n) for c, n in
+                ((self.corner, "one"), (small + [0, 0, 0.01], "two"))]
+        centre = sheet(numpy.vstack([self.corner, small]), numpy.vstack([self.corner, small]), self.faces)
+        self.assertEqual(len(judge.crossings_of(both[0], both[0])), 0)
+        self.assertEqual(len(judge.crossings_of(centre, centre)), 0)
+
+    def test_a_strip_that_folds_through_itself_is_seen(self):
+        length = self.corner[:, 0] + 0.5
+
+        def folded(height):  # beyond three fifths it comes back at this height, falling by a tenth
+            back = numpy.maximum(length - 0.6, 0)
+            return numpy.stack([length - 2 * back, self.corner[:, 1], numpy.where(back > 0, height - back / 4, 0)], axis=1)
+        for before, after, seen in ((0.3, 0.2, False), (0.3, -0.2, True), (-0.1, -0.3, False)):
+            strip = sheet(folded(before), folded(after), self.faces)
+            self.assertEqual(len(judge.crossings_of(strip, strip)) > 0, seen)
+            self.assertEqual(judge.standing_crossings(strip, strip, 1), 0)
+        self.assertGreater(judge.standing_crossings(*[sheet(folded(0.05), folded(0.05), self.faces)] * 2, 1), 0)
+
+    def test_what_stands_across_is_seen_and_what_lies_near_is_not(self):
+        self.assertGreater(judge.standing_crossings(self.still, solid(ball(0.1), [0, 0, 0], [0, 0, 0.05]), 1), 0)
+        self.assertEqual(judge.standing_crossings(self.still, solid(ball(0.1), [0, 0, 0], [0, 0, 0.1001]), 1), 0)
+        self.assertEqual(judge.standing_crossings(self.still, self.still, 1), 0)
+
+
+class SidesOfSheets(unittest.TestCase):
+    def setUp(self):
+        self.flat, self.faces = grid()
+        self.bag = self.flat.copy()
+        self.bag[(abs(self.flat[:, :2]) < 0.49).all(axis=1), 2] = -2
+
+    def test_a_pinned_sheet_is_passed_or_not(self):
+        above, below, deep = [0.02, 0.03, 1], [0.03, 0.02, -1], [0.03, 0.02, -3]
+        self.assertTrue(way([self.flat], above, below))
+        self.assertFalse(way([self.bag], above, below))
+        self.assertTrue(way([self.bag], above, deep))
+        self.assertTrue(way([self.bag, self.flat], above, below, below))
+        self.assertFalse(way([self.bag, self.flat], above, below, above))
+
+    def test_round_the_rim_is_no_passage(self):
+        self.assertFalse(way([self.flat] * 4, [0, 0, 1], [3, 0, 1], [3, 0, -1], [0.02, 0.03, -1]))
+
+    def test_what_comes_near_the_rim_is_not_judged(self):
+        self.assertFalse(way([self.flat], [0.45, 0, 1], [0.45, 0.01, -0.01]))
+
+    def test_in_and_out_of_a_ball(self):
+        corner, faces = ball(1.0)
+        closed = judge.Surface("sheet", judge.SheetMotion(corner, corner), faces, True)
+        points = numpy.array([[0, 0, 0], [0, 0.1, 2.]])
+        for ends, beyond in ((points + [0, 0, 0.5], [False, False]), (points * [1, 1, 0], [False, True]), (points + [3, 0, 0], [True, False])):
+            sides = judge.Sides("closed", closed, points)
+            self.assertEqual(list(sides.step([ends], corner, True)), beyond)
+
+    def test_a_large_sheet_is_passed_or_pushed(self):
+        large = judge.Surface("sheet", judge.SheetMotion(self.flat, self.flat), self.faces, True)
+        for shift, beyond in ((0, True), (-0.05, False)):
+            sides = judge.Sides("large", large, numpy.array([[0.01, 0.02, 0.03]]))
+            self.assertEqual(sides.step([numpy.array([[0.01, 0.02, -0.03]])], self.flat + [0, 0, shift], True)[0], beyond)
+
+
+if __name__ == "__main__":
+    unittest.main()
