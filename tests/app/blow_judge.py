@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says of a recording whether anything passed through a sheet. It shares nothing with the program but the file: bodies
-and obstacles move by the screw between two frames, sheets straight after their mean rotation is taken out, and a vertex
-that meets a triangle, or an edge another edge, at a time between is a crossing. Where a sheet is closed, by itself or by
-a rim that rests, or is large, the solid angle that it fills as seen from a point says on which side the point is."""
+"""Says of motions between two frames whether anything passed through a sheet. It shares nothing with the program:
+bodies and obstacles move by the screw between the frames, sheets straight after their mean rotation is taken out, and a
+vertex that meets a triangle, or an edge that meets another one, at a time between is a crossing. Where a sheet is
+closed, by itself or by a rim that rests, or is large, the solid angle that it fills as seen from a point says on which
+side the point is."""
 import dataclasses
 
 import numpy
@@ -56,12 +57,13 @@ class SheetMotion:
         self.change = (end - self.end) @ matrix - self.start
 
     def at(self, share):
-        return (self.start + share * self.change) @ rotation(share * self.turn).T + self.begin + share * (self.end - self.begin)
+        middle = self.begin + share * (self.end - self.begin)
+        return (self.start + share * self.change) @ rotation(share * self.turn).T + middle
 
 
 class BodyMotion:
-    """A solid between two poses (rotation, translation) against its place: by their screw, or, where it turns so far that
-    this may have been several times, with its middle straight."""
+    """A solid between two poses (rotation, translation) against its place: by their screw, or, where it turns so far
+    that it may have turned otherwise, with its middle straight."""
 
     def __init__(self, corner, start, end):
         self.corner = corner @ start[0].T + start[1]
@@ -163,8 +165,8 @@ def at_time(start, end, vertices, time):
 
 
 def vertex_crossings(points, moving, faces):
-    """Vertices of `points` through triangles; each (start, end). Yields vertices, 1 or -1 for the side of the triangle's
-    normal that each goes to, or its other one, and times."""
+    """Vertices of `points` through triangles; each (start, end). Yields vertices, 1 where they go to the side of the
+    triangle's normal and else -1, and times."""
     vertex, face = overlapping((numpy.minimum(*points), numpy.maximum(*points)), boxes(*moving, faces))
     corner = faces[face]
     apart = (corner != vertex[:, None]).all(axis=1) if points is moving else numpy.ones(len(vertex), bool)
@@ -227,8 +229,8 @@ class Surface:
     is_sheet: bool
 
     def __post_init__(self):
-        sides = numpy.sort(numpy.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]]), axis=1)
-        self.edges, count = numpy.unique(sides, axis=0, return_counts=True)
+        sides = numpy.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]])
+        self.edges, count = numpy.unique(numpy.sort(sides, axis=1), axis=0, return_counts=True)
         self.rim = self.edges[count == 1]
         self.rims = set(map(tuple, self.rim))
 
@@ -296,7 +298,8 @@ def standing_crossings(one, other, time):
         if one is other:
             apart = (ends[:, :, None] != triangle[:, None, :]).all(axis=(1, 2))
             ends, triangle = ends[apart], triangle[apart]
-        count += int(is_through(points[ends[:, 0]], points[ends[:, 1]], *[corner[triangle[:, k]] for k in range(3)]).sum())
+        corners = [corner[triangle[:, k]] for k in range(3)]
+        count += int(is_through(points[ends[:, 0]], points[ends[:, 1]], *corners).sum())
     return count
 
 

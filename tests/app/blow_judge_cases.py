@@ -14,8 +14,6 @@ import blow_judge as judge  # noqa: E402
 from blow_parts import Keys  # noqa: E402
 from blow_solids import ball, closed_box, prism, turned  # noqa: E402
 
-HERE = (numpy.eye(3), numpy.zeros(3))
-
 
 def grid(count=6, size=1.0):
     """A square in the plane z = 0, around the origin: vertices and triangles."""
@@ -34,7 +32,7 @@ def sheet(start, end, faces, name="sheet"):
 
 def solid(shape, start, end, name="solid"):
     """A solid that goes from a place to another one."""
-    motion = judge.BodyMotion(shape[0], (numpy.eye(3), numpy.array(start, float)), (numpy.eye(3), numpy.array(end, float)))
+    motion = judge.BodyMotion(shape[0], *[(numpy.eye(3), numpy.array(place, float)) for place in (start, end)])
     return judge.Surface(name, motion, shape[1], False)
 
 
@@ -71,7 +69,8 @@ class Motions(unittest.TestCase):
     def test_what_turns_keeps_its_shape_on_the_way(self):
         corner, _ = grid()
         motion = judge.SheetMotion(corner, corner @ turned([1, 0, 0], 120).T)
-        numpy.testing.assert_allclose(numpy.linalg.norm(motion.at(0.5), axis=1), numpy.linalg.norm(corner, axis=1), atol=1e-12)
+        half, first = [numpy.linalg.norm(places, axis=1) for places in (motion.at(0.5), corner)]
+        numpy.testing.assert_allclose(half, first, atol=1e-12)
 
     def test_keys_turn_over_several_turns(self):
         keys = Keys(0, 1, numpy.zeros(3), numpy.array([0, 0, 1.]), 720, numpy.zeros(3), False)
@@ -88,7 +87,8 @@ class Crossings(unittest.TestCase):
         return len(judge.crossings_of(self.still, one if other is None else other))
 
     def test_all_solids_that_jump_through_are_seen(self):
-        for shape in (ball(0.1), closed_box(numpy.array([0.3, 0.1, 0.2])), prism(0.005, 0.6, 5), closed_box(numpy.array([3, 3, .1]))):
+        boxes = [closed_box(numpy.array(size)) for size in ([0.3, 0.1, 0.2], [3, 3, 0.1])]
+        for shape in (ball(0.1), prism(0.005, 0.6, 5), *boxes):
             self.assertGreater(self.count(solid(shape, [0.03, 0.02, 1], [0.05, 0.01, -1])), 0)
             self.assertGreater(self.count(solid(shape, [0.03, 0.02, 20], [0.05, 0.01, -30])), 0)
 
@@ -133,7 +133,8 @@ class Crossings(unittest.TestCase):
 
         def folded(height):  # beyond three fifths it comes back at this height, falling by a tenth
             back = numpy.maximum(length - 0.6, 0)
-            return numpy.stack([length - 2 * back, self.corner[:, 1], numpy.where(back > 0, height - back / 4, 0)], axis=1)
+            z = numpy.where(back > 0, height - back / 4, 0)
+            return numpy.stack([length - 2 * back, self.corner[:, 1], z], axis=1)
         for before, after, seen in ((0.3, 0.2, False), (0.3, -0.2, True), (-0.1, -0.3, False)):
             strip = sheet(folded(before), folded(after), self.faces)
             self.assertEqual(len(judge.crossings_of(strip, strip)) > 0, seen)
@@ -170,7 +171,8 @@ class SidesOfSheets(unittest.TestCase):
         corner, faces = ball(1.0)
         closed = judge.Surface("sheet", judge.SheetMotion(corner, corner), faces, True)
         points = numpy.array([[0, 0, 0], [0, 0.1, 2.]])
-        for ends, beyond in ((points + [0, 0, 0.5], [False, False]), (points * [1, 1, 0], [False, True]), (points + [3, 0, 0], [True, False])):
+        for ends, beyond in ((points + [0, 0, 0.5], [False, False]), (points * [1, 1, 0], [False, True]),
+                             (points + [3, 0, 0], [True, False])):
             sides = judge.Sides("closed", closed, points)
             self.assertEqual(list(sides.step([ends], corner, True)), beyond)
 
@@ -178,7 +180,8 @@ class SidesOfSheets(unittest.TestCase):
         large = judge.Surface("sheet", judge.SheetMotion(self.flat, self.flat), self.faces, True)
         for shift, beyond in ((0, True), (-0.05, False)):
             sides = judge.Sides("large", large, numpy.array([[0.01, 0.02, 0.03]]))
-            self.assertEqual(sides.step([numpy.array([[0.01, 0.02, -0.03]])], self.flat + [0, 0, shift], True)[0], beyond)
+            found = sides.step([numpy.array([[0.01, 0.02, -0.03]])], self.flat + [0, 0, shift], True)
+            self.assertEqual(found[0], beyond)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of random blows, for blow_scenes.py: materials, sheets that are struck, strikers, motions, as words of a scene."""
+"""Parts of random blows, for blow_scenes.py: materials, sheets that are struck, strikers and their motions, as words of
+a scene."""
 import dataclasses
 import math
 import random
@@ -33,7 +34,8 @@ def vector(values):
 
 
 def placed(axis, degrees, translate):
-    return f"place = {{ rotate = {{ axis = {vector(axis)}, degrees = {degrees:.9g} }}, translate = {vector(translate)} }}"
+    return (f"place = {{ rotate = {{ axis = {vector(axis)}, degrees = {degrees:.9g} }}, "
+            f"translate = {vector(translate)} }}")
 
 
 @dataclasses.dataclass
@@ -111,7 +113,8 @@ def flat(chance, size, faces):
         structured = ", structured = true" if chance.random() < 0.3 else ""
         return (f'{{ generate = "rectangle", width = {size:.6g}, height = {height:.6g}, edge_length = {edge:.6g}'
                 f"{structured} }}"), numpy.array([size / 2, height / 2, 0])
-    return (f'{{ generate = "disc", radius = {size / 2:.6g}, edge_length = {min(edge * 0.9, size * 0.4):.6g} }}'), numpy.zeros(3)
+    edge = min(edge * 0.9, size * 0.4)
+    return f'{{ generate = "disc", radius = {size / 2:.6g}, edge_length = {edge:.6g} }}', numpy.zeros(3)
 
 
 def turn(chance, much, size):
@@ -165,7 +168,8 @@ def shell(chance, much, how):
         point = normal * radius
     else:
         mesh = (f'{{ generate = "revolution", edge_length = {edge * 1.4:.6g}, profile = [[0, 0], '
-                f"[{size * 0.4:.6g}, {size * 0.05:.6g}], [{size * 0.4:.6g}, {size * 0.85:.6g}], [0, {size * 0.9:.6g}]] }}")
+                f"[{size * 0.4:.6g}, {size * 0.05:.6g}], [{size * 0.4:.6g}, {size * 0.85:.6g}], "
+                f"[0, {size * 0.9:.6g}]] }}")
         normal = round_about(chance)
         point = normal * size * 0.4 + [0, 0, size * 0.45]
     more = [spin(chance, much, size)] if chance.random() < 0.3 else []
@@ -200,7 +204,7 @@ def striker_shape(chance, size, kind):
     if kind == "sphere":
         return Shape(f"sphere = {{ radius = {size / 2:.6g} }}", ball(size / 2), {}, True)
     if kind in ("box", "rod", "wire"):
-        thin = {"box": chance.uniform(0.3, 1), "rod": chance.uniform(0.05, 0.2), "wire": chance.uniform(0.02, 0.05)}[kind]
+        thin = chance.uniform(*{"box": (0.3, 1), "rod": (0.05, 0.2), "wire": (0.02, 0.05)}[kind])
         side = numpy.array([size, size * thin, size * thin * chance.uniform(0.5, 1)])
         chance.shuffle(side)
         if kind == "wire" and chance.random() < 0.5 and size * thin > 8 * SMALLEST_VOXEL:
@@ -208,7 +212,8 @@ def striker_shape(chance, size, kind):
         return Shape(f"box = {{ size = {vector(side)} }}", closed_box(side), {}, True)
     if kind == "cylinder":
         radius, length = size * chance.uniform(0.1, 0.5), size * chance.uniform(0.3, 1)
-        return Shape(f"cylinder = {{ radius = {radius:.6g}, length = {length:.6g} }}", prism(radius, length, 16), {}, False)
+        words = f"cylinder = {{ radius = {radius:.6g}, length = {length:.6g} }}"
+        return Shape(words, prism(radius, length, 16), {}, False)
     solid = chance.choice([octahedron(size / 2), prism(size * chance.uniform(0.15, 0.4), size, chance.randint(3, 8)),
                            closed_box(numpy.array([size, size * 0.6, size * 0.3]))])
     return shape_of_mesh(chance, solid, size / 30)

@@ -14,10 +14,10 @@ INSIDE = 0.5  # of the sphere around a point that a solid fills: the point is in
 
 
 class Seen:
-    """What a recording shows. passed: words of what cannot be doubted: points on the other side of a sheet whose side
-    is known, edges that stand in faces, vertices in solids; `deep`, `crossed`: words of what crossed between two frames,
-    farther from all rims than anything moved, and at all; `shoved`: by how much the blow changed the mean velocity of the
-    sheet that is struck, and of the striker (m/s)."""
+    """What a recording shows, in words. passed: what cannot be doubted: points on the other side of a sheet whose side
+    is known, edges that stand in faces, vertices in solids; crossed: what crossed between two frames, and deep: farther
+    from all rims than anything moved there. shoved: by how much the blow changed the mean velocity of the sheet that is
+    struck, and that of a free striker (m/s)."""
 
     def __init__(self, blow, recording):
         self.blow, self.passed, self.deep, self.crossed = blow, [], [], []
@@ -40,12 +40,14 @@ class Seen:
         if len(frames) < 2:
             return numpy.zeros(2)
         used, mass = self.vertices[0], frames[0]["vertex/mass"][:][self.vertices[0], None]
-        first, last = [(frame["vertex/velocity"][:][used] * mass).sum(axis=0) / mass.sum() for frame in (frames[0], frames[-1])]
+        first, last = [(frame["vertex/velocity"][:][used] * mass).sum(axis=0) / mass.sum()
+                       for frame in (frames[0], frames[-1])]
         bodies = [name for name in self.blow.solids if name not in self.blow.turns]
         if not bodies:
             return numpy.array([numpy.linalg.norm(last - first), 0])
         i = self.names.index(bodies[0])
-        ways = [(self.poses[b][i][:, 3] - self.poses[a][i][:, 3]) / (self.times[b] - self.times[a]) for a, b in ((0, 1), (-2, -1))]
+        ways = [(self.poses[b][i][:, 3] - self.poses[a][i][:, 3]) / (self.times[b] - self.times[a])
+                for a, b in ((0, 1), (-2, -1))]
         return numpy.array([numpy.linalg.norm(last - first), numpy.linalg.norm(ways[1] - ways[0])])
 
     def body(self, name, solid, k):
@@ -95,7 +97,8 @@ class Seen:
             self.crossed.append(f"{where}: {len(found)} crossings")
             deep = [crossing.depth for crossing in found if crossing.depth > moved]
             if deep:
-                self.deep.append(f"{where}: {len(deep)} crossings up to {max(deep):.3g} m from the rim, all moved up to {moved:.3g} m")
+                self.deep.append(f"{where}: {len(deep)} crossings up to {max(deep):.3g} m from the rim, "
+                                 f"all moved up to {moved:.3g} m")
 
     def look_at_sides(self, k, moving):
         target, striker = next(s for s in moving if s.name == self.blow.struck), self.striker(moving)
@@ -106,7 +109,8 @@ class Seen:
         ways = [self.points(striker, time) for time in numpy.linspace(0, 1, LOOKS + 1)[1:]]
         beyond = self.sides.step(ways, target.motion.at(1), known)
         if beyond.any():
-            self.passed.append(f"frame {k + 1}: {beyond.sum()} of {len(beyond)} points of {striker.name} are on the other side")
+            self.passed.append(f"frame {k + 1}: {beyond.sum()} of {len(beyond)} points of {striker.name} are on the "
+                               f"other side")
 
     @staticmethod
     def points(striker, time):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blow_resume SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random sheets that crack under
-bodies, most in steps of "auto", many in steps that are halved. Each runs once as a whole, and once in parts: until a time
-and on from there, or killed and resumed, on another number of threads. Neither crashes, and both recordings have the
-same bits. Exit code 1: they do not."""
+bodies, most in steps of "auto", many in steps that are halved. Each runs once as a whole, and once in parts: until a
+time and on from there, or killed and resumed, with another number of threads. Neither crashes, and both recordings have
+the same bits. Exit code 1: they do not."""
 import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import argparse  # noqa: E402
@@ -17,7 +17,8 @@ import tempfile  # noqa: E402
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(__file__).resolve().parents[1] / "support")]
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "support")]
 import recording_content  # noqa: E402
 from blow_parts import Chance, placed, striker_shape, vector  # noqa: E402
 from limits import limit  # noqa: E402
@@ -30,15 +31,16 @@ FRAGILE = ["glass", "stoneware", "porcelain", "eggshell", "pmma", "plaster"]
 def sheet(chance, size):
     """Words of a sheet that cracks."""
     edge = size * chance.uniform(0.08, 0.16)
-    mesh = chance.choice([f'{{ generate = "rectangle", width = {size:.6g}, height = {size:.6g}, edge_length = {edge:.6g} }}',
-                          f'{{ generate = "disc", radius = {size / 2:.6g}, edge_length = {edge:.6g} }}',
-                          f'{{ generate = "bowl", radius = {size / 2:.6g}, edge_length = {edge:.6g} }}',
-                          f'{{ generate = "sphere", radius = {size / 2:.6g}, edge_length = {edge * 1.5:.6g} }}'])
+    shape = chance.choice(["rectangle", "disc", "bowl", "sphere"])
+    extent = f"width = {size:.6g}, height = {size:.6g}" if shape == "rectangle" else f"radius = {size / 2:.6g}"
+    mesh = f'{{ generate = "{shape}", {extent}, edge_length = {edge * (1.5 if shape == "sphere" else 1):.6g} }}'
     middle = [-size / 2, -size / 2, 0] if "rectangle" in mesh else [0, 0, -size / 2] if "sphere" in mesh else [0, 0, 0]
     fracture = chance.choice(["preset = true", "preset = true", f"strain = {chance.between(0.1, 2):.4g}",
                               f"strength = {chance.between(1e6, 5e7):.4g}, weibull = 8"])
-    lines = ["[sheet.struck]", f"mesh = {mesh}", f"place = {{ translate = {vector(middle)} }}", f"fracture = {{ {fracture} }}",
-             f'material = {{ preset = "{chance.choice(FRAGILE)}", thickness = {size * chance.between(0.005, 0.05):.6g} }}']
+    thickness = size * chance.between(0.005, 0.05)
+    lines = ["[sheet.struck]", f"mesh = {mesh}", f"place = {{ translate = {vector(middle)} }}",
+             f"fracture = {{ {fracture} }}",
+             f'material = {{ preset = "{chance.choice(FRAGILE)}", thickness = {thickness:.6g} }}']
     if chance.random() < 0.2 and "sphere" not in mesh:
         lines.append("pin = { boundary = true }")
     return lines
@@ -54,7 +56,8 @@ def body(chance, number, size, speed, height):
     lines = [f"[obstacle.body{number}]", shape.words.replace("striker.", f"body{number}."),
              placed(chance.direction(), chance.uniform(0, 180), at), f"density = {chance.between(500, 12000):.4g}",
              f"velocity = {vector([0, 0, -speed])}", f"friction = {chance.uniform(0, 0.6):.3g}"]
-    return lines, {name.replace("striker.", f"body{number}."): text for name, text in shape.files.items()}, height + 2.1 * reach
+    files = {name.replace("striker.", f"body{number}."): text for name, text in shape.files.items()}
+    return lines, files, height + 2.1 * reach
 
 
 def solver(chance, steps):
@@ -98,7 +101,8 @@ class Runs:
             (folder / name).write_text(content)
 
     def command(self, recording, *words):
-        return [self.sherd, "run", self.folder / "s.toml", "-o", self.folder / recording, "--threads", str(self.threads), *words]
+        return [self.sherd, "run", self.folder / "s.toml", "-o", self.folder / recording, "--threads",
+                str(self.threads), *words]
 
     def call(self, recording, *words):
         """Exit code, and the error's words."""
@@ -110,7 +114,8 @@ class Runs:
         """Begins a run that does not come to its end. Returns the exit code, of one that was killed 0."""
         self.threads = self.chance.choice([1, 2])
         if self.chance.random() < 0.6:
-            return self.call(recording, "--force", "--until", f"{self.duration * self.chance.uniform(0.05, 0.95):.6g}")[0]
+            until = self.duration * self.chance.uniform(0.05, 0.95)
+            return self.call(recording, "--force", "--until", f"{until:.6g}")[0]
         run = subprocess.Popen(self.command(recording, "--force"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             return run.wait(self.chance.uniform(0.05, 0.8))
@@ -139,8 +144,9 @@ class Runs:
         with h5py.File(self.folder / "whole.h5") as file:
             steps = file["steps"]
             explicit = numpy.ptp(steps["is_explicit"][:]) if len(steps["time"]) else 0
-            return [name for name, there in (("cracks", len(file["events/failure/time"])), ("pieces", (steps["fragments"][-1:] > 1).any()),
-                                             ("halving", (steps["halvings"][:] > 0).any()), ("both schemes", explicit)) if there]
+            had = {"cracks": len(file["events/failure/time"]), "pieces": (steps["fragments"][-1:] > 1).any(),
+                   "halving": (steps["halvings"][:] > 0).any(), "both schemes": explicit}
+        return [name for name, there in had.items() if there]
 
 
 def one(task):
@@ -158,6 +164,8 @@ def main():
         parser.add_argument(name, type=int, default=number)
     parser.add_argument("--keep")
     options = parser.parse_args()
+    if "SHERD_SHORT" in os.environ:
+        options.blows = min(options.blows, 40)
     seeds = [options.seed] if options.seed is not None else range(options.first, options.first + options.blows)
     tasks = [(options.sherd, seed, options.keep and f"{options.keep}/{seed}") for seed in seeds]
     count, bad = collections.Counter(), 0

@@ -6,7 +6,8 @@ import math
 
 import numpy
 
-from blow_parts import (Chance, Keys, flat, material, pace, placed, sheet_words, spin, striker_shape, target, turn, vector)
+from blow_parts import (Chance, Keys, flat, material, pace, placed, sheet_words, spin, striker_shape, target, turn,
+                        vector)
 from blow_solids import closed_box, turned
 
 SCHEMES = ["implicit-euler"] * 4 + ["bdf2"] * 2 + ["explicit"] * 2 + ["auto"] * 2
@@ -82,7 +83,7 @@ def striker(chance, struck, shape, much, motion):
 
 def obstacle_blow(chance, seed, scheme):
     """A striker of any kind on a sheet of any kind."""
-    how = chance.choice(["pinned"] * 3 + ["closed"] * 2 + ["large", "large", "free", "free", "spinning", "tube", "bowl"])
+    how = chance.choice(["pinned"] * 3 + ["closed", "large", "free"] * 2 + ["spinning", "tube", "bowl"])
     much = pace(chance, scheme, how)
     struck = target(chance, much, how)
     kind = chance.choice(["sphere", "box", "mesh", "rod", "wire", "cylinder"])
@@ -90,8 +91,9 @@ def obstacle_blow(chance, seed, scheme):
     shape = striker_shape(chance, much.size * chance.between(0.05, widest), kind)
     motion = chance.choice(["keyed", "turning", "free", "free"] if shape.free else ["keyed", "turning"])
     words, solid, keys = striker(chance, struck, shape, much, motion)
-    return made(seed, f"{kind} {motion} on {how}", much, scene_text(chance, much, struck.words + words), files=shape.files,
-                struck="struck" if struck.border else None, border=struck.border, solids={"striker": solid},
+    text = scene_text(chance, much, struck.words + words)
+    return made(seed, f"{kind} {motion} on {how}", much, text, files=shape.files, border=struck.border,
+                struck="struck" if struck.border else None, solids={"striker": solid},
                 turns={"striker": keys} if keys else {})
 
 
@@ -126,8 +128,8 @@ def fold_blow(chance, seed, scheme):
     much.sizes = math.radians(degrees) / 2 / much.steps
     width, edge = size * chance.uniform(0.1, 0.3), size * chance.uniform(0.06, 0.09)
     mesh = f'{{ generate = "rectangle", width = {size:.6g}, height = {width:.6g}, edge_length = {edge:.6g} }}'
-    end = (f"{{ box = [[{size * 0.95:.6g}, -1, -1], [{size * 1.05:.6g}, 1, 1]], centre = [{size / 2:.6g}, 0, 0], keys = "
-           f"[{{ time = 0 }}, {{ time = {much.step * much.steps:.9g}, rotate = {{ axis = [0, 1, 0], "
+    end = (f"{{ box = [[{size * 0.95:.6g}, -1, -1], [{size * 1.05:.6g}, 1, 1]], centre = [{size / 2:.6g}, 0, 0], "
+           f"keys = [{{ time = 0 }}, {{ time = {much.step * much.steps:.9g}, rotate = {{ axis = [0, 1, 0], "
            f"degrees = {-degrees:.6g} }} }}] }}")
     start = f"{{ box = [[-1, -1, -1], [{size * 0.05:.6g}, 1, 1]] }}"
     words = sheet_words("strip", mesh, much.stuff, [f"pin = [{start}, {end}]"])

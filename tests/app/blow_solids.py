@@ -46,7 +46,8 @@ def prism(radius, length, sides):
     faces = []
     for i in range(sides):
         j = (i + 1) % sides
-        faces += [(i, j, sides + j), (i, sides + j, sides + i), (2 * sides, j, i), (2 * sides + 1, sides + i, sides + j)]
+        faces += [(i, j, sides + j), (i, sides + j, sides + i)]
+        faces += [(2 * sides, j, i), (2 * sides + 1, sides + i, sides + j)]
     return corner, numpy.array(faces)
 
 
