@@ -63,6 +63,10 @@ Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
     return scene;
 }
 
+void say_that_nothing_is_left(const std::filesystem::path& file, double time, const std::string& unit) {
+    fmt::print(stderr, "sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), time, unit);
+}
+
 /// Says that a run goes on, and makes its recording what it was then; or says that nothing is left to do.
 /// Returns whether there is.
 bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndAt& end,
@@ -71,8 +75,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
     const std::string unit = runner.scene().time_unit();
     const bool all = runner.is_complete() && Recording(file).end() == "complete";
     if (all || end.has_come(now)) {
-        fmt::print(stderr, "sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), now,
-                   unit);
+        say_that_nothing_is_left(file, now, unit);
         return false;
     }
     fmt::print(stderr, "sherd: '{}' goes on from {:g} {}\n", file.string(), now, unit);
@@ -83,6 +86,11 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
 int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
     RunStart start = run_start(file, options);
     Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of_run(options.threads, 1));
+    if (start.is_finished) {
+        require_whole(file, runner.scene(), runner.end_time());
+        say_that_nothing_is_left(file, runner.end_time(), scene.time_unit());
+        return 0;
+    }
     const Simulation& simulation = runner.simulation();
     EndOnInterruption interruption(options.progress_to >= 0);
     EndAt end_at(options.until);

@@ -29,14 +29,36 @@ RunStart run_start(const std::filesystem::path& file, const RunOptions& options)
     if (options.resume) start.checkpoint = read_last(file);
     if (start.checkpoint) return start;
     const bool is_there = std::filesystem::exists(file);
-    if (options.resume && is_there && !options.force && Recording(file).frame_count() > 0)
+    if (options.resume && is_there && !options.force && Recording(file).frame_count() > 0) {
+        start.is_finished = Recording(file).end() == "complete";
+        if (start.is_finished) return start;
         throw Error(
             fmt::format("'{}' has no checkpoint to go on from; pass --force to begin anew", file.string()));
+    }
     if (options.resume)
         fmt::print(stderr, "sherd: '{}' has not been begun: the run starts at its beginning\n",
                    file.string());
     remove_checkpoints(file);
     return start;
+}
+
+void require_whole(const std::filesystem::path& file, const Scene& scene, double end_time) {
+    constexpr double rounding = 1e-12;
+    const Recording recording(file);
+    const std::vector<StepReport> steps = recording.steps();
+    const double time = steps.empty() ? 0 : steps.back().time;
+    if (!scene.is_static() && time > end_time * (1 + rounding))
+        throw Error(fmt::format("the run has come to {:g} s, past duration = {:g}; give a longer one", time,
+                                scene.duration));
+    if (!scene.is_static() && time < end_time * (1 - rounding))
+        throw Error(fmt::format(
+            "'{}' is complete at {:g} s, and no checkpoint was kept from which it could be made longer; for that, run "
+            "it with --set output.keep_checkpoint=true, and --force instead of --resume",
+            file.string(), time));
+    if (recording.header().scene_text != scene.text)
+        throw Error(fmt::format(
+            "'{}' is complete, of a scene with another text or other --set; --force instead of --resume begins anew",
+            file.string()));
 }
 
 }  // namespace sherd

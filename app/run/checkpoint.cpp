@@ -47,6 +47,11 @@ std::array<std::filesystem::path, 2> checkpoint_files(const std::filesystem::pat
     return {recording.string() + ".checkpoint-1", recording.string() + ".checkpoint-2"};
 }
 
+void remove_checkpoint(const std::filesystem::path& recording, std::int64_t number) {
+    std::error_code ignored;
+    std::filesystem::remove(checkpoint_files(recording)[number % 2], ignored);
+}
+
 void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
                       const std::function<void(StateVisitor&)>& visit_all) {
     PendingFile file(checkpoint_files(recording.output())[checkpoint.number % 2], Fault::run, recording);

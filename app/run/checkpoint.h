@@ -43,6 +43,9 @@ void write_checkpoint(const OutputLock& recording, Checkpoint checkpoint,
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& recording,
                                           std::vector<std::string>& warnings);
 
+/// Removes the one of this number, if it is there.
+void remove_checkpoint(const std::filesystem::path& recording, std::int64_t number);
+
 /// Removes both, and what a killed writer left.
 void remove_checkpoints(const std::filesystem::path& recording);
 

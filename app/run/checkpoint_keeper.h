@@ -25,7 +25,7 @@ struct RunParts {
 };
 
 /// Keeps checkpoints of a run beside its recording: at its begin, every Scene::checkpoint_interval, and at
-/// its end.
+/// its end. A complete run keeps none, or with Scene::keep_checkpoint the last.
 class CheckpointKeeper : public RunObserver {
   public:
     /// The parts must outlive this object. It must be the last observer, since it needs to know what the
@@ -36,6 +36,7 @@ class CheckpointKeeper : public RunObserver {
     /// all that has changed, unless the run is of the same origin, and of no shorter duration.
     void put_back(const Checkpoint& checkpoint);
     void paused(bool at_end) override;
+    void ended(const RunEnd& how) override;
 
     double seconds() const { return spent; }  ///< s, of wall time, on checkpoints
 

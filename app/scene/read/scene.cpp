@@ -127,10 +127,13 @@ void read_times(TomlTable& root, Scene& scene) {
     if (auto output = root.table("output")) {
         scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
         if (output->has("every") && scene.frame_interval < scene.solver.step)
-            output->report("every", fmt::format("is shorter than solver.step ({} s)", scene.solver.step));
+            output->report("every", fmt::format("is shorter than solver.step ({0} s), at whose ends frames are recorded, however "
+                                                 "short the parts are that scheme \"auto\" or \"explicit\" cuts a step into; "
+                                                 "add solver.step = {1}, or record every {0} s", scene.solver.step, scene.frame_interval));
         scene.fields = read_fields(*output);
         scene.checkpoint_interval =
             output->number("checkpoint", "s", not_negative, scene.checkpoint_interval);
+        scene.keep_checkpoint = output->flag("keep_checkpoint", scene.keep_checkpoint);
         output->finish();
     }
 }
