@@ -19,6 +19,7 @@
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/yield_words.h"
 #include "app/scene/read/variant_remarks.h"
+#include "app/words/counted.h"
 #include "app/words/place_words.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -38,7 +39,7 @@ struct CheckOptions {
 void print_factors(const std::vector<double>& factors) {
     const auto range = factor_range(factors);
     if (range) fmt::print("  times {:.3g} to {:.3g}, edge by edge", range->least, range->most);
-    if (range && range->never > 0) fmt::print("; {} edges never break", range->never);
+    if (range && range->never > 0) fmt::print("; {} never {}", counted(range->never, "edge"), range->never == 1 ? "breaks" : "break");
     if (range) fmt::print("\n");
     if (!range && !factors.empty()) fmt::print("  no edge ever breaks\n");
 }
@@ -135,12 +136,12 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
 void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
     if (!scene.variant.empty()) fmt::print("variant {}\n", scene.variant);
     if (!scene.is_static())
-        fmt::print("{}: {:.6g} s in {} steps of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
-                   scene.duration, step_count(scene), scene.solver.step, scene.frame_interval);
+        fmt::print("{}: {:.6g} s in {} of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
+                   scene.duration, counted(step_count(scene), "step"), scene.solver.step, scene.frame_interval);
     else
-        fmt::print("{}: statics to load {:.6g}{} in {} steps of {:.3g}, a frame every {:.3g}\n",
+        fmt::print("{}: statics to load {:.6g}{} in {} of {:.3g}, a frame every {:.3g}\n",
                    scene.file.string(), scene.solver.load, scene.solver.arc_length ? " or along a path," : "",
-                   step_count(scene), scene.solver.step, scene.frame_interval);
+                   counted(step_count(scene), "step"), scene.solver.step, scene.frame_interval);
     std::vector<std::string> mistakes;
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {

@@ -9,6 +9,7 @@
 #include "app/converge/outcome.h"
 #include "app/json/json.h"
 #include "app/scene/scene.h"
+#include "app/words/counted.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -38,8 +39,8 @@ struct Series {
 Outcome told(const Scene& scene, const char* what) {
     fmt::print(stderr, "{}: ", what);
     Outcome result = outcome(scene);
-    fmt::print(stderr, "{} faces, {} steps of {:g}, {} cracks, {:.1f} s\n", result.faces, result.steps,
-               scene.solver.step, result.cracks, result.seconds);
+    fmt::print(stderr, "{}, {} of {:g}, {}, {:.1f} s\n", counted(result.faces, "face"), counted(result.steps, "step"),
+               scene.solver.step, counted(result.cracks, "crack"), result.seconds);
     return result;
 }
 

@@ -2,6 +2,7 @@
 #include "app/fault_picture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include "app/files/pending_file.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/start_faults.h"
+#include "app/words/counted.h"
 #include "meshops/error.h"
 #include "meshops/mesh_faults.h"
 
@@ -37,6 +39,7 @@ constexpr std::array<FaultColour, 8> colours{
 struct Picture {
     std::vector<std::array<Vector3d, 3>> triangles;
     std::vector<std::optional<FaultKind>> faults;
+    std::vector<std::string> undrawn = {};  ///< sheets that nothing is known of
 
     void add(const TriangleSheet& sheet, const Eigen::Affine3d& place) {
         for (const auto& [a, b, c] : sheet.triangles)
@@ -57,7 +60,7 @@ FaultKind kind_of(TriangleFault fault) {
 /// A sheet whose mesh was refused.
 void add_refused(const SheetSpec& sheet, Picture& picture) {
     const auto* spec = std::get_if<MeshFile>(&sheet.mesh);
-    if (!spec) return;
+    if (!spec) return picture.undrawn.push_back(sheet.name);
     try {
         const FaultyMesh mesh = find_mesh_faults(spec->path, spec->join);
         const std::size_t first = picture.triangles.size();
@@ -65,7 +68,7 @@ void add_refused(const SheetSpec& sheet, Picture& picture) {
         for (std::size_t t = 0; t < mesh.faults.size(); ++t)
             if (mesh.faults[t] != TriangleFault::none) picture.mark(first + t, kind_of(mesh.faults[t]));
     } catch (const Error&) {
-        // There is nothing to draw of a file that cannot be read; `check` says why.
+        picture.undrawn.push_back(sheet.name);  // `check` says why the file cannot be read
     }
 }
 
@@ -110,7 +113,7 @@ TriangleSheet painted(const Picture& picture) {
 }
 
 void print_legend(const Picture& picture, const std::filesystem::path& file) {
-    fmt::print("{}: {} faces of the sheets, in place, and coloured:\n", file.string(), picture.faults.size());
+    fmt::print("{}: {} of the sheets, in place, and coloured:\n", file.string(), counted(picture.faults.size(), "face"));
     for (const FaultColour& known : colours)
         if (const auto count = std::count(picture.faults.begin(), picture.faults.end(), known.kind);
             count > 0)
@@ -131,7 +134,11 @@ void write_fault_picture(const Scene& scene, const std::filesystem::path& file, 
     const Picture picture = picture_of(scene);
     const auto is_fault = [](const std::optional<FaultKind>& fault) { return fault.has_value(); };
     if (std::none_of(picture.faults.begin(), picture.faults.end(), is_fault)) {
-        fmt::print("no face crosses another or keeps the scene from starting: {} is not written\n",
+        fmt::print("{}: {} is not written\n",
+                   picture.undrawn.empty()
+                       ? "no face crosses another or keeps the scene from starting"
+                       : fmt::format("nothing is known of the faces of sheet.{}, which cannot be made",
+                                     fmt::join(picture.undrawn, ", sheet.")),
                    file.string());
         return;
     }

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
+#include "app/words/counted.h"
 #include "app/words/moment_words.h"
 #include "app/words/number_list.h"
 #include "core/elements/membrane.h"
@@ -132,7 +133,7 @@ void add_fragment_table(std::string& text, std::vector<FragmentInfo> fragments) 
                        fragments[i].parent < 0 ? "" : std::to_string(fragments[i].parent), fragments[i].faces,
                        fragments[i].area, fragments[i].mass);
     if (fragments.size() > most)
-        fmt::format_to(out, "  and {} smaller ones (--json lists all)\n", fragments.size() - most);
+        fmt::format_to(out, "  and {} (--json lists all)\n", counted(fragments.size() - most, "smaller one"));
 }
 
 void add_balance(std::string& text, const EnergyBalance& balance) {
@@ -317,8 +318,9 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "end          {}", info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
     if (info.modes.empty())
-        fmt::format_to(out, "\nrun          {} steps, {}, {} frames\n", last.step,
-                       moment_words(fmt::format("{:.6g}", last.time), info.time_unit), info.frames);
+        fmt::format_to(out, "\nrun          {}, {}, {}\n", counted(last.step, "step"),
+                       moment_words(fmt::format("{:.6g}", last.time), info.time_unit),
+                       counted(info.frames, "frame"));
     else
         fmt::format_to(out, "\nframes       {}\n", info.frames);
     if (info.time_unit != "s" && info.last)
@@ -326,17 +328,17 @@ std::string run_info_text(const RunInfo& info) {
             out, "load         {:.6g} times the loads at the end, {:.6g} at most{}\n", info.load.last,
             info.load.largest,
             info.load.limit ? fmt::format("; it fell for the first time at {:.6g}", *info.load.limit) : "");
-    fmt::format_to(out, "mesh         {} vertices, {} faces\n", info.vertices, info.faces);
+    fmt::format_to(out, "mesh         {}, {}\n", counted(info.vertices, "vertex", "vertices"), counted(info.faces, "face"));
     for (const SheetInfo& s : info.sheets)
-        fmt::format_to(out, "sheet        {}: {} faces, {:.5g} m^2\n", s.name, s.faces, s.area);
+        fmt::format_to(out, "sheet        {}: {}, {:.5g} m^2\n", s.name, counted(s.faces, "face"), s.area);
     if (!info.modes.empty()) {
         add_mode_list(text, info);
         return text;
     }
-    fmt::format_to(out, "cracks       {} edges failed, {} opened; {} vertices split", info.failures,
-                   info.openings, info.splits);
+    fmt::format_to(out, "cracks       {} failed, {} opened; {} split", counted(info.failures, "edge"),
+                   info.openings, counted(info.splits, "vertex", "vertices"));
     if (info.vertex_births + info.face_births > 0)
-        fmt::format_to(out, "; {} vertices and {} faces born", info.vertex_births, info.face_births);
+        fmt::format_to(out, "; {} and {} born", counted(info.vertex_births, "vertex", "vertices"), counted(info.face_births, "face"));
     text += "\n";
     if (info.last) {
         add_last_step(text, info);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/modes.h"
+#include "app/words/counted.h"
 
 namespace sherd {
 namespace {
@@ -28,8 +29,8 @@ std::string modes_text(const Scene& scene, const SceneModes& modes) {
     auto out = std::back_inserter(text);
     fmt::format_to(out, "scene        {}{}\n", scene.file.string(),
                    scene.variant.empty() ? "" : fmt::format(", variant {}", scene.variant));
-    fmt::format_to(out, "mesh         {} vertices, {} faces; {} coordinates are free\n", modes.vertices,
-                   modes.faces, vibration.freedoms);
+    fmt::format_to(out, "mesh         {}, {}; {} coordinates are free\n", counted(modes.vertices, "vertex", "vertices"),
+                   counted(modes.faces, "face"), vibration.freedoms);
     if (vibration.rigid > 0)
         fmt::format_to(out,
                        "rigid        {} motions that nothing resists, of frequency 0, not in the table\n",

@@ -16,6 +16,7 @@
 #include "app/files/pending_file.h"
 #include "app/recording/recording_format.h"
 #include "app/sweep/study_chart.h"
+#include "app/words/counted.h"
 #include "app/words/moment_words.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -206,9 +207,9 @@ Chart size_chart(std::vector<Vector2d> sizes) {
 
 std::string heading(const Recording& recording, const RecordingHeader& header, const StepReport& last) {
     const std::string time = moment_words(fmt::format("{:.4g}", last.time), header.time_unit);
-    return fmt::format("{}, seed {}: {}, {} steps, {} fragments, {}",
+    return fmt::format("{}, seed {}: {}, {}, {}, {}",
                        std::filesystem::path(header.scene_file).filename().string(), header.seed, time,
-                       last.step, last.fragments, recording.end());
+                       counted(last.step, "step"), counted(last.fragments, "fragment"), recording.end());
 }
 
 struct PlotOptions {

@@ -14,6 +14,7 @@
 #include "app/probe.h"
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording_format.h"
+#include "app/words/counted.h"
 
 namespace sherd {
 namespace {
@@ -120,8 +121,9 @@ std::string probe_json(const Probe& probe) {
 std::string probe_text(const Probe& probe) {
     std::string text;
     auto out = std::back_inserter(text);
-    fmt::format_to(out, "mesh                {} vertices, {} faces, {} hinges\n",
-                   probe.energies.front().force.cols(), probe.faces.size(), probe.hinges.size());
+    fmt::format_to(out, "mesh                {}, {}, {}\n",
+                   counted(probe.energies.front().force.cols(), "vertex", "vertices"), counted(probe.faces.size(), "face"),
+                   counted(probe.hinges.size(), "hinge"));
     fmt::format_to(out, "{:<20}{:>14} {:>14}\n", "", "energy J", "force norm N");
     for (const ProbedEnergy& energy : probe.energies)
         fmt::format_to(out, "{:<20}{:>14.8g} {:>14.8g}\n", energy.name, energy.energy, energy.force.norm());

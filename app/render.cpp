@@ -20,6 +20,7 @@
 #include "app/render/render_picture.h"
 #include "app/render/render_stage.h"
 #include "app/slow_motion_options.h"
+#include "app/words/counted.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -101,7 +102,7 @@ std::vector<Moment> planned_moments(const RenderOptions& options, const Recordin
     if (!film) return recorded_moments(frames, times);
     const Pace chosen = pace_of(options.slow, times.back() - times.front());
     std::vector<Moment> moments = even_moments(frames, times, chosen.step());
-    if (frames.size() > 1) pace = fmt::format("{}, {} pictures", chosen.words(), moments.size());
+    if (frames.size() > 1) pace = fmt::format("{}, {}", chosen.words(), counted(moments.size(), "picture"));
     return moments;
 }
 

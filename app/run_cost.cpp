@@ -14,6 +14,7 @@
 #include "app/recording/recording_size.h"
 #include "app/run/runner.h"
 #include "app/scene/build/supports.h"
+#include "app/words/counted.h"
 
 namespace sherd {
 namespace {
@@ -104,8 +105,8 @@ void add(RunCost& cost, const TriedSteps& tried) {
 
 std::string cost_lines(const RunCost& cost) {
     std::string text =
-        fmt::format("will take {} steps, {} frames, a recording of about {}, memory of about {}\n",
-                    cost.steps, cost.frames, bytes_words(cost.recording),
+        fmt::format("will take {}, {}, a recording of about {}, memory of about {}\n",
+                    counted(cost.steps, "step"), counted(cost.frames, "frame"), bytes_words(cost.recording),
                     bytes_words(cost.peak_memory > 0 ? cost.peak_memory : cost.memory));
     if (cost.seconds > 0)
         text += fmt::format(

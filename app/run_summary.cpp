@@ -10,6 +10,7 @@
 #include "app/peak_table.h"
 #include "app/scene/build/crack_step_words.h"
 #include "app/scene/build/yield_words.h"
+#include "app/words/counted.h"
 #include "app/words/moment_words.h"
 
 namespace sherd {
@@ -40,6 +41,14 @@ void add_yield(std::string& text, const RunTotals& totals, const Scene& scene) {
                     keeps ? "" : "; here it springs back"));
 }
 
+/// How many steps there were, and how long: those that were halved or cut are shorter than the scene's.
+std::string step_words(const RunTotals& totals, const Scene& scene, const char* unit) {
+    constexpr double rounding = 1e-9;
+    const double whole = static_cast<double>(totals.last.step) * scene.solver.step;
+    const bool is_cut = !scene.is_static() && totals.last.time < whole * (1 - rounding);
+    return fmt::format("{} of {}{:g}{}", totals.last.step, is_cut ? "at most " : "", scene.solver.step, unit);
+}
+
 std::string load_words(const LoadHistory& load) {
     std::string words = fmt::format("{:.6g} at the end", load.last);
     if (load.limit) words += fmt::format(", fell for the first time at {:.6g}", *load.limit);
@@ -61,7 +70,7 @@ std::string explicit_words(const RunTotals& totals) {
     if (!causes.empty()) words += fmt::format("; begun by: {}", fmt::join(causes, ", "));
     if (const auto times = totals.urgencies[static_cast<std::size_t>(Urgency::overwhelmed)]; times > 0)
         words += fmt::format("; {} they could not go on, and implicit ones did",
-                             times == 1 ? "once" : fmt::format("{} times", times));
+                             times == 1 ? "once" : counted(times, "time"));
     return words;
 }
 
@@ -82,7 +91,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     add_row(text, "run", end.how);
     add_row(text, "recording", recording.string());
     const char* unit = scene.is_static() ? "" : " s";
-    add_row(text, "steps", fmt::format("{} of {:g}{}", totals.last.step, scene.solver.step, unit));
+    add_row(text, "steps", step_words(totals, scene, unit));
     if (scene.is_static())
         add_row(text, "load", load_words(totals.load));
     else
@@ -102,7 +111,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     add_yield(text, totals, scene);
     if (totals.halvings > 0)
         add_row(text, "steps halved",
-                fmt::format("{} times, down to {:g}{}", totals.halvings, totals.smallest_step, unit));
+                fmt::format("{}, down to {:g}{}", counted(totals.halvings, "time"), totals.smallest_step, unit));
     if (simulation.forbidden_failures() > 0)
         add_row(text, "failures forbidden",
                 fmt::format("{}, which would have made pieces below fracture.smallest",

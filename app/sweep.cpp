@@ -18,6 +18,7 @@
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_runner.h"
 #include "app/sweep/unlocked_output.h"
+#include "app/words/counted.h"
 #include "app/words/split.h"
 #include "meshops/error.h"
 
@@ -76,7 +77,7 @@ void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::pa
     if (state.done > 0)
         fmt::print(stderr, "sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
     if (!state.failed.empty())
-        fmt::print(stderr, "sherd: {} rows failed before{}\n", state.failed.size(),
+        fmt::print(stderr, "sherd: {} failed before{}\n", counted(state.failed.size(), "row"),
                    retry ? " and are run again" : "; --retry runs them again");
     if (state.of_other_program > 0)
         fmt::print(stderr,

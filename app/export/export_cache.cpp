@@ -9,6 +9,7 @@
 #include "app/export/export_clip.h"
 #include "app/export/export_formats.h"
 #include "app/files/point_cache.h"
+#include "app/words/counted.h"
 #include "meshops/material_library.h"
 #include "meshops/raw_bytes.h"
 
@@ -89,7 +90,7 @@ std::vector<ExportJob> plan_cache(ExportSource& source, const char* extension,
     const std::vector<Moment> moments = even_moments(source.frames(), source.times(), pace.step());
     if (source.frames().size() > 1)
         source.pace_words =
-            fmt::format("{}, {} samples at {:g} a second", pace.words(), moments.size(), pace.rate);
+            fmt::format("{}, {} at {:g} a second", pace.words(), counted(moments.size(), "sample"), pace.rate);
     std::vector<double> times;
     for (const Moment& moment : moments)
         times.push_back(pace.slowdown * (moment.time - moments.front().time));

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/json/json.h"
+#include "app/words/counted.h"
 #include "meshops/error.h"
 #include "meshops/nearest_triangle.h"
 
@@ -91,7 +92,7 @@ std::string distance_text(const FragmentDistance& distance) {
                        100 * over_union);
     }
     if (partition.matches.size() > most)
-        fmt::format_to(out, "  and {} smaller ones\n", partition.matches.size() - most);
+        fmt::format_to(out, "  and {}\n", counted(partition.matches.size() - most, "smaller one"));
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/measures/measures.h"
+#include "app/words/counted.h"
 #include "app/words/moment_words.h"
 #include "app/words/place_words.h"
 
@@ -23,7 +24,7 @@ void add_fragment_rows(std::string& text, const Measures& measures) {
                        info.area, extent.length, extent.width, extent.aspect_ratio());
     }
     if (measures.fragments.size() > most)
-        fmt::format_to(out, "  and {} lighter ones\n", measures.fragments.size() - most);
+        fmt::format_to(out, "  and {}\n", counted(measures.fragments.size() - most, "lighter one"));
     if (const auto& law = measures.mass_law)
         fmt::format_to(out,
                        "mass law     N(> m) ~ m^-{:.3f}, {:.3f} to {:.3f} in 95 of 100, of {} fragments\n",

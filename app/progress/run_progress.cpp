@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "app/words/counted.h"
 #include "app/words/moment_words.h"
 
 namespace sherd {
@@ -16,7 +17,7 @@ ProgressText progress_text(const RunProgress& progress) {
         {{fmt::format("cracks {}", progress.cracks), 3},
          {fmt::format("fragments {}", progress.fragments), 2}}};
     if (progress.halvings > 0)
-        text.after.push_back({fmt::format("halved {} times, now {:.3g}{}", progress.halvings,
+        text.after.push_back({fmt::format("halved {}, now {:.3g}{}", counted(progress.halvings, "time"),
                                           progress.step_size, progress.unit == "s" ? " s" : ""),
                               5});
     return text;

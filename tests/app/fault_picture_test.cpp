@@ -66,6 +66,15 @@ ProgramResult check(const TemporaryDirectory& directory, const std::string& scen
 
 const std::string strict = "contact.start = \"error\"\n";
 
+// "No face crosses another" stood above the error that the mesh is not there.
+TEST(FaultPicture, SaysNothingOfTheFacesOfAMeshThatIsMissing) {
+    const TemporaryDirectory directory;
+    const ProgramResult result = check(directory, sheet("lost", "", "\"missing.obj\""));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out.find("no face crosses"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("nothing is known of the faces of sheet.lost"), std::string::npos) << result.out;
+}
+
 TEST(FaultPicture, FacesThatTheMessageNamesAreRedAndWhereItSays) {
     const TemporaryDirectory directory;
     const ProgramResult result = check(directory, strict + sheet("low", "") + sheet("high", upright));
