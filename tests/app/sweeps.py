@@ -178,7 +178,7 @@ class Sweeps(unittest.TestCase):
         self.assertIn("row 0 failed (137): ended by signal 9", err)
         self.assertIn("--retry", err)
         again = self.sweep(expected=1)
-        self.assertIn("1 rows failed before; --retry", again.err)
+        self.assertIn("1 row failed before; --retry", again.err)
         self.sweep("--retry")
         self.assertEqual([row["exit"] for row in self.table()], ["0"])
 
