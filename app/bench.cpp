@@ -19,6 +19,8 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/number_check.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -56,10 +58,10 @@ std::vector<ShellVariant> variants_of(const ShellCase& one, const BenchOptions& 
 }
 
 void print_row(const ShellVariant& variant, const ShellRun& run) {
-    fmt::print("| {} | {} | {} | {} |", variant.model(), variant.structured ? "structured" : "unstructured",
-               variant.edge, run.faces);
-    for (const ShellResult& result : run.results) fmt::print(" {:.1f}", result.error());
-    fmt::print(" | {} | {:.2f} |{}\n", run.iterations, run.seconds, run.failure.empty() ? "" : " (1)");
+    print_result("| {} | {} | {} | {} |", variant.model(), variant.structured ? "structured" : "unstructured",
+                 variant.edge, run.faces);
+    for (const ShellResult& result : run.results) print_result(" {:.1f}", result.error());
+    print_result(" | {} | {:.2f} |{}\n", run.iterations, run.seconds, run.failure.empty() ? "" : " (1)");
     std::fflush(stdout);
 }
 
@@ -87,9 +89,9 @@ std::string known_numbers(const ShellCase& one) {
 }
 
 void print_head(const ShellCase& one) {
-    fmt::print("\n**{}**{}{}: errors in % of {}\n\n", one.name, one.source.empty() ? "" : ", beside ",
-               one.source, known_numbers(one));
-    fmt::print(
+    print_result("\n**{}**{}{}: errors in % of {}\n\n", one.name, one.source.empty() ? "" : ", beside ",
+                 one.source, known_numbers(one));
+    print_result(
         "| model | mesh | edges | faces | errors | iterations | s |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n");
     std::fflush(stdout);
@@ -111,8 +113,8 @@ int bench_shells(const BenchOptions& options) {
                     fmt::format("{}, {}, {}: {}\n", one.name, variant.model(), variant.edge, run.failure);
         }
     }
-    if (options.json) fmt::print("{}\n", rows.dump(2));
-    if (!options.json && !failures.empty()) fmt::print("\n(1) was not computed to its end:\n{}", failures);
+    if (options.json) print_result("{}\n", rows.dump(2));
+    if (!options.json && !failures.empty()) print_result("\n(1) was not computed to its end:\n{}", failures);
     return 0;
 }
 
@@ -128,14 +130,14 @@ int bench_cost(const BenchOptions& options) {
     const Json explicits = explicit_costs(options.models, !options.json);
     const Json equal = costs_at_equal_error(cases, options.models, !options.json);
     if (options.json)
-        fmt::print("{}\n",
-                   Json{{"iterations", costs}, {"explicit", explicits}, {"equal_error", equal}}.dump(2));
+        print_result("{}\n",
+                     Json{{"iterations", costs}, {"explicit", explicits}, {"equal_error", equal}}.dump(2));
     return 0;
 }
 
 int bench_fracture(const BenchOptions& options) {
     const Json runs = fracture_experiments(options.only, options.quick, !options.json);
-    if (options.json) fmt::print("{}\n", runs.dump(2));
+    if (options.json) print_result("{}\n", runs.dump(2));
     return 0;
 }
 
@@ -150,7 +152,7 @@ int bench_speed(const BenchOptions& options, const std::function<Experiment()>& 
         check_free(options.figure, options.force);
     }
     const auto [json, figure] = experiment();
-    if (options.json) fmt::print("{}\n", json.dump(2));
+    if (options.json) print_result("{}\n", json.dump(2));
     if (!lock) return 0;
     PendingFile pending(*lock, Fault::input);
     pending.write(figure);
@@ -237,7 +239,7 @@ void add_bench(CLI::App& program, Command& chosen) {
         ->add_option("--vertices", options->most_vertices,
                      "Of scaling: the largest mesh (default 102400), four times as many each; of paper: the "
                      "largest that is taken")
-        ->check(CLI::Range(1600.0, 1e8))
+        ->check(number_within(1600, 1e8))
         ->option_text("NUMBER");
     command->add_option("-o,--output", options->figure, "Of paper, scaling and cracking: draw a figure, too")
         ->option_text("FILE.svg");

@@ -21,6 +21,7 @@
 #include "app/scene/read/variant_remarks.h"
 #include "app/words/counted.h"
 #include "app/words/place_words.h"
+#include "app/words/print.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
 #include "meshops/mesh_measures.h"
@@ -38,16 +39,17 @@ struct CheckOptions {
 
 void print_factors(const std::vector<double>& factors) {
     const auto range = factor_range(factors);
-    if (range) fmt::print("  times {:.3g} to {:.3g}, edge by edge", range->least, range->most);
-    if (range && range->never > 0) fmt::print("; {} never {}", counted(range->never, "edge"), range->never == 1 ? "breaks" : "break");
-    if (range) fmt::print("\n");
-    if (!range && !factors.empty()) fmt::print("  no edge ever breaks\n");
+    if (range) print_result("  times {:.3g} to {:.3g}, edge by edge", range->least, range->most);
+    if (range && range->never > 0)
+        print_result("; {} never {}", counted(range->never, "edge"), range->never == 1 ? "breaks" : "break");
+    if (range) print_result("\n");
+    if (!range && !factors.empty()) print_result("  no edge ever breaks\n");
 }
 
 void print_strength(const SheetSpec& sheet, const SheetInput& input) {
     const Strength& strength = input.strength;
     if (!sheet.fracture) {
-        fmt::print("  does not break\n");
+        print_result("  does not break\n");
         return;
     }
     const auto words = [&](double value) {
@@ -58,23 +60,23 @@ void print_strength(const SheetSpec& sheet, const SheetInput& input) {
                            thick > thin ? fmt::format(" to {:.3g}", thick) : "");
     };
     if (strength.along == strength.across)
-        fmt::print("  breaks above {}\n", words(strength.along));
+        print_result("  breaks above {}\n", words(strength.along));
     else
-        fmt::print("  breaks above {} along its axis, {} across\n", words(strength.along),
-                   words(strength.across));
+        print_result("  breaks above {} along its axis, {} across\n", words(strength.along),
+                     words(strength.across));
     print_factors(strength.factors);
     if (sheet.material.tempered > 0)
-        fmt::print("  and {:.4g} Pa more, by which its surfaces are compressed\n", sheet.material.tempered);
+        print_result("  and {:.4g} Pa more, by which its surfaces are compressed\n", sheet.material.tempered);
 }
 
 void print_toughness(const Toughness& toughness) {
     if (!toughness.given()) return;
     if (toughness.has_directions())
-        fmt::print("  cracks go on above {:.4g} Pa m^0.5 along its axis, {:.4g} across,", toughness.value,
-                   *toughness.across);
+        print_result("  cracks go on above {:.4g} Pa m^0.5 along its axis, {:.4g} across,", toughness.value,
+                     *toughness.across);
     else
-        fmt::print("  cracks go on above {:.4g} Pa m^0.5,", toughness.value);
-    fmt::print(" at {:.4g} m/s at most\n", toughness.speed_limit);
+        print_result("  cracks go on above {:.4g} Pa m^0.5,", toughness.value);
+    print_result(" at {:.4g} m/s at most\n", toughness.speed_limit);
     print_factors(toughness.factors);
 }
 
@@ -83,21 +85,21 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
     SheetInput input = make_sheet(sheet, scene, warnings, &remeshed);
     const Mesh& mesh = input.mesh;
     const MeshMeasures m = measure(mesh);
-    fmt::print("sheet {}\n", sheet.name);
+    print_result("sheet {}\n", sheet.name);
     const std::size_t partly = partly_pinned_vertices(sheet, mesh);
-    fmt::print("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}{}\n",
-               mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
-               m.boundary_loops, input.pinned.size(), partly > 0 ? fmt::format(", partly {}", partly) : "");
-    fmt::print("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
-               m.area * input.material.thickness * input.material.density);
+    print_result("  vertices {}, faces {}, components {}, boundary loops {}, pinned vertices {}{}\n",
+                 mesh.number_of_vertices(), mesh.number_of_faces(), connected_components(mesh).count,
+                 m.boundary_loops, input.pinned.size(), partly > 0 ? fmt::format(", partly {}", partly) : "");
+    print_result("  area {:.6g} m^2, mass {:.6g} kg\n", m.area,
+                 m.area * input.material.thickness * input.material.density);
     if (!input.thickness.empty())
-        fmt::print("  thickness {} m, {:.3g} m on the mean\n", thickness_words(input),
-                   input.material.thickness);
-    fmt::print("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
-               m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
-    fmt::print("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
-               m.mean_edge, m.smallest_edge, m.largest_edge, m.smallest_angle * 180 / std::numbers::pi);
-    if (!remeshed.empty()) fmt::print("  {}\n", remeshed);
+        print_result("  thickness {} m, {:.3g} m on the mean\n", thickness_words(input),
+                     input.material.thickness);
+    print_result("  box {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g} m\n", m.lower.x(), m.lower.y(),
+                 m.lower.z(), m.upper.x(), m.upper.y(), m.upper.z());
+    print_result("  edges {:.4g} m on the mean, {:.4g} to {:.4g} m; smallest angle {:.3g} degrees\n",
+                 m.mean_edge, m.smallest_edge, m.largest_edge, m.smallest_angle * 180 / std::numbers::pi);
+    if (!remeshed.empty()) print_result("  {}\n", remeshed);
     print_strength(sheet, input);
     print_toughness(input.toughness);
     return input;
@@ -106,7 +108,7 @@ SheetInput print_sheet(const SheetSpec& sheet, const Scene& scene, std::vector<s
 void print_bodies(const Scene& scene, const std::vector<RigidBody>& bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const RigidBody& body = bodies[b];
-        fmt::print(
+        print_result(
             "free obstacle {}\n  mass {:.6g} kg, centre of mass {}, inertia {:.4g}, {:.4g}, {:.4g} kg m^2\n",
             scene.bodies[b].name, body.mass, place_words(body.centre), body.inertia.x(), body.inertia.y(),
             body.inertia.z());
@@ -128,20 +130,22 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
                             scene.file.string(),
                             yield_words(tried.peaks.peak_yield, tried.peaks.yielding, scene), tried.count));
     }
-    fmt::print("{}", cost_lines(cost));
+    print_result("{}", cost_lines(cost));
     warn_of_cost(scene, cost, warnings);
 }
 
 /// Prints what there is to know. Throws Error with all mistakes that only the meshes show.
 void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
-    if (!scene.variant.empty()) fmt::print("variant {}\n", scene.variant);
+    if (!scene.variant.empty()) print_result("variant {}\n", scene.variant);
     if (!scene.is_static())
-        fmt::print("{}: {:.6g} s in {} of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
-                   scene.duration, counted(step_count(scene), "step"), scene.solver.step, scene.frame_interval);
+        print_result("{}: {:.6g} s in {} of {:.3g} s, a frame every {:.3g} s\n", scene.file.string(),
+                     scene.duration, counted(step_count(scene), "step"), scene.solver.step,
+                     scene.frame_interval);
     else
-        fmt::print("{}: statics to load {:.6g}{} in {} of {:.3g}, a frame every {:.3g}\n",
-                   scene.file.string(), scene.solver.load, scene.solver.arc_length ? " or along a path," : "",
-                   counted(step_count(scene), "step"), scene.solver.step, scene.frame_interval);
+        print_result("{}: statics to load {:.6g}{} in {} of {:.3g}, a frame every {:.3g}\n",
+                     scene.file.string(), scene.solver.load,
+                     scene.solver.arc_length ? " or along a path," : "", counted(step_count(scene), "step"),
+                     scene.solver.step, scene.frame_interval);
     std::vector<std::string> mistakes;
     std::vector<SheetInput> inputs;
     for (const SheetSpec& sheet : scene.sheets) {
@@ -155,10 +159,10 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // Throws where sheets are not apart or do not hold their shape, and where a load or a support reaches
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
-    fmt::print("{}", bending_words(built));
+    print_result("{}", bending_words(built));
     print_bodies(scene, built.options.stepper.contact.bodies);
     if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())
-        fmt::print("cracks run {}\n", words);
+        print_result("cracks run {}\n", words);
     warn_of_implausible(scene, built.inputs, built.options, warnings);
     print_cost(scene, std::move(built), options, warnings);
 }
@@ -183,8 +187,7 @@ int check_all(const CheckOptions& options) {
         if (!options.faults.empty())
             write_fault_picture(scene, part_file(options.faults, scene.variant), options.force);
     }
-    for (const std::string& line : warnings.lines()) fmt::print("warning: {}\n", line);
-    std::fflush(stdout);  // before what goes to stderr
+    for (const std::string& line : warnings.lines()) print_result("warning: {}\n", line);
     mistakes.throw_if_any();
     return 0;
 }

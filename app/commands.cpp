@@ -42,13 +42,25 @@ void require_no_input(const std::filesystem::path& output, const Scene& scene) {
                         "' is read by this scene and would be lost; name another file");
 }
 
+namespace {
+
+/// Where a scene's text comes from, for errors and as the folder of files that it names: what comes through a
+/// pipe, as from /dev/stdin, names them from the working folder.
+std::filesystem::path origin_of(const std::filesystem::path& file) {
+    return std::filesystem::is_fifo(file) ? "pipe" : file;
+}
+
+}  // namespace
+
 std::vector<Scene> read_scenes(const SceneOptions& options) {
-    std::vector<std::string> names = variant_names(options.file);
-    if (names.empty() || !options.choice.variant.empty()) return {read_scene(options.file, options.choice)};
+    const std::string text = read_scene_text(options.file);  // once: a pipe has it only once
+    const std::filesystem::path file = origin_of(options.file);
+    const std::vector<std::string> names = variant_names(text, file);
+    if (names.empty() || !options.choice.variant.empty()) return {parse_scene(text, file, options.choice)};
     std::vector<Scene> scenes;
     VariantRemarks mistakes;
     for (const std::string& name : names) try {
-            scenes.push_back(read_scene(options.file, {options.choice.overrides, name}));
+            scenes.push_back(parse_scene(text, file, {options.choice.overrides, name}));
             mistakes.add(name, "");
         } catch (const Error& error) {
             mistakes.add(name, error.what());

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -22,7 +23,7 @@ void add_completion(CLI::App& program, Command& chosen) {
         chosen = [&program, shell] {
             if (*shell != "bash" && *shell != "zsh")
                 throw Error(fmt::format("completion is for bash and zsh, not for '{}'", *shell));
-            fmt::print("{}", *shell == "bash" ? bash_completion(program) : zsh_completion(program));
+            print_result("{}", *shell == "bash" ? bash_completion(program) : zsh_completion(program));
             return 0;
         };
     });

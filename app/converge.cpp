@@ -10,6 +10,7 @@
 #include "app/json/json.h"
 #include "app/scene/scene.h"
 #include "app/words/counted.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -37,10 +38,11 @@ struct Series {
 };
 
 Outcome told(const Scene& scene, const char* what) {
-    fmt::print(stderr, "{}: ", what);
+    print_message("{}: ", what);
     Outcome result = outcome(scene);
-    fmt::print(stderr, "{}, {} of {:g}, {}, {:.1f} s\n", counted(result.faces, "face"), counted(result.steps, "step"),
-               scene.solver.step, counted(result.cracks, "crack"), result.seconds);
+    print_message("{}, {} of {:g}, {}, {:.1f} s\n", counted(result.faces, "face"),
+                  counted(result.steps, "step"), scene.solver.step, counted(result.cracks, "crack"),
+                  result.seconds);
     return result;
 }
 
@@ -105,9 +107,9 @@ int converge(const ConvergeOptions& options) {
     Series steps{"steps", {told(longest, "steps 4 times as long"), told(longer, "steps twice as long"), {}}};
     meshes.runs[2] = steps.runs[2] = told(scene, "as it is");
     if (options.json)
-        fmt::print("{}\n", Json{{"edges", json_of(meshes)}, {"steps", json_of(steps)}}.dump(2));
+        print_result("{}\n", Json{{"edges", json_of(meshes)}, {"steps", json_of(steps)}}.dump(2));
     else
-        fmt::print("{}{}", text_of(meshes), text_of(steps));
+        print_result("{}{}", text_of(meshes), text_of(steps));
     return 0;
 }
 

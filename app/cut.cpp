@@ -9,6 +9,7 @@
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/scene/build/edge_list.h"
+#include "app/words/print.h"
 #include "fracture/crack_mesh.h"
 #include "meshops/components.h"
 #include "meshops/error.h"
@@ -83,7 +84,7 @@ int cut(const CutOptions& options) {
     ReadMeshOptions read = options.read;
     if (options.repair) read.repair = Repair::all;
     Mesh mesh = read_mesh(options.mesh, read, warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     const Mesh before = mesh;
     Json told = Json::object();
     const std::vector<Edge> edges = edges_to_open(options, mesh, told);
@@ -96,9 +97,9 @@ int cut(const CutOptions& options) {
     Json result = summary(before, edges, cracks, change);
     result.update(told);
     if (options.json)
-        fmt::print("{}\n", result.dump(2));
+        print_result("{}\n", result.dump(2));
     else
-        for (const auto& [key, value] : result.items()) fmt::print("{:<22}{}\n", key, value.dump());
+        for (const auto& [key, value] : result.items()) print_result("{:<22}{}\n", key, value.dump());
     return 0;
 }
 

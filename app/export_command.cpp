@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -7,6 +6,7 @@
 #include "app/export/export_formats.h"
 #include "app/progress/interruption.h"
 #include "app/slow_motion_options.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -14,9 +14,9 @@ namespace sherd {
 namespace {
 
 void print_report(const ExportReport& report) {
-    for (const std::string& warning : report.warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    if (!report.pace.empty()) fmt::print(stderr, "sherd: {}\n", report.pace);
-    for (const std::filesystem::path& file : report.files) fmt::print("{}\n", file.string());
+    print_warnings(report.warnings);
+    if (!report.pace.empty()) print_message("sherd: {}\n", report.pace);
+    for (const std::filesystem::path& file : report.files) print_result("{}\n", file.string());
 }
 
 int print_export(const ExportOptions& options) {
@@ -26,7 +26,7 @@ int print_export(const ExportOptions& options) {
         return 0;
     } catch (const Error& error) {
         if (!interrupted()) throw;
-        fmt::print(stderr, "sherd: {}\n", error.what());
+        print_message("sherd: {}\n", error.what());
         return interruption_exit_code();
     }
 }

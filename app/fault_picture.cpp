@@ -13,6 +13,7 @@
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/start_faults.h"
 #include "app/words/counted.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 #include "meshops/mesh_faults.h"
 
@@ -113,11 +114,12 @@ TriangleSheet painted(const Picture& picture) {
 }
 
 void print_legend(const Picture& picture, const std::filesystem::path& file) {
-    fmt::print("{}: {} of the sheets, in place, and coloured:\n", file.string(), counted(picture.faults.size(), "face"));
+    print_result("{}: {} of the sheets, in place, and coloured:\n", file.string(),
+                 counted(picture.faults.size(), "face"));
     for (const FaultColour& known : colours)
         if (const auto count = std::count(picture.faults.begin(), picture.faults.end(), known.kind);
             count > 0)
-            fmt::print("  {:>6} {}\n", count, known.words);
+            print_result("  {:>6} {}\n", count, known.words);
 }
 
 }  // namespace
@@ -134,12 +136,12 @@ void write_fault_picture(const Scene& scene, const std::filesystem::path& file, 
     const Picture picture = picture_of(scene);
     const auto is_fault = [](const std::optional<FaultKind>& fault) { return fault.has_value(); };
     if (std::none_of(picture.faults.begin(), picture.faults.end(), is_fault)) {
-        fmt::print("{}: {} is not written\n",
-                   picture.undrawn.empty()
-                       ? "no face crosses another or keeps the scene from starting"
-                       : fmt::format("nothing is known of the faces of sheet.{}, which cannot be made",
-                                     fmt::join(picture.undrawn, ", sheet.")),
-                   file.string());
+        print_result("{}: {} is not written\n",
+                     picture.undrawn.empty()
+                         ? "no face crosses another or keeps the scene from starting"
+                         : fmt::format("nothing is known of the faces of sheet.{}, which cannot be made",
+                                       fmt::join(picture.undrawn, ", sheet.")),
+                     file.string());
         return;
     }
     const OutputLock lock(file);

@@ -11,9 +11,11 @@
 #include "app/commands.h"
 #include "app/measures/fragment_distance.h"
 #include "app/measures/measures.h"
+#include "app/number_check.h"
 #include "app/words/counted.h"
 #include "app/words/moment_words.h"
 #include "app/words/number_list.h"
+#include "app/words/print.h"
 #include "core/elements/membrane.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
@@ -258,8 +260,8 @@ CrackCentre centre_of(const InfoOptions& options) {
 int print_measures(const InfoOptions& options) {
     const Recording recording(options.recording);
     const Measures measures = measures_of(recording, options.over, centre_of(options));
-    if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
-    fmt::print(
+    if (!recording.mended().empty()) print_message("sherd: warning: {}\n", recording.mended());
+    print_result(
         "{}", options.json ? measures_json(measures) : measures_text(measures, recording.header().time_unit));
     return 0;
 }
@@ -267,7 +269,7 @@ int print_measures(const InfoOptions& options) {
 int print_distance(const InfoOptions& options) {
     const FragmentDistance distance =
         fragment_distance(Recording(options.recording), Recording(options.distance));
-    fmt::print("{}", options.json ? distance_json(distance) : distance_text(distance));
+    print_result("{}", options.json ? distance_json(distance) : distance_text(distance));
     return 0;
 }
 
@@ -275,8 +277,8 @@ int print_info(const InfoOptions& options) {
     if (!options.distance.empty()) return print_distance(options);
     if (options.measures) return print_measures(options);
     const RunInfo info = read_run_info(options.recording);
-    if (!info.mended.empty()) fmt::print(stderr, "sherd: warning: {}\n", info.mended);
-    fmt::print("{}", options.json ? run_info_json(info) : run_info_text(info));
+    if (!info.mended.empty()) print_message("sherd: warning: {}\n", info.mended);
+    print_result("{}", options.json ? run_info_json(info) : run_info_text(info));
     return 0;
 }
 
@@ -328,7 +330,8 @@ std::string run_info_text(const RunInfo& info) {
             out, "load         {:.6g} times the loads at the end, {:.6g} at most{}\n", info.load.last,
             info.load.largest,
             info.load.limit ? fmt::format("; it fell for the first time at {:.6g}", *info.load.limit) : "");
-    fmt::format_to(out, "mesh         {}, {}\n", counted(info.vertices, "vertex", "vertices"), counted(info.faces, "face"));
+    fmt::format_to(out, "mesh         {}, {}\n", counted(info.vertices, "vertex", "vertices"),
+                   counted(info.faces, "face"));
     for (const SheetInfo& s : info.sheets)
         fmt::format_to(out, "sheet        {}: {}, {:.5g} m^2\n", s.name, counted(s.faces, "face"), s.area);
     if (!info.modes.empty()) {
@@ -338,7 +341,8 @@ std::string run_info_text(const RunInfo& info) {
     fmt::format_to(out, "cracks       {} failed, {} opened; {} split", counted(info.failures, "edge"),
                    info.openings, counted(info.splits, "vertex", "vertices"));
     if (info.vertex_births + info.face_births > 0)
-        fmt::format_to(out, "; {} and {} born", counted(info.vertex_births, "vertex", "vertices"), counted(info.face_births, "face"));
+        fmt::format_to(out, "; {} and {} born", counted(info.vertex_births, "vertex", "vertices"),
+                       counted(info.face_births, "face"));
     text += "\n";
     if (info.last) {
         add_last_step(text, info);
@@ -365,7 +369,7 @@ void add_info(CLI::App& program, Command& chosen) {
                           "What runs are compared by: sizes of fragments, cracks, peak forces");
     command->add_option("--over", options->over, "Only fragments heavier than this count, kg (default: all)")
         ->needs(measures)
-        ->check(CLI::NonNegativeNumber)
+        ->check(not_negative_number())
         ->option_text("MASS");
     command
         ->add_option("--about", options->about,
@@ -376,7 +380,7 @@ void add_info(CLI::App& program, Command& chosen) {
     command->add_option("--radii", options->radii, "Circles that radial cracks are counted on, m")
         ->needs(measures)
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->option_text("R,R,...");
     command
         ->add_option("--distance", options->distance,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
+#include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -12,6 +13,8 @@
 #include "app/commands.h"
 #include "app/progress/interruption.h"
 #include "app/usage_message.h"
+#include "app/words/build_info.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace {
@@ -26,20 +29,32 @@ void keep_freed_memory() {
     ::mallopt(M_TRIM_THRESHOLD, most_kept);
 }
 
+/// A standard stream that was closed is one that cannot be written: no file may take its number.
+void keep_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
+
 int report(std::string_view message, int exit_code) {
     while (!message.empty()) {
         const std::string_view line = message.substr(0, message.find('\n'));
-        fmt::print(stderr, "sherd: error: {}\n", line);
+        sherd::print_message("sherd: error: {}\n", line);
         message.remove_prefix(std::min(line.size() + 1, message.size()));
     }
     return exit_code;
 }
 
+/// Says so if not.
+bool results_are_written() {
+    if (sherd::finish_results()) return true;
+    report("cannot write to standard output", failed);
+    return false;
+}
+
 int run(const sherd::Command& command) {
     try {
         const int exit_code = command();
-        if (std::fflush(stdout) != 0) return report("cannot write to standard output", failed);
-        return exit_code;
+        return results_are_written() ? exit_code : failed;
     } catch (const sherd::Error& error) {
         return report(error.what(), error.fault == sherd::Fault::input ? bad_input : failed);
     } catch (const std::bad_alloc&) {
@@ -54,12 +69,14 @@ int run(const sherd::Command& command) {
 // NOLINTNEXTLINE(bugprone-exception-escape): before run() catches them, only a lack of memory could throw.
 int main(int argc, char** argv) {
     keep_freed_memory();
+    keep_standard_streams();
+    std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is printed does not end a run by going away
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk
     sherd::end_on_interruption();
     CLI::App program(
         "Sherd breaks plates and shells: a scene goes in, fragments and the crack history come out.",
         "sherd");
-    program.set_version_flag("--version", "sherd " SHERD_VERSION);
+    program.set_version_flag("--version", "sherd " SHERD_VERSION "\n" + sherd::build_info());
     program.footer("Example:\n  sherd run plate_drop -o plate.h5");
     sherd::Command chosen;
     sherd::add_run(program, chosen);
@@ -84,12 +101,13 @@ int main(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? done : bad_input;
+        if (program.exit(error) != 0) return bad_input;
+        return results_are_written() ? done : failed;
     } catch (const sherd::Error& error) {
         return report(error.what(), bad_input);
     }
     if (!chosen) {
-        fmt::print(stderr, "{}", program.help());
+        sherd::print_message("{}", program.help());
         return bad_input;
     }
     return run(chosen);

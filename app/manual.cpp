@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/help/manual_page.h"
+#include "app/words/print.h"
 
 namespace sherd {
 
@@ -13,7 +13,7 @@ void add_manual(CLI::App& program, Command& chosen) {
         "  sherd manual | man -l -");
     command->callback([&chosen, &program] {
         chosen = [&program] {
-            fmt::print("{}", manual_page(program));
+            print_result("{}", manual_page(program));
             return 0;
         };
     });

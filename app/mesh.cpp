@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/words/nearest_name.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 #include "meshops/material_library.h"
 #include "meshops/stl.h"
@@ -56,8 +57,8 @@ TriangleSheet made(const SheetSpec& sheet, const Scene& scene, bool placed) {
     std::vector<std::string> warnings;
     std::string remeshed;
     TriangleSheet mesh = triangle_sheet(make_unplaced_mesh(sheet, scene, warnings, &remeshed));
-    if (!remeshed.empty()) fmt::print(stderr, "sherd: sheet.{}: {}\n", sheet.name, remeshed);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    if (!remeshed.empty()) print_message("sherd: sheet.{}: {}\n", sheet.name, remeshed);
+    print_warnings(warnings);
     if (!placed) return mesh;
     for (Vector3d& point : mesh.points) point = sheet.place * point;
     for (Vector3d& axis : mesh.axis) axis = sheet.place.linear() * axis;
@@ -103,12 +104,12 @@ int write_meshes(const MeshOptions& options) {
             PendingFile pending(materials, Fault::input, lock);
             pending.write(material_text(job.sheet.material, job.file));
             pending.publish(options.force);
-            fmt::print("{}\n", materials.string());
+            print_result("{}\n", materials.string());
         }
         PendingFile pending(lock, Fault::input);
         pending.write(is_stl ? stl_bytes(job.sheet) : mesh_bytes(job.sheet, job.file));
         pending.publish(options.force);
-        fmt::print("{}\n", job.file.string());
+        print_result("{}\n", job.file.string());
     }
     return 0;
 }

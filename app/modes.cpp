@@ -10,8 +10,10 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/scene/build/built_scene.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -38,7 +40,7 @@ std::vector<std::string> left_out_of_modes(const Scene& scene) {
 }
 
 void warn_of_modes(const Scene& scene, const SceneModes& modes) {
-    const auto warn = [](const std::string& words) { fmt::print(stderr, "sherd: warning: {}\n", words); };
+    const auto warn = [](const std::string& words) { print_message("sherd: warning: {}\n", words); };
     if (scene.solver.bending.model == BendingModel::cubic_2007)
         warn(
             "with bending = \"cubic-2007\" curved sheets are not in equilibrium where they start: these are "
@@ -59,21 +61,20 @@ bool print_modes(const Scene& scene, const ModesOptions& options, Json& json) {
     }
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     const Simulation simulation(std::move(built.sheets), built.options);
     const SceneModes modes = scene_modes(scene, simulation, built.options.stepper.shell, options.count);
     if (options.json)
         json.push_back(modes_json(scene, modes));
     else
-        fmt::print("{}", modes_text(scene, modes));
-    std::fflush(stdout);  // before what goes to stderr
+        print_result("{}", modes_text(scene, modes));
     warn_of_modes(scene, modes);
     if (!output) return true;
     const std::filesystem::path file = output->recording.output();
     const bool complete = record_modes(std::move(*output), scene, simulation, modes, options.frames);
     if (!options.json && complete)
-        fmt::print("recording    {}: mode i from i - 1 to i s, largest in frame {} (i - 1) + {}\n",
-                   file.string(), options.frames.a_mode, options.frames.a_mode / 4);
+        print_result("recording    {}: mode i from i - 1 to i s, largest in frame {} (i - 1) + {}\n",
+                     file.string(), options.frames.a_mode, options.frames.a_mode / 4);
     return complete;
 }
 
@@ -84,16 +85,16 @@ int print_all_modes(const ModesOptions& options) {
             const RecordingOutput free(part_file(options.output, scene.variant), options.force);
     Json json = Json::array();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        if (i > 0 && !options.json) fmt::print("\n");
+        if (i > 0 && !options.json) print_result("\n");
         if (!print_modes(scenes[i], options, json)) {
-            fmt::print(stderr, "sherd: interrupted; the recording has the frames up to there\n");
+            print_message("sherd: interrupted; the recording has the frames up to there\n");
             return interruption_exit_code();
         }
     }
     const bool several = options.scene.choice.variant.empty() && !scenes.front().variant.empty();
     if (options.json)  // not before all is done, since it is one object
-        fmt::print("{}\n",
-                   (several ? json : json.front()).dump(2, ' ', false, Json::error_handler_t::replace));
+        print_result("{}\n",
+                     (several ? json : json.front()).dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
 }
 
@@ -123,7 +124,7 @@ void add_modes(CLI::App& program, Command& chosen) {
     auto options = std::make_shared<ModesOptions>();
     add_scene_options(*command, options->scene);
     command->add_option("-n,--count", options->count, "How many modes, from the slowest on (default 12)")
-        ->check(CLI::Range(1, 1000))
+        ->check(whole_number(1, 1000))
         ->option_text("N");
     command
         ->add_option("-o,--output", options->output,
@@ -133,12 +134,12 @@ void add_modes(CLI::App& program, Command& chosen) {
     command
         ->add_option("--amplitude", options->frames.amplitude,
                      "Largest displacement in the recording, over the size of the sheets (default 0.05)")
-        ->check(CLI::Range(1e-6, 10.0))
+        ->check(number_within(1e-6, 10))
         ->option_text("SHARE");
     command
         ->add_option("--frames", options->frames.a_mode,
                      "Of each mode in the recording, a multiple of 4 (default 24)")
-        ->check(CLI::Range(4, 1000))
+        ->check(whole_number(4, 1000))
         ->check([](const std::string& given) {
             return std::stoi(given) % 4 == 0 ? std::string() : "is no multiple of 4: " + given;
         })

@@ -29,8 +29,9 @@ std::string modes_text(const Scene& scene, const SceneModes& modes) {
     auto out = std::back_inserter(text);
     fmt::format_to(out, "scene        {}{}\n", scene.file.string(),
                    scene.variant.empty() ? "" : fmt::format(", variant {}", scene.variant));
-    fmt::format_to(out, "mesh         {}, {}; {} coordinates are free\n", counted(modes.vertices, "vertex", "vertices"),
-                   counted(modes.faces, "face"), vibration.freedoms);
+    fmt::format_to(out, "mesh         {}, {}; {} coordinates are free\n",
+                   counted(modes.vertices, "vertex", "vertices"), counted(modes.faces, "face"),
+                   vibration.freedoms);
     if (vibration.rigid > 0)
         fmt::format_to(out,
                        "rigid        {} motions that nothing resists, of frequency 0, not in the table\n",

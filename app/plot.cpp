@@ -18,6 +18,7 @@
 #include "app/sweep/study_chart.h"
 #include "app/words/counted.h"
 #include "app/words/moment_words.h"
+#include "app/words/print.h"
 #include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
@@ -231,7 +232,7 @@ std::string study_svg(PlotOptions options) {
 
 std::string recording_svg(const std::filesystem::path& file) {
     const Recording recording(file);
-    if (!recording.mended().empty()) fmt::print(stderr, "sherd: warning: {}\n", recording.mended());
+    if (!recording.mended().empty()) print_message("sherd: warning: {}\n", recording.mended());
     return plot_svg(recording);
 }
 
@@ -246,7 +247,7 @@ int plot(PlotOptions options) {
     PendingFile pending(lock, Fault::input);
     pending.write(is_table ? study_svg(options) : recording_svg(options.input));
     pending.publish(options.force);
-    fmt::print("{}\n", options.output.string());
+    print_result("{}\n", options.output.string());
     return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "app/recording/hdf5_file.h"
 #include "app/recording/recording_format.h"
 #include "app/words/counted.h"
+#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -96,9 +97,9 @@ int run_probe(const ProbeOptions& options) {
     std::vector<std::string> warnings;
     const ProbeShapes shapes = read_probe_shapes(options.rest, options.deformed, warnings);
     const Probe result = probe(shapes, material, warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     if (!options.output.empty()) write_probe(result, options.output, options.force);
-    fmt::print("{}", options.json ? probe_json(result) : probe_text(result));
+    print_result("{}", options.json ? probe_json(result) : probe_text(result));
     return 0;
 }
 
@@ -122,8 +123,8 @@ std::string probe_text(const Probe& probe) {
     std::string text;
     auto out = std::back_inserter(text);
     fmt::format_to(out, "mesh                {}, {}, {}\n",
-                   counted(probe.energies.front().force.cols(), "vertex", "vertices"), counted(probe.faces.size(), "face"),
-                   counted(probe.hinges.size(), "hinge"));
+                   counted(probe.energies.front().force.cols(), "vertex", "vertices"),
+                   counted(probe.faces.size(), "face"), counted(probe.hinges.size(), "hinge"));
     fmt::format_to(out, "{:<20}{:>14} {:>14}\n", "", "energy J", "force norm N");
     for (const ProbedEnergy& energy : probe.energies)
         fmt::format_to(out, "{:<20}{:>14.8g} {:>14.8g}\n", energy.name, energy.energy, energy.force.norm());

@@ -21,6 +21,7 @@
 #include "app/render/render_stage.h"
 #include "app/slow_motion_options.h"
 #include "app/words/counted.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -167,11 +168,11 @@ void draw_all(const Recording& recording, const RenderStage& stage, const std::v
 int print_rendering(const RenderOptions& options) {
     watch_for_interruption();
     const Rendering rendering = render_recording(options);
-    for (const fs::path& file : rendering.files) fmt::print("{}\n", file.string());
-    if (!rendering.legend.empty()) fmt::print("{}\n", rendering.legend);
+    for (const fs::path& file : rendering.files) print_result("{}\n", file.string());
+    if (!rendering.legend.empty()) print_result("{}\n", rendering.legend);
     if (rendering.interrupted)
-        fmt::print(stderr, "sherd: interrupted; {} pictures are complete{}\n", rendering.files.size(),
-                   options.film.empty() ? "" : ", the film is not");
+        print_message("sherd: interrupted; {} pictures are complete{}\n", rendering.files.size(),
+                      options.film.empty() ? "" : ", the film is not");
     return rendering.interrupted ? interruption_exit_code() : 0;
 }
 
@@ -194,8 +195,8 @@ Rendering render_recording(const RenderOptions& options) {
             fmt::format("--size {}: the pictures are too small for a colour bar and a caption, which are "
                         "left out",
                         options.size));
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
-    if (!pace.empty()) fmt::print(stderr, "sherd: {}\n", pace);
+    print_warnings(warnings);
+    if (!pace.empty()) print_message("sherd: {}\n", pace);
     std::optional<OutputLock> lock;
     if (!files.empty()) {
         make_folder(files.front().parent_path());

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/machine/threads.h"
+#include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/progress/progress_observer.h"
 #include "app/run/checkpoint_keeper.h"
@@ -19,6 +20,7 @@
 #include "app/scene/build/built_scene.h"
 #include "app/time_table.h"
 #include "app/words/moment_words.h"
+#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -52,7 +54,7 @@ Runner built_runner(const Scene& scene, int threads) {
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
     built.options.stepper.threads = threads;
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     return Runner(scene, std::move(built));
 }
 
@@ -64,7 +66,7 @@ Scene scene_from(Scene scene, const std::optional<Checkpoint>& checkpoint) {
 }
 
 void say_that_nothing_is_left(const std::filesystem::path& file, double time, const std::string& unit) {
-    fmt::print(stderr, "sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), time, unit);
+    print_message("sherd: '{}' has come to {:g} {}: nothing is left to do\n", file.string(), time, unit);
 }
 
 /// Says that a run goes on, and makes its recording what it was then; or says that nothing is left to do.
@@ -78,7 +80,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
         say_that_nothing_is_left(file, now, unit);
         return false;
     }
-    fmt::print(stderr, "sherd: '{}' goes on from {:g} {}\n", file.string(), now, unit);
+    print_message("sherd: '{}' goes on from {:g} {}\n", file.string(), now, unit);
     recorder.go_on(runner.scene());
     return true;
 }
@@ -109,20 +111,23 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
 
     const double seconds_before = runner.wall_seconds();
     const RunEnd end = runner.run();
-    fmt::print("{}", run_summary(totals, end, file, scene, simulation));
-    std::fflush(stdout);  // before what goes to stderr
-    fmt::print(stderr, "{}",
-               time_table(simulation.time_spent(), recorder.seconds() + keeper.seconds(),
-                          end.wall_seconds - seconds_before));
+    print_result("{}", run_summary(totals, end, file, scene, simulation));
+    print_message("{}", time_table(simulation.time_spent(), recorder.seconds() + keeper.seconds(),
+                                   end.wall_seconds - seconds_before));
     if (end.is_complete() || end_at.has_come(simulation.time())) return 0;
-    fmt::print(stderr, "sherd: interrupted; '{}' has the run up to {}; with --resume it goes on\n",
-               file.string(), moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
+    print_message("sherd: interrupted; '{}' has the run up to {}; with --resume it goes on\n", file.string(),
+                  moment_words(fmt::format("{:g}", simulation.time()), scene.time_unit()));
     return interruption_exit_code();
 }
 
 int run(const RunOptions& options) {
     const std::vector<Scene> scenes = read_scenes(options.scene);
     const Scene& first = scenes.front();
+    if (options.scene.choice.variant.empty() && !first.variant.empty() && fs::is_fifo(options.scene.file))
+        throw Error(fmt::format(
+            "{}: has variants, and each is run by a process of its own that reads it: give a file, or "
+            "--variant NAME",
+            options.scene.file.string()));
     if (options.scene.choice.variant.empty() && !first.variant.empty()) return run_variants(scenes, options);
     return run(first, options.output.empty() ? recording_name(first) : options.output, options);
 }
@@ -141,16 +146,16 @@ void add_run(CLI::App& program, Command& chosen) {
     command->add_flag("--resume", options->resume,
                       "Go on from the last checkpoint; only duration may be another than before");
     command->add_option("--until", options->until, "End at this simulated time; --resume goes on from there")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->option_text("TIME");
     command
         ->add_option("--threads", options->threads,
                      "Threads at most; results do not depend on them. Default: as many as the processor runs "
                      "at once, up to 4")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1))
         ->option_text("N");
     command->add_option("-j,--jobs", options->jobs, "How many variants to run at a time")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1))
         ->capture_default_str();
     command->add_option("--progress-to", options->progress_to, "Descriptor for reports to this program")
         ->group("");  // not for people, and not shown to them

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -13,7 +14,7 @@ namespace {
 std::optional<Checkpoint> read_last(const std::filesystem::path& file) {
     std::vector<std::string> warnings;
     std::optional<Checkpoint> last = last_checkpoint(file, warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     if (last && !std::filesystem::exists(file))
         throw Error(
             fmt::format("there are checkpoints of '{}', but not the recording itself: put it back, or "
@@ -36,8 +37,7 @@ RunStart run_start(const std::filesystem::path& file, const RunOptions& options)
             fmt::format("'{}' has no checkpoint to go on from; pass --force to begin anew", file.string()));
     }
     if (options.resume)
-        fmt::print(stderr, "sherd: '{}' has not been begun: the run starts at its beginning\n",
-                   file.string());
+        print_message("sherd: '{}' has not been begun: the run starts at its beginning\n", file.string());
     remove_checkpoints(file);
     return start;
 }
@@ -52,13 +52,15 @@ void require_whole(const std::filesystem::path& file, const Scene& scene, double
                                 scene.duration));
     if (!scene.is_static() && time < end_time * (1 - rounding))
         throw Error(fmt::format(
-            "'{}' is complete at {:g} s, and no checkpoint was kept from which it could be made longer; for that, run "
-            "it with --set output.keep_checkpoint=true, and --force instead of --resume",
+            "'{}' is complete at {:g} s, and was so before its first output.checkpoint, so that none "
+            "was kept from which it could be made longer; --force instead of --resume runs it from its "
+            "beginning, to the same bits",
             file.string(), time));
     if (recording.header().scene_text != scene.text)
-        throw Error(fmt::format(
-            "'{}' is complete, of a scene with another text or other --set; --force instead of --resume begins anew",
-            file.string()));
+        throw Error(
+            fmt::format("'{}' is complete, of a scene with another text or other --set; --force instead of "
+                        "--resume begins anew",
+                        file.string()));
 }
 
 }  // namespace sherd

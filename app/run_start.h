@@ -21,7 +21,8 @@ struct RunStart {
 /// there is a recording but no checkpoint of it, or the other way round.
 RunStart run_start(const std::filesystem::path& file, const RunOptions& options);
 
-/// Throws Error (input) unless the complete recording in `file` is of the whole of the run, which ends at `end_time`.
+/// Throws Error (input) unless the complete recording in `file` is of the whole of the run, which ends at
+/// `end_time`.
 void require_whole(const std::filesystem::path& file, const Scene& scene, double end_time);
 
 }  // namespace sherd

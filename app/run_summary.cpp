@@ -110,8 +110,9 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
     add_peaks(text, totals);
     add_yield(text, totals, scene);
     if (totals.halvings > 0)
-        add_row(text, "steps halved",
-                fmt::format("{}, down to {:g}{}", counted(totals.halvings, "time"), totals.smallest_step, unit));
+        add_row(
+            text, "steps halved",
+            fmt::format("{}, down to {:g}{}", counted(totals.halvings, "time"), totals.smallest_step, unit));
     if (simulation.forbidden_failures() > 0)
         add_row(text, "failures forbidden",
                 fmt::format("{}, which would have made pieces below fracture.smallest",

@@ -16,6 +16,7 @@
 #include "app/progress/interruption.h"
 #include "app/progress/progress_display.h"
 #include "app/recording/recording.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -112,7 +113,7 @@ void VariantRunner::listen() {
         const bool goes_on = run->listen();
         if (const std::string words = run->take_words(); !words.empty()) {
             display.make_way();
-            fmt::print(stderr, "{}", words);
+            print_message("{}", words);
         }
         if (goes_on) {
             ++run;
@@ -131,7 +132,7 @@ void VariantRunner::finish(ChildRun& run) {
         failed.push_back(run.name);
     display.make_way();
     display.leave(run.meter);
-    if (!run.results.empty()) fmt::print("variant {}\n{}\n", run.name, run.results);
+    if (!run.results.empty()) print_result("variant {}\n{}\n", run.name, run.results);
     std::fflush(stdout);
 }
 
@@ -175,8 +176,7 @@ int run_variants(std::span<const Scene> variants, const RunOptions& options) {
     VariantRunner runner(variants, files, options);
     const std::vector<std::string> failed = runner.run();
     if (runner.stopped) {
-        fmt::print(
-            stderr,
+        print_message(
             "sherd: interrupted; of {} variants {} were not run to their end; with --resume they go on\n",
             variants.size(), runner.left());
         return interruption_exit_code();

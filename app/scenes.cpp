@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -10,6 +9,7 @@
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
 #include "app/scene/read/shipped_scenes.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -45,9 +45,9 @@ void print_list(const std::vector<ShippedScene>& scenes) {
     for (const ShippedScene& scene : scenes) widest = std::max(widest, scene.name.size());
     const std::size_t indent = widest + 2, columns = terminal_columns();
     for (const ShippedScene& scene : scenes)
-        fmt::print("{:<{}}{}\n", scene.name, indent,
-                   columns < indent + 20 ? scene.description
-                                         : wrapped(scene.description, columns - indent - 1, indent));
+        print_result("{:<{}}{}\n", scene.name, indent,
+                     columns < indent + 20 ? scene.description
+                                           : wrapped(scene.description, columns - indent - 1, indent));
 }
 
 void print_json(const std::vector<ShippedScene>& scenes) {
@@ -55,7 +55,7 @@ void print_json(const std::vector<ShippedScene>& scenes) {
     for (const ShippedScene& scene : scenes)
         list.push_back(
             {{"name", scene.name}, {"file", scene.file.string()}, {"description", scene.description}});
-    fmt::print("{}\n", list.dump(2));
+    print_result("{}\n", list.dump(2));
 }
 
 /// Copies a scene and the files that it names into a folder, and prints their names there.
@@ -70,7 +70,7 @@ void copy_scene(const ShippedScene& scene, const ScenesOptions& options) {
         PendingFile pending(lock, Fault::input);
         fs::copy_file(scene.file.parent_path() / file, pending.path(), fs::copy_options::overwrite_existing);
         pending.publish(options.force);
-        fmt::print("{}\n", copy.string());
+        print_result("{}\n", copy.string());
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/files/program_file.h"
+#include "app/number_check.h"
 #include "app/progress/interruption.h"
 #include "app/run_cost.h"
 #include "app/scene/build/built_scene.h"
@@ -19,6 +20,7 @@
 #include "app/sweep/sweep_runner.h"
 #include "app/sweep/unlocked_output.h"
 #include "app/words/counted.h"
+#include "app/words/print.h"
 #include "app/words/split.h"
 #include "meshops/error.h"
 
@@ -75,20 +77,20 @@ std::vector<std::size_t> rows_to_run(const Sweep& sweep, const SweepState& state
 /// Says what was found of an earlier sweep into the folder.
 void tell_of_before(const SweepState& state, const StudyRows& rows, const fs::path& folder, bool retry) {
     if (state.done > 0)
-        fmt::print(stderr, "sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
+        print_message("sherd: {} of {} rows are done already\n", state.done, rows.rows.size());
     if (!state.failed.empty())
-        fmt::print(stderr, "sherd: {} failed before{}\n", counted(state.failed.size(), "row"),
-                   retry ? " and are run again" : "; --retry runs them again");
+        print_message("sherd: {} failed before{}\n", counted(state.failed.size(), "row"),
+                      retry ? " and are run again" : "; --retry runs them again");
     if (state.of_other_program > 0)
-        fmt::print(stderr,
-                   "sherd: {} rows were run by another build of this program (program_hash); remove '{}' to "
-                   "run them again\n",
-                   state.of_other_program, (folder / "rows").string());
+        print_message(
+            "sherd: {} rows were run by another build of this program (program_hash); remove '{}' to "
+            "run them again\n",
+            state.of_other_program, (folder / "rows").string());
     if (state.foreign > 0)
-        fmt::print(stderr,
-                   "sherd: the study has changed: {} results are of rows that it does not have any more; "
-                   "they are kept and not in its tables\n",
-                   state.foreign);
+        print_message(
+            "sherd: the study has changed: {} results are of rows that it does not have any more; "
+            "they are kept and not in its tables\n",
+            state.foreign);
 }
 
 std::string rows_words(const SweepState& state, std::size_t count) {
@@ -119,12 +121,10 @@ bool run_rows(const Sweep& sweep, const SweepOptions& options) {
 int end_of_sweep(const Sweep& sweep, bool complete) {
     const RowResults results = results_in(sweep.folder);
     const SweepState state = sweep_state(sweep.rows, results);
-    fmt::print("{}", rows_words(state, sweep.rows.rows.size()));
-    std::fflush(stdout);  // before what goes to stderr
-    fmt::print(stderr, "{}", failed_lines(sweep.rows, results, state.failed));
+    print_result("{}", rows_words(state, sweep.rows.rows.size()));
+    print_message("{}", failed_lines(sweep.rows, results, state.failed));
     if (!complete) {
-        fmt::print(
-            stderr,
+        print_message(
             "sherd: interrupted; the same command goes on with the rows that were not run to their end\n");
         return interruption_exit_code();
     }
@@ -177,7 +177,7 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
     tell_of_before(state, sweep.rows, sweep.folder, options.retry);
     const std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
     if (wanted.empty()) {
-        fmt::print(stderr, "sherd: no row is left to run; --collect makes the tables\n");
+        print_message("sherd: no row is left to run; --collect makes the tables\n");
         return 0;
     }
     const SlurmOptions slurm = slurm_options(sweep.study.slurm, options.on_slurm);
@@ -186,8 +186,8 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
     const fs::path folder = fs::absolute(sweep.folder).lexically_normal();
     const SlurmJob job = slurm_job(sweep, options, folder, chunk, wanted);
     const std::string number = submit(chunk, slurm_script(job, slurm, cost, folder), folder);
-    fmt::print("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(), chunk,
-               wanted.size());
+    print_result("job          {}: {} tasks of {} rows each, {} rows to run\n", number, job.tasks.size(),
+                 chunk, wanted.size());
     return 0;
 }
 
@@ -196,18 +196,17 @@ int print_status(const Sweep& sweep) {
     const SweepState state = sweep_state(sweep.rows, results);
     tell_of_before({.of_other_program = state.of_other_program, .foreign = state.foreign}, sweep.rows,
                    sweep.folder, false);
-    fmt::print("{}", rows_words(state, sweep.rows.rows.size()));
+    print_result("{}", rows_words(state, sweep.rows.rows.size()));
     if (const auto job = submitted_job(sweep.folder)) {
         std::size_t running = 0, waiting = 0, rows_running = 0, rows_waiting = 0;
         for (const auto& [task, name] : job->tasks) ++(name == "PENDING" ? waiting : running);
         for (const std::size_t row : state.missing)
             if (const auto task = job->tasks.find(row / job->chunk); task != job->tasks.end())
                 ++(task->second == "PENDING" ? rows_waiting : rows_running);
-        fmt::print("job          {}: {} tasks run ({} rows), {} wait ({} rows)\n", job->number, running,
-                   rows_running, waiting, rows_waiting);
+        print_result("job          {}: {} tasks run ({} rows), {} wait ({} rows)\n", job->number, running,
+                     rows_running, waiting, rows_waiting);
     }
-    std::fflush(stdout);  // before what goes to stderr
-    fmt::print(stderr, "{}", failed_lines(sweep.rows, results, state.failed));
+    print_message("{}", failed_lines(sweep.rows, results, state.failed));
     return 0;
 }
 
@@ -221,7 +220,7 @@ int sweep(const SweepOptions& options) {
     if (options.slurm) return submit_sweep(sweep, options);
     const bool complete = options.collect || run_rows(sweep, options);
     const std::vector<fs::path> files = write_tables(sweep.study, sweep.rows, results_in(sweep.folder), lock);
-    for (const fs::path& file : files) fmt::print("{}\n", file.string());
+    for (const fs::path& file : files) print_result("{}\n", file.string());
     return end_of_sweep(sweep, complete);
 }
 
@@ -240,7 +239,7 @@ void add_slurm_options(CLI::App& command, SweepOptions& options) {
         "Memory of a task, as sbatch takes it; default: by the first steps, too");
     add("--chunk", of.chunk, "N",
         "Rows of a task; default: what takes less than an hour, in 1000 tasks at most")
-        ->check(CLI::PositiveNumber);
+        ->check(whole_number(1));
     command
         .add_flag("--status", options.status,
                   "Say how many rows are done, failed, running and waiting, and end")
@@ -268,7 +267,7 @@ void add_sweep(CLI::App& program, Command& chosen) {
         ->add_option(
             "-j,--jobs", options->jobs,
             "Rows to run at a time; default: as many as the processor runs at once, in a task of Slurm 1")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number(1))
         ->option_text("N");
     command->add_flag("--retry", options->retry, "Run rows again that failed");
     command->add_flag("--quick", options->quick,

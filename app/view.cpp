@@ -14,11 +14,13 @@
 #include "app/commands.h"
 #include "app/files/pending_file.h"
 #include "app/files/xml_text.h"
+#include "app/number_check.h"
 #include "app/playback/slow_motion.h"
 #include "app/render/surface_paint.h"
 #include "app/slow_motion_options.h"
 #include "app/view/view_assets.h"
 #include "app/view/view_data.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -147,12 +149,12 @@ int view(ViewOptions options) {
     check_free(options.output, options.force);
     std::vector<std::string> warnings;
     const std::string page = view_page(options, warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "sherd: warning: {}\n", warning);
+    print_warnings(warnings);
     PendingFile pending(lock, Fault::input);
     pending.write(page);
     pending.publish(options.force);
-    fmt::print(stderr, "sherd: {}\n", pace_of_page(options, Recording(options.recording)).words());
-    fmt::print("{}\n", options.output.string());
+    print_message("sherd: {}\n", pace_of_page(options, Recording(options.recording)).words());
+    print_result("{}\n", options.output.string());
     return 0;
 }
 
@@ -197,7 +199,7 @@ void add_view(CLI::App& program, Command& chosen) {
         ->option_text("strain|stress|curvature|material");
     add_slow_motion_option(*command, options->slow);
     command->add_option("--megabytes", options->megabytes, "Of data in the page (default 64)")
-        ->check(CLI::Range(1.0, 400.0))
+        ->check(number_within(1, 400))
         ->option_text("N");
     command->add_flag("--plain", options->plain,
                       "Without the colour bar and the caption that come with colours of numbers");

@@ -7,10 +7,21 @@ find_library(OPENBLAS_LIBRARY openblas)
 # The OpenMP runtime that CHOLMOD itself runs on, whatever compiler builds this project.
 find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY OPENBLAS_LIBRARY GOMP_LIBRARY)
+if(CHOLMOD_INCLUDE_DIR)
+    set(CHOLMOD_VERSION "")
+    file(GLOB headers ${CHOLMOD_INCLUDE_DIR}/cholmod.h ${CHOLMOD_INCLUDE_DIR}/cholmod_core.h) # that of SuiteSparse 5 is the other
+    foreach(header ${headers})
+        file(STRINGS ${header} lines REGEX "^#define CHOLMOD_(MAIN|SUB|SUBSUB)_VERSION +[0-9]+")
+        list(TRANSFORM lines REPLACE ".* ([0-9]+).*" "\\1")
+        list(APPEND CHOLMOD_VERSION ${lines})
+    endforeach()
+    list(JOIN CHOLMOD_VERSION "." CHOLMOD_VERSION)
+endif()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(CHOLMOD REQUIRED_VARS CHOLMOD_LIBRARY CHOLMOD_INCLUDE_DIR OPENBLAS_LIBRARY
-                                                GOMP_LIBRARY)
+                                                GOMP_LIBRARY
+                                          VERSION_VAR CHOLMOD_VERSION)
 if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
     add_library(CHOLMOD::CHOLMOD UNKNOWN IMPORTED)
     set_target_properties(CHOLMOD::CHOLMOD PROPERTIES

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/cost_tables.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "app/bench/newton_cost.h"
 #include "app/bench/shell_run.h"
 #include "app/scene/read/scene.h"
+#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -22,7 +21,7 @@ const ShellCase& hemisphere_case(const std::vector<ShellCase>& all) {
 }
 
 void print_cost(const std::string& model, const NewtonCost& cost, const NewtonCost& first) {
-    fmt::print(
+    print_result(
         "| {} | {} | {:.0f} ({:.1f}) | {:.0f} ({:.1f}) | {:.2f} ({:.1f}) | {:.2f} ({:.1f}) | "
         "{:.2f} ({:.1f}) | {:.2f} ({:.1f}) | {:.2f} ({:.1f}) | {:.2f} ({:.1f}) |\n",
         cost.vertices, model, cost.hessian_entries, cost.hessian_entries / first.hessian_entries,
@@ -82,13 +81,13 @@ Json equal_json(const ShellCase& one, const Solved& coupled, const std::string& 
 
 void print_equal(const ShellCase& one, const Solved& coupled, const std::string& model,
                  const Needed& needed) {
-    fmt::print("| {} | {:.2f} | {}: {} | {} | ", one.name, coupled.run.largest_error(), coupled.edge,
-               coupled.run.faces, model);
+    print_result("| {} | {:.2f} | {}: {} | {} | ", one.name, coupled.run.largest_error(), coupled.edge,
+                 coupled.run.faces, model);
     if (needed.solved)
-        fmt::print("{}: {} | {:.1f} |\n", needed.solved->edge, needed.solved->run.faces,
-                   needed.solved->run.seconds / coupled.run.seconds);
+        print_result("{}: {} | {:.1f} |\n", needed.solved->edge, needed.solved->run.faces,
+                     needed.solved->run.seconds / coupled.run.seconds);
     else
-        fmt::print("never: {:.1f} % at {} | |\n", needed.finest_error, one.edges.back());
+        print_result("never: {:.1f} % at {} | |\n", needed.finest_error, one.edges.back());
     std::fflush(stdout);
 }
 
@@ -97,7 +96,7 @@ void print_equal(const ShellCase& one, const Solved& coupled, const std::string&
 Json iteration_costs(const std::vector<std::string>& models, const std::vector<double>& edges, bool print) {
     const std::vector<ShellCase> all = sze_cases();
     if (print)
-        fmt::print(
+        print_result(
             "\n**An iteration of Newton's method** on the hemisphere with a hole, and what a crack "
             "adds: entries a vertex, and ms of processor time of one thread (times that of {})\n\n"
             "| vertices | model | Hessian | factor | gradient | assembly of the Hessian | factorization | "
@@ -120,7 +119,7 @@ Json iteration_costs(const std::vector<std::string>& models, const std::vector<d
 
 Json explicit_costs(const std::vector<std::string>& models, bool print) {
     if (print)
-        fmt::print(
+        print_result(
             "\n**Explicit steps** of 2e-6 s of a disc that falls on a steel nose: ms, with one thread of "
             "processor time, with two of wall time; and million faces times substeps a second\n\n"
             "| model | faces | substeps a step | a step, one thread | two | a second, one thread | two |\n"
@@ -131,9 +130,9 @@ Json explicit_costs(const std::vector<std::string>& models, bool print) {
         const ExplicitCost one = explicit_cost(model, 1), two = explicit_cost(model, 2);
         faces = one.faces;
         if (print)
-            fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} |\n", model, faces,
-                       one.substeps, 1e3 * one.step, 1e3 * two.step, 1e-6 * one.face_steps(),
-                       1e-6 * two.face_steps());
+            print_result("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} |\n", model, faces,
+                         one.substeps, 1e3 * one.step, 1e3 * two.step, 1e-6 * one.face_steps(),
+                         1e-6 * two.face_steps());
         std::fflush(stdout);
         rows.push_back({{"model", model},
                         {"faces", faces},
@@ -142,15 +141,15 @@ Json explicit_costs(const std::vector<std::string>& models, bool print) {
                         {"step_of_two_threads", two.step}});
     }
     if (print)
-        fmt::print("\nMemory alone would let one thread make {:.0f} million a second.\n",
-                   1e-6 * explicit_bound(faces));
+        print_result("\nMemory alone would let one thread make {:.0f} million a second.\n",
+                     1e-6 * explicit_bound(faces));
     return rows;
 }
 
 Json costs_at_equal_error(const std::vector<ShellCase>& cases, const std::vector<std::string>& models,
                           bool print) {
     if (print)
-        fmt::print(
+        print_result(
             "\n**At equal error**: the coarsest mesh from which on the largest of a case's errors stays "
             "below that of coupled hinges on the coarse mesh, and its processor time over theirs\n\n"
             "| case | error, % | edges: faces, `coupled` | model | edges: faces | times the cost |\n"

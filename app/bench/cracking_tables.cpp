@@ -14,6 +14,7 @@
 #include "app/chart/chart_page.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
+#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -80,7 +81,7 @@ std::vector<Broken> broken_plates(const Drop& drop, const std::vector<SolverChoi
 }
 
 void print_head() {
-    fmt::print(
+    print_result(
         "\n**plate_drop**: steps before it touches the floor, later ones in which nothing fails, and those "
         "in which something does; processor time, ms, and one factorization of the whole plate's matrix\n\n"
         "{}",
@@ -92,15 +93,16 @@ void print_head() {
 
 void print_plate(const Drop& drop, const SolverChoice& choice, const Broken& plate) {
     const auto& [quiet, cracking] = std::tie(plate.quiet, plate.cracking);
-    fmt::print("| {:g} | {} | {} | {:.4g} | {} | {:.4g} | {:.1f} | {:.1f} | ", 1e3 * drop.edge,
-               plate.race.faces, choice.name, 1e3 * plate.flight.seconds(), quiet.laps, 1e3 * quiet.seconds(),
-               quiet.in_lap(&StepCost::iterations), quiet.in_lap(&StepCost::factorizations));
-    fmt::print("{} | {:.4g} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.3g} | {:.2f} |{}\n",
-               cracking.laps, 1e3 * cracking.seconds(), cracking.in_lap(&StepCost::iterations),
-               cracking.in_lap(&StepCost::factorizations), cracking.in_lap(&StepCost::analyses),
-               plate.ratio_to(quiet), plate.ratio_to(plate.flight), 1e3 * plate.factorization,
-               quiet.seconds() / plate.factorization,
-               plate.race.failure.empty() ? "" : " " + plate.race.failure);
+    print_result("| {:g} | {} | {} | {:.4g} | {} | {:.4g} | {:.1f} | {:.1f} | ", 1e3 * drop.edge,
+                 plate.race.faces, choice.name, 1e3 * plate.flight.seconds(), quiet.laps,
+                 1e3 * quiet.seconds(), quiet.in_lap(&StepCost::iterations),
+                 quiet.in_lap(&StepCost::factorizations));
+    print_result("{} | {:.4g} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.3g} | {:.2f} |{}\n",
+                 cracking.laps, 1e3 * cracking.seconds(), cracking.in_lap(&StepCost::iterations),
+                 cracking.in_lap(&StepCost::factorizations), cracking.in_lap(&StepCost::analyses),
+                 plate.ratio_to(quiet), plate.ratio_to(plate.flight), 1e3 * plate.factorization,
+                 quiet.seconds() / plate.factorization,
+                 plate.race.failure.empty() ? "" : " " + plate.race.failure);
     std::fflush(stdout);
 }
 

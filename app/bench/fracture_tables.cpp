@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/bench/fracture_run.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -25,12 +26,12 @@ std::vector<FractureCase> chosen_experiments(const std::string& only) {
 }
 
 void print_head(const FractureCase& one) {
-    fmt::print("\n**{}**{}{}\n\n| edges / {} | faces |", one.name, one.source.empty() ? "" : ", beside ",
-               one.source, one.in_units);
-    for (const FractureNumber& number : one.numbers) fmt::print(" {} |", number.name);
-    fmt::print(" s a run |\n| --- | --- |");
-    for (std::size_t i = 0; i <= one.numbers.size(); ++i) fmt::print(" --- |");
-    fmt::print("\n");
+    print_result("\n**{}**{}{}\n\n| edges / {} | faces |", one.name, one.source.empty() ? "" : ", beside ",
+                 one.source, one.in_units);
+    for (const FractureNumber& number : one.numbers) print_result(" {} |", number.name);
+    print_result(" s a run |\n| --- | --- |");
+    for (std::size_t i = 0; i <= one.numbers.size(); ++i) print_result(" --- |");
+    print_result("\n");
     std::fflush(stdout);
 }
 
@@ -55,10 +56,10 @@ std::string spread_words(const FractureNumber& number, const std::vector<Fractur
 void print_row(const FractureCase& one, double edge, const std::vector<FractureRun>& runs) {
     double seconds = 0;
     for (const FractureRun& run : runs) seconds += run.seconds / static_cast<double>(runs.size());
-    fmt::print("| {:.2g} | {} |", edge / one.unit, runs.front().faces);
+    print_result("| {:.2g} | {} |", edge / one.unit, runs.front().faces);
     for (std::size_t i = 0; i < one.numbers.size(); ++i)
-        fmt::print(" {} |", spread_words(one.numbers[i], runs, i));
-    fmt::print(" {:.1f} |\n", seconds);
+        print_result(" {} |", spread_words(one.numbers[i], runs, i));
+    print_result(" {:.1f} |\n", seconds);
     std::fflush(stdout);
 }
 
@@ -96,9 +97,10 @@ class Experiment {
     void finish() const {
         if (!print) return;
         if (one.compares_paths)
-            fmt::print("\nAny two of these {} paths are within {:.2f} of the coarsest edges of each other.\n",
-                       paths.size(), largest_distance(paths) / one.edges.front());
-        fmt::print("{}", failures);
+            print_result(
+                "\nAny two of these {} paths are within {:.2f} of the coarsest edges of each other.\n",
+                paths.size(), largest_distance(paths) / one.edges.front());
+        print_result("{}", failures);
         std::fflush(stdout);
     }
 
@@ -119,7 +121,7 @@ Json fracture_experiments(const std::string& only, bool quick, bool print) {
             experiment.add_row(one.edges[i], quick ? 1 : 3, json);
         experiment.finish();
     }
-    if (print) fmt::print("\n(!) is farther from theory than is asked for.\n");
+    if (print) print_result("\n(!) is farther from theory than is asked for.\n");
     return json;
 }
 

@@ -12,6 +12,7 @@
 #include "app/bench/statistics.h"
 #include "app/bench/table_head.h"
 #include "app/chart/chart_page.h"
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -38,23 +39,23 @@ std::vector<PaperCase> chosen_paper_cases(const std::string& only, bool quick, d
 void print_head(const PaperScene& scene, const std::vector<SolverChoice>& choices) {
     std::vector<std::string> columns{"step (s)", "mesh", "vertices"};
     for (const SolverChoice& choice : choices) columns.push_back(choice.name);
-    fmt::print(
+    print_result(
         "\n**{}**: simulated over processor time with {}, and as multiples of it with the others, of coupled "
         "hinges of the first coupled one\n\n{}",
         scene.name, choices.front().name, table_head(columns));
 }
 
 void print_row(const Done& done, const std::vector<SolverChoice>& choices) {
-    fmt::print("| {:g} | {} x {} | {} |", done.of.step, done.of.side, done.of.side, done.vertices());
+    print_result("| {:g} | {} x {} | {} |", done.of.step, done.of.side, done.of.side, done.vertices());
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const PaperResult& result = done.results[i];
         const char* const mark = !result.race.failure.empty() ? " (2)" : result.race.is_out ? " (1)" : "";
         if (choices[i].beside == choices[i].name)
-            fmt::print(" {:.3g}{} |", result.race.cost().rate(), mark);
+            print_result(" {:.3g}{} |", result.race.cost().rate(), mark);
         else
-            fmt::print(" {:.2f}{} |", result.ratio, mark);
+            print_result(" {:.2f}{} |", result.ratio, mark);
     }
-    fmt::print("\n");
+    print_result("\n");
     std::fflush(stdout);
 }
 
@@ -87,7 +88,7 @@ std::string words_of(const std::vector<double>& differences) {
 }
 
 void print_summary(const std::vector<Done>& all, const std::vector<SolverChoice>& choices) {
-    fmt::print(
+    print_result(
         "\n**All {} cases**: multiples of what it stands beside, and how far a vertex is at most from where "
         "it is with the first one of the same energies (median of all cases, and most)\n\n{}",
         all.size(),
@@ -98,13 +99,13 @@ void print_summary(const std::vector<Done>& all, const std::vector<SolverChoice>
         if (summary.ratios.empty()) continue;
         const auto [least, most] = std::ranges::minmax(summary.ratios);
         const auto steps = static_cast<double>(summary.cost.steps);
-        fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {:.1f} | {:.2f} | {} |\n",
-                   choices[i].name, choices[i].beside, median(summary.ratios), least, most,
-                   median(summary.of_first), words_of(summary.differences),
-                   static_cast<double>(summary.cost.iterations) / steps,
-                   static_cast<double>(summary.cost.factorizations) / steps, summary.unfinished);
+        print_result("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {:.1f} | {:.2f} | {} |\n",
+                     choices[i].name, choices[i].beside, median(summary.ratios), least, most,
+                     median(summary.of_first), words_of(summary.differences),
+                     static_cast<double>(summary.cost.iterations) / steps,
+                     static_cast<double>(summary.cost.factorizations) / steps, summary.unfinished);
     }
-    fmt::print(
+    print_result(
         "\n(1) took too long and was stopped: what it did until then counts. (2) has a step that cannot be "
         "solved.\n");
 }

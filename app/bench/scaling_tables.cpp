@@ -17,6 +17,7 @@
 #include "app/chart/chart_page.h"
 #include "app/machine/memory.h"
 #include "app/scene/read/scene.h"
+#include "app/words/print.h"
 
 namespace sherd {
 namespace {
@@ -76,7 +77,7 @@ std::vector<Quiet> quiet_steps(double vertices, const std::vector<SolverChoice>&
 }
 
 void print_head(double bandwidth) {
-    fmt::print(
+    print_result(
         "\n**A quiet step** of a clamped pane of glass that moves: processor time, ms; beside it one "
         "factorization of its matrix, and two passes over the factor in double precision at {:.1f} GB/s, "
         "as fast as one thread reads from memory\n\n{}",
@@ -87,15 +88,15 @@ void print_head(double bandwidth) {
 }
 
 void print_quiet(const Quiet& quiet) {
-    fmt::print("| {} | {} | ", quiet.race.vertices, quiet.choice.name);
+    print_result("| {} | {} | ", quiet.race.vertices, quiet.choice.name);
     if (quiet.is_known())
-        fmt::print("{:.4g} | {:.1f} | {:.2f} | {:.4g} | {:.2f} | {:.3g} | {:.1f} | {:.0f} |\n",
-                   1e3 * quiet.step(), quiet.in_step(&StepCost::iterations),
-                   quiet.in_step(&StepCost::factorizations), 1e3 * quiet.bound.factorization,
-                   quiet.step() / quiet.bound.factorization, 1e3 * quiet.two_passes,
-                   quiet.iteration() / quiet.two_passes, 1e-6 * quiet.race.memory);
+        print_result("{:.4g} | {:.1f} | {:.2f} | {:.4g} | {:.2f} | {:.3g} | {:.1f} | {:.0f} |\n",
+                     1e3 * quiet.step(), quiet.in_step(&StepCost::iterations),
+                     quiet.in_step(&StepCost::factorizations), 1e3 * quiet.bound.factorization,
+                     quiet.step() / quiet.bound.factorization, 1e3 * quiet.two_passes,
+                     quiet.iteration() / quiet.two_passes, 1e-6 * quiet.race.memory);
     else
-        fmt::print("{} | | | | | | | |\n", quiet.race.is_out ? "too slow" : quiet.race.failure);
+        print_result("{} | | | | | | | |\n", quiet.race.is_out ? "too slow" : quiet.race.failure);
     std::fflush(stdout);
 }
 
@@ -124,8 +125,8 @@ ChartSeries over_vertices(const std::vector<Quiet>& all, const SolverChoice& cho
 }
 
 void print_growth(const std::vector<Quiet>& all, const std::vector<SolverChoice>& choices) {
-    fmt::print("\n**Growth**: exponents p of vertices^p from {:.0f} vertices on\n\n{}", fitted_from,
-               table_head({"choice", "step", "iteration", "one factorization", "memory"}));
+    print_result("\n**Growth**: exponents p of vertices^p from {:.0f} vertices on\n\n{}", fitted_from,
+                 table_head({"choice", "step", "iteration", "one factorization", "memory"}));
     for (const SolverChoice& choice : choices) {
         const auto exponent = [&](auto value) {
             std::vector<Vector2d> fitted = over_vertices(all, choice, value).points;
@@ -133,10 +134,10 @@ void print_growth(const std::vector<Quiet>& all, const std::vector<SolverChoice>
                           [](const Vector2d& point) { return point.x() < fitted_from || point.y() <= 0; });
             return fitted.size() < 2 ? std::string("-") : fmt::format("{:.2f}", fitted_exponent(fitted));
         };
-        fmt::print("| {} | {} | {} | {} | {} |\n", choice.name, exponent(&Quiet::step),
-                   exponent(&Quiet::iteration),
-                   exponent([](const Quiet& quiet) { return quiet.bound.factorization; }),
-                   exponent([](const Quiet& quiet) { return 1e-6 * quiet.race.memory; }));
+        print_result("| {} | {} | {} | {} | {} |\n", choice.name, exponent(&Quiet::step),
+                     exponent(&Quiet::iteration),
+                     exponent([](const Quiet& quiet) { return quiet.bound.factorization; }),
+                     exponent([](const Quiet& quiet) { return 1e-6 * quiet.race.memory; }));
     }
 }
 

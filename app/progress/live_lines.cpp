@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "app/words/print.h"
+
 namespace sherd {
 namespace {
 
@@ -29,8 +31,7 @@ winsize size_of_terminal() {
 }
 
 void put(const std::string& text) {
-    fmt::print(stderr, "{}", text);
-    std::fflush(stderr);
+    print_message("{}", text);
 }
 
 }  // namespace

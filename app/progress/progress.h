@@ -14,6 +14,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// The work begins: what there is to show() may come late.
+    void begin() { display.begin(); }
     /// amount: of the total.
     void show(double amount, ProgressText text);
     void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }

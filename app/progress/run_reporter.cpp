@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "app/words/print.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -21,6 +22,7 @@ RunReporter::RunReporter(double duration, double begun, int descriptor)
     : shown(duration, begun), sent(duration), descriptor(descriptor) {
     if (descriptor >= 0 && fcntl(descriptor, F_GETFD) < 0)
         throw Error(fmt::format("--progress-to {}: this descriptor is not open", descriptor));
+    if (descriptor < 0) shown.begin();
 }
 
 void RunReporter::update(const RunProgress& progress) {
@@ -40,10 +42,11 @@ void RunReporter::finish() {
 
 void RunReporter::send() const {
     const std::string line = to_line(last);
-    // Shorter than a pipe's buffer and so written whole; without a reader SIGPIPE ends this process, too.
+    // A line is shorter than a pipe's buffer, and so written whole.
     ssize_t count;
     do count = write(descriptor, line.data(), line.size());
     while (count < 0 && errno == EINTR);
+    if (count < 0 && errno == EPIPE) end_without_reader();  // whoever began this run has been killed
     if (count < 0)
         throw Error(fmt::format("cannot report how far the run is: {}", std::strerror(errno)), Fault::run);
 }

@@ -10,6 +10,7 @@
 #include "app/python/bindings.h"
 #include "app/python/live_run.h"
 #include "app/python/tables.h"
+#include "app/python/without_lock.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/fields.h"
 #include "meshops/error.h"
@@ -57,7 +58,7 @@ void set_forces(LiveRun& run, const std::optional<Numbers>& forces) {
 void bind_simulation(py::module_& module) {
     py::class_<LiveRun>(module, "Simulation", "A scene that is stepped.")
         .def(py::init<const Scene&, int>(), py::arg("scene"), py::arg("threads"),
-             py::call_guard<py::gil_scoped_release>())
+             py::call_guard<WithoutLock>())
         .def(
             "step",
             [](LiveRun& run) {

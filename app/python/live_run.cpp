@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "app/python/without_lock.h"
 #include "app/run/checkpoint.h"
 #include "app/scene/build/built_scene.h"
 #include "meshops/error.h"
@@ -35,7 +36,7 @@ LiveRun::LiveRun(const Scene& scene, int threads) : runner(scene, built(scene, t
 
 void LiveRun::step() {
     const Turn turn(taken);  // with the lock: whoever has it may look until now
-    const pybind11::gil_scoped_release others;
+    const WithoutLock others;
     runner.advance();
 }
 

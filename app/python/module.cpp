@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 
 #include "app/python/bindings.h"
+#include "app/python/without_lock.h"
 
 // NOLINTNEXTLINE: the macro is pybind11's.
 PYBIND11_MODULE(_sherd, module) {
@@ -19,4 +20,5 @@ PYBIND11_MODULE(_sherd, module) {
     bind_recording(module);
     bind_cut(module);
     bind_mechanics(module);
+    py::module_::import("atexit").attr("register")(py::cpp_function(end_of_python));
 }

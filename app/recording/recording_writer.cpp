@@ -13,6 +13,7 @@
 #include "app/recording/recording.h"
 #include "app/recording/recording_extent.h"
 #include "app/recording/recording_table.h"
+#include "app/words/build_info.h"
 #include "core/elements/membrane.h"
 
 namespace sherd {
@@ -106,6 +107,7 @@ void write_head(hid_t file, const RecordingHeader& header) {
     hdf5::write_attribute(file, "format", std::string(format));
     hdf5::write_attribute(file, "format_version", version);
     hdf5::write_attribute(file, "sherd_version", std::string(SHERD_VERSION));
+    hdf5::write_attribute(file, "sherd_build", build_info());
     hdf5::write_attribute(file, "scene_file", header.scene_file);
     hdf5::write_attribute(file, "seed", header.seed);
     hdf5::write_attribute(file, "time_unit", header.time_unit);

@@ -23,14 +23,14 @@ void CheckpointKeeper::paused(bool at_end) {
     const bool is_due =
         number == 0 ||
         (interval > 0 && std::chrono::duration<double>(Clock::now() - last).count() >= interval);
-    const bool is_of_no_use = parts.runner.is_complete() && !parts.runner.scene().keep_checkpoint;
-    if ((at_end && !is_of_no_use) || is_due) write();
+    const bool is_soon_repeated = parts.runner.is_complete() && number == 1;
+    if ((at_end && !is_soon_repeated) || is_due) write();
 }
 
 void CheckpointKeeper::ended(const RunEnd& how) {
     if (!how.is_complete()) return;
     const std::filesystem::path& recording = parts.recorder.lock().output();
-    if (parts.runner.scene().keep_checkpoint)
+    if (number > 1)
         remove_checkpoint(recording, number + 1);  // the older of the two
     else
         remove_checkpoints(recording);

@@ -25,7 +25,8 @@ struct RunParts {
 };
 
 /// Keeps checkpoints of a run beside its recording: at its begin, every Scene::checkpoint_interval, and at
-/// its end. A complete run keeps none, or with Scene::keep_checkpoint the last.
+/// its end. A complete run keeps the last, so that it can be made longer, or none if it was complete before
+/// the first after its begin: to repeat such a run takes less than the interval.
 class CheckpointKeeper : public RunObserver {
   public:
     /// The parts must outlive this object. It must be the last observer, since it needs to know what the

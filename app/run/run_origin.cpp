@@ -14,7 +14,7 @@ namespace sherd {
 namespace {
 
 /// A run may be made longer, and keep checkpoints more often.
-constexpr const char* free_keys[] = {"duration", "output.checkpoint", "output.keep_checkpoint"};
+constexpr const char* free_keys[] = {"duration", "output.checkpoint"};
 
 /// Of where everything starts, and of what textures, grids and lists make different from place to place.
 /// Structs are left out, whose padding may have any bytes: they follow from these and the settings.

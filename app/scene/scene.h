@@ -184,7 +184,6 @@ struct Scene {
     double frame_interval = 0;         ///< s, output.every; at least solver.step
     FaceFieldChoice fields;            ///< output.fields: that frames have
     double checkpoint_interval = 600;  ///< s of wall time, output.checkpoint; 0: only at the end
-    bool keep_checkpoint = false;      ///< output.keep_checkpoint: the last one of a complete run stays
     std::map<std::string, std::string>
         settings;  ///< what variant and overrides make of the file: settings_of()
 

@@ -83,6 +83,13 @@ void write_file(const fs::path& file, const std::string& text) {
     pending.publish(true);
 }
 
+/// A path in which sbatch replaces nothing.
+std::string without_patterns(const std::string& path) {
+    std::string text;
+    for (const char c : path) text += c == '%' ? std::string("%%") : std::string(1, c);
+    return text;
+}
+
 }  // namespace
 
 std::size_t chunk_size(std::size_t rows, const RowCost& cost) {
@@ -98,7 +105,9 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
     const double bytes = job.jobs * (1.5 * cost.memory + spare_memory);
     std::string script = "#!/bin/bash\n";
     const auto ask = [&](const char* option, const std::string& value) {
-        if (!value.empty()) script += fmt::format("#SBATCH --{}={}\n", option, value);
+        if (value.find('\n') != std::string::npos)
+            throw Error(fmt::format("a line break cannot be handed to sbatch --{}: '{}'", option, value));
+        if (!value.empty()) script += fmt::format("#SBATCH --{}={}\n", option, shell_word(value));
     };
     ask("job-name", "sherd-" + folder.filename().string());
     ask("array", ranges_text(job.tasks));
@@ -107,7 +116,7 @@ std::string slurm_script(const SlurmJob& job, const SlurmOptions& options, const
     ask("time", options.time.empty() ? fmt::format("{:.0f}", std::ceil(seconds / 60)) : options.time);
     ask("mem", options.memory.empty() ? fmt::format("{:.0f}M", std::ceil(bytes / megabyte)) : options.memory);
     ask("cpus-per-task", std::to_string(job.jobs));
-    ask("output", shell_word((folder / "slurm" / "%A_%a.log").string()));
+    ask("output", without_patterns((folder / "slurm" / "").string()) + "%A_%a.log");
     std::string command;
     for (const std::string& word : job.sweep) command += shell_word(word) + " ";
     return script + fmt::format(

@@ -13,7 +13,6 @@
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
-#include "app/scene/toml/toml_file.h"
 #include "app/sweep/design.h"
 #include "app/words/number.h"
 #include "app/words/shell_word.h"
@@ -113,8 +112,8 @@ std::string centre_words(const CrackCentre& centre) {
 class RowReader {
   public:
     RowReader(const Study& study, StudyRows& all) : study(study), all(all) {
-        text = read_toml_text(all.scene, "scene");
-        has_variants = !variant_names(all.scene).empty();
+        text = read_scene_text(all.scene);
+        has_variants = !variant_names(text, all.scene).empty();
         measured = checksum(fmt::format("over {} about {}\n", study.over, centre_words(study.centre)));
         if (!all.python.empty()) measured = checksum(text_of(all.python), measured);
     }

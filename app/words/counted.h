@@ -6,10 +6,12 @@
 
 namespace sherd {
 
-/// A number with its noun: "1 fragment", "2 fragments". `plural` is needed where it is not the noun with an s.
+/// A number with its noun: "1 fragment", "2 fragments". `plural` is needed where it is not the noun with an
+/// s.
 template <class Count>
 std::string counted(Count count, std::string_view noun, std::string_view plural = {}) {
-    std::string text = std::to_string(count) + " " + std::string(count == 1 || plural.empty() ? noun : plural);
+    std::string text =
+        std::to_string(count) + " " + std::string(count == 1 || plural.empty() ? noun : plural);
     return count == 1 || !plural.empty() ? text : text + "s";
 }
 

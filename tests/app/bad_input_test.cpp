@@ -155,7 +155,7 @@ const std::vector<BadInput> bad_scenes{
     change("zero_interval", step_line, step_line + "\n[output]\nevery = 0",
            {"scene.toml:13: output.every: must be"}),
     change("interval_below_step", step_line, step_line + "\n[output]\nevery = 1e-5",
-           {"shorter than solver.step", "add solver.step = "}),
+           {"shorter than solver.step"}),
     change("coarse_edges", "edge_length = 0.03", "edge_length = 3", {"edge_length: is larger than the disc"}),
     change("fine_edges", "edge_length = 0.03", "edge_length = 1e-7", {"edge_length: would make about"}),
     change("pin_of_nothing", place, "pin = {}", {"scene.toml:5: sheet.plate.pin: holds nothing"}),

@@ -57,7 +57,7 @@ TEST(OutputPath, AFullDiskEndsTheRunAndKeepsTheFramesWritten) {
     const TemporaryDirectory directory;
     directory.write("scene.toml", falling_plate);
     ProgramLimits limits;
-    limits.file_bytes = 1'200'000;  // a checkpoint takes less
+    limits.file_bytes = 600'000;  // of some 1'000'000
     const ProgramResult full = run_sherd({"run", "scene.toml", "-o", "out.h5"}, directory.path, limits);
     EXPECT_EQ(full.exit_code, 1) << full.out << full.err;
     EXPECT_NE(full.err.find("out.h5"), std::string::npos) << full.err;

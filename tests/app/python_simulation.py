@@ -209,6 +209,22 @@ class Interruption(unittest.TestCase):
         undisturbed.run()
         self.assertEqual(simulation.positions.tobytes(), undisturbed.positions.tobytes())
 
+    def test_python_ends_while_a_daemon_thread_steps(self):
+        text = f"""import threading, sherd
+begun = threading.Event()
+def step():
+    simulation = sherd.Simulation({{**{SQUARE}, "duration": 100.0}})
+    while True:
+        simulation.step()
+        begun.set()
+threading.Thread(target=step, daemon=True).start()
+begun.wait()
+print("the program ends here")
+"""
+        for _ in range(5):
+            done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=300)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "the program ends here\n", ""))
+
     def test_other_threads_run_meanwhile_and_may_not_look(self):
         simulation = sherd.Simulation(sherd.Scene(SCENES / "plate_drop.toml", set={"duration": 0.02}))
         errors, stop = [], threading.Event()

@@ -80,7 +80,7 @@ TEST(Resume, GoesOnFromWhereARunWasEnded) {
 TEST(Resume, MakesAFinishedRunLonger) {
     const Falling scene;
     ASSERT_EQ(scene.run({"-o", "whole.h5", "--set", "duration=0.016"}).exit_code, 0);
-    ASSERT_EQ(scene.run({"-o", "short.h5", "--set", "output.keep_checkpoint=true"}).exit_code, 0);
+    ASSERT_EQ(scene.run({"-o", "short.h5", "--set", "output.checkpoint=1e-9"}).exit_code, 0);
     const auto checkpoints = checkpoint_files(scene.file("short.h5"));
     EXPECT_NE(fs::exists(checkpoints[0]), fs::exists(checkpoints[1])) << "one is of use";
     const ProgramResult longer = scene.run({"-o", "short.h5", "--resume", "--set", "duration=0.016"});
@@ -102,15 +102,16 @@ TEST(Resume, LeavesAFinishedRunAlone) {
     EXPECT_EQ(fs::last_write_time(scene.file("run.h5")), before);
 }
 
-// Checkpoints of a run to which nothing is left were larger than its recording. Whoever wants it longer all the
-// same must hear what that takes, and a changed scene must not pass for a run that is complete.
+// Checkpoints of a run to which nothing is left were larger than its recording. Whoever wants it longer all
+// the same must hear what that takes, and a changed scene must not pass for a run that is complete.
 TEST(Resume, KeepsNoCheckpointOfACompleteRun) {
     const Falling scene;
     ASSERT_EQ(scene.run({"-o", "run.h5"}).exit_code, 0);
-    for (const fs::path& file : checkpoint_files(scene.file("run.h5"))) EXPECT_FALSE(fs::exists(file)) << file;
+    for (const fs::path& file : checkpoint_files(scene.file("run.h5")))
+        EXPECT_FALSE(fs::exists(file)) << file;
     const ProgramResult longer = scene.run({"-o", "run.h5", "--resume", "--set", "duration=0.016"});
     EXPECT_EQ(longer.exit_code, 2);
-    EXPECT_NE(longer.err.find("output.keep_checkpoint=true"), std::string::npos) << longer.err;
+    EXPECT_NE(longer.err.find("--force instead of --resume"), std::string::npos) << longer.err;
     const ProgramResult damped = scene.run({"-o", "run.h5", "--resume", "--set", "solver.damping.mass=1"});
     EXPECT_EQ(damped.exit_code, 2);
     EXPECT_NE(damped.err.find("of a scene with another text"), std::string::npos) << damped.err;
@@ -168,7 +169,7 @@ TEST(Resume, BeginsWhereNothingIsAndRefusesWhatItCannotGoOnWith) {
     const ProgramResult lost = scene.run({"-o", "run.h5", "--resume"});
     EXPECT_EQ(lost.exit_code, 2);
     EXPECT_NE(lost.err.find("has no checkpoint to go on from"), std::string::npos) << lost.err;
-    EXPECT_EQ(scene.run({"-o", "run.h5", "--resume", "--force"}).exit_code, 0);
+    EXPECT_EQ(scene.run({"-o", "run.h5", "--resume", "--force", "--until", "0.004"}).exit_code, 0);
     fs::remove(scene.file("run.h5"));
     const ProgramResult gone = scene.run({"-o", "run.h5", "--resume"});
     EXPECT_EQ(gone.exit_code, 2);

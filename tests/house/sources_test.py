@@ -18,6 +18,9 @@ FILES_WITHOUT_CIRCLES = ("app/scene",)
 # Rooms that must not include from others, by way of others neither.
 APART = {"app/scene/toml": ["app/scene/read", "app/scene/build"], "app/scene/read": ["app/scene/build"],
          "app/recording": ["app/scene", "app/run"], "app/files": ["app/recording", "app/scene"]}
+# What prints so that no failure ends a run; examples are other programs.
+PRINTS = re.compile(r"fmt::print\((?!out,)|std::f?puts|std::f?printf|std::cout|std::cerr|fflush\(stderr\)")
+MAY_PRINT = ("app/words", "app/examples")
 LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
 MOST_LINES = 400
 
@@ -56,6 +59,14 @@ def violations_of_includes(top, file, lines):
             yield where + f'"{name}" is not a file of the project, written from the top folder'
         elif not may_include(file, pathlib.PurePath(name)):
             yield where + f'{file.parent}/ must not include "{name}"'
+
+
+def violations_of_streams(file, lines):
+    if file.is_relative_to("tests") or str(file.parent) in MAY_PRINT:
+        return
+    for number, line in enumerate(lines, 1):
+        if PRINTS.search(line):
+            yield f"{file}:{number}: only app/words/print.h writes to standard streams"
 
 
 def included_by(top, folder, name_of):
@@ -134,6 +145,7 @@ def violations(top):
             found.append(f"{file}: has {len(lines)} lines; past {MOST_LINES} it should be two files")
         if file.suffix in (".h", ".cpp") and file.parent.parts[:2] != ("tests", "house"):
             found.extend(violations_of_includes(top, file, lines))
+            found.extend(violations_of_streams(file, lines))
     for floor in WITHOUT_CIRCLES:
         found.extend(circles(included_by(top, floor, room_of)))
     for folder in FILES_WITHOUT_CIRCLES:
@@ -194,6 +206,11 @@ class House(unittest.TestCase):
 
     def test_includes_are_written_from_the_top_folder(self):
         self.assertEqual(len(self.found_in(core__b='#include "a.h"')), 1)
+
+    def test_prints_that_may_throw_are_found(self):
+        self.assertEqual(self.found_in(app__words__print='std::fputs("", stderr);'), [])
+        self.assertEqual(len(self.found_in(app__run='fmt::print(stderr, "");')), 1)
+        self.assertEqual(len(self.found_in(app__run='std::cout << "";')), 1)
 
     def test_types_of_one_name_are_found(self):
         one = "namespace sherd {\nclass A {\n};\n}"

@@ -110,6 +110,26 @@ void read_duration(TomlTable& root, Scene& scene) {
     scene.duration = scene.solver.arc_length ? scene.solver.longest_path : scene.solver.load;
 }
 
+void require_few_steps(const Scene& scene, TomlTable& table, const char* key) {
+    const double steps = scene.duration / scene.solver.step;
+    if (steps > most_steps)
+        table.report(key, fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one", steps,
+                                      most_steps));
+}
+
+/// Frames are recorded at the ends of steps: a step that the scene does not give is no longer than the time
+/// between two frames.
+void read_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
+    scene.frame_interval = output.number("every", "s", positive, scene.frame_interval);
+    if (scene.frame_interval >= scene.solver.step) return;
+    if (step_is_given || scene.is_static())
+        return output.report(
+            "every", fmt::format("is shorter than solver.step ({} s), at whose ends frames are recorded",
+                                 scene.solver.step));
+    scene.solver.step = scene.frame_interval;
+    require_few_steps(scene, output, "every");
+}
+
 void read_times(TomlTable& root, Scene& scene) {
     auto solver = root.table("solver");
     if (solver) scene.solver = read_solver(*solver);
@@ -120,20 +140,13 @@ void read_times(TomlTable& root, Scene& scene) {
                                            : scene.solver.arc_length ? "longest_path"
                                                                      : "load",
                                            scene.duration, scene.time_unit()));
-    if (solver && scene.duration / scene.solver.step > most_steps)
-        solver->report("step", fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one",
-                                           scene.duration / scene.solver.step, most_steps));
+    if (solver) require_few_steps(scene, *solver, "step");
     scene.frame_interval = std::max(scene.is_static() ? 0 : scene.duration / 100, scene.solver.step);
     if (auto output = root.table("output")) {
-        scene.frame_interval = output->number("every", "s", positive, scene.frame_interval);
-        if (output->has("every") && scene.frame_interval < scene.solver.step)
-            output->report("every", fmt::format("is shorter than solver.step ({0} s), at whose ends frames are recorded, however "
-                                                 "short the parts are that scheme \"auto\" or \"explicit\" cuts a step into; "
-                                                 "add solver.step = {1}, or record every {0} s", scene.solver.step, scene.frame_interval));
+        if (output->has("every")) read_frame_interval(*output, solver && solver->has("step"), scene);
         scene.fields = read_fields(*output);
         scene.checkpoint_interval =
             output->number("checkpoint", "s", not_negative, scene.checkpoint_interval);
-        scene.keep_checkpoint = output->flag("keep_checkpoint", scene.keep_checkpoint);
         output->finish();
     }
 }
@@ -200,8 +213,12 @@ void choose_variant(toml::table& document, const Scene& scene, Problems& problem
 
 }  // namespace
 
-std::vector<std::string> variant_names(const std::filesystem::path& file) {
-    const toml::table document = parse_toml(read_toml_text(file, "scene"), file);
+std::string read_scene_text(const std::filesystem::path& file) {
+    return read_toml_text(file, "scene");
+}
+
+std::vector<std::string> variant_names(const std::string& text, const std::filesystem::path& file) {
+    const toml::table document = parse_toml(text, file);
     Problems problems;
     TomlTable root(document, "", problems);
     std::vector<std::string> names = read_variant_names(root);
@@ -210,7 +227,7 @@ std::vector<std::string> variant_names(const std::filesystem::path& file) {
 }
 
 Scene read_scene(const std::filesystem::path& file, const SceneChoice& choice) {
-    return parse_scene(read_toml_text(file, "scene"), file, choice);
+    return parse_scene(read_scene_text(file), file, choice);
 }
 
 Scene parse_scene(std::string text, const std::filesystem::path& file, const SceneChoice& choice,

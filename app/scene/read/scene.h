@@ -9,9 +9,12 @@
 
 namespace sherd {
 
-/// Returns the names of the scene's variants, in the order of the file; none when it has no variants. Throws
+/// Returns the names of the variants in a scene's text, in its order; none when it has no variants. Throws
 /// Error like read_scene when they have no proper names.
-std::vector<std::string> variant_names(const std::filesystem::path& file);
+std::vector<std::string> variant_names(const std::string& text, const std::filesystem::path& file);
+
+/// Returns the text of a scene; throws Error if there is none to read.
+std::string read_scene_text(const std::filesystem::path& file);
 
 /// Reads and checks a scene: the keys of the file, then those of the variant, then the overrides. It throws
 /// Error with file:line, the key and what to do, on a missing file, a TOML syntax error (with line and

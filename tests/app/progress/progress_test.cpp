@@ -2,10 +2,16 @@
 // What is said of how far things are: on terminals of all widths, and where there is none.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <regex>
+#include <thread>
 
+#include "app/progress/progress_display.h"
 #include "app/progress/progress_line.h"
 #include "app/progress/run_progress.h"
 #include "app/recording/recording.h"
@@ -42,6 +48,29 @@ TEST(ProgressLine, IsShorterThanAnyTerminal) {
             EXPECT_LT(line_of(long_run(), columns, name).size(), columns) << name;
             EXPECT_EQ(line_of(long_run(), columns, name).find('\n'), std::string::npos);
         }
+}
+
+// Whoever reads a log file must see that a long step is not the end of the program.
+TEST(ProgressDisplay, SaysAgainHowFarThingsAreWhereNothingNewHappens) {
+    testing::internal::CaptureStderr();
+    const auto printed = [](std::size_t least) {
+        struct stat file {};
+        while (fstat(STDERR_FILENO, &file) == 0 && static_cast<std::size_t>(file.st_size) < least)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    {
+        ProgressMeter meter(10);
+        ProgressDisplay display(0, std::chrono::milliseconds(1));
+        display.begin();
+        printed(1);
+        meter.update(3, {{{"step 3", 0}}, {}});
+        display.show(std::array{&meter});
+        printed(200);
+    }
+    const std::string text = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(text.starts_with("sherd: nothing is done yet, after 0:00\n")) << text;
+    EXPECT_TRUE(has(text, "\n 30%  step 3  ETA 0:00\n")) << text;
+    EXPECT_TRUE(has(text, "\n 30%  step 3  ETA 0:00, after 0:00\n")) << text;
 }
 
 // The time to go is what people look for; what goes first is what only experts read.

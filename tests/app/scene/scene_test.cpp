@@ -209,6 +209,15 @@ TEST(Scene, StepsCoverTheDurationWithoutOneForRoundOff) {
         << "a frame a step at most";
 }
 
+// Frames are recorded at the ends of steps: whoever asks for many must not be told to shorten the steps, too.
+TEST(Scene, AStepThatIsNotGivenIsNoLongerThanTheTimeBetweenFrames) {
+    const Scene scene = scene_of(
+        "duration = 1e-3\noutput.every = 2e-5\nsheet.a.mesh = \"a.obj\"\n"
+        "sheet.a.material.preset = \"glass\"\n");
+    EXPECT_EQ(scene.solver.step, 2e-5);
+    EXPECT_EQ(scene.frame_interval, 2e-5);
+}
+
 TEST(Scene, RotationsComeFirstAndInOrderThenTheTranslation) {
     const Scene scene = scene_of(small_scene + R"(
 [sheet.plate.place]

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace sherd {
+
+/// Calls something, from a thread of its own, each time that an interval has passed in which nothing else
+/// happened.
+class IdleTimer {
+  public:
+    IdleTimer(std::chrono::milliseconds interval, std::function<void()> call);
+    /// Waits for a call that is being made.
+    ~IdleTimer();
+    IdleTimer(const IdleTimer&) = delete;
+
+    /// Something has happened: the interval begins now.
+    void restart();
+
+  private:
+    void wait_and_call();
+
+    const std::chrono::milliseconds interval;
+    const std::function<void()> call;
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    bool is_ending = false;
+    std::thread thread;
+};
+
+}  // namespace sherd

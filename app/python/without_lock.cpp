@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/without_lock.h"
+
+#include <pthread.h>
+#include <pybind11/pybind11.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace sherd::python {
+namespace {
+
+/// Threads without the lock. A process has one Python, and so one of these.
+struct Outside {
+    std::mutex mutex;
+    std::condition_variable changed;
+    int threads = 0;
+    bool python_has_ended = false;
+};
+
+Outside*& current() {
+    static Outside* only = new Outside;  // never destroyed: threads that sleep outlive all that is
+    return only;
+}
+
+/// A process that another forks has the thread that called it alone.
+void begin_anew() {
+    current() = new Outside;
+}
+
+Outside& outside() {
+    static const int registered = pthread_atfork(nullptr, nullptr, begin_anew);
+    static_cast<void>(registered);
+    return *current();
+}
+
+/// Until the process ends.
+[[noreturn]] void sleep_on() {
+    for (;;) pause();
+}
+
+}  // namespace
+
+WithoutLock::WithoutLock() : state(PyEval_SaveThread()) {
+    std::unique_lock lock(outside().mutex);
+    if (!outside().python_has_ended) {
+        ++outside().threads;
+        return;
+    }
+    lock.unlock();
+    sleep_on();
+}
+
+WithoutLock::~WithoutLock() {
+    {
+        std::unique_lock lock(outside().mutex);
+        if (outside().python_has_ended) {
+            --outside().threads;
+            outside().changed.notify_all();
+            lock.unlock();
+            sleep_on();
+        }
+    }
+    PyEval_RestoreThread(static_cast<PyThreadState*>(state));
+    const std::lock_guard lock(outside().mutex);
+    --outside().threads;
+    outside().changed.notify_all();
+}
+
+void end_of_python() {
+    PyThreadState* const state = PyEval_SaveThread();
+    {
+        std::unique_lock lock(outside().mutex);
+        outside().python_has_ended = true;
+        outside().changed.wait(lock, [] { return outside().threads == 0; });
+    }
+    PyEval_RestoreThread(state);
+}
+
+}  // namespace sherd::python
