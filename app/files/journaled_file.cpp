@@ -15,12 +15,12 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto longest_wait = 10s;  // for readers, before the file is changed under them
-constexpr auto patience = 2s;       // with other writers; and with readers at the end
+constexpr auto patience = 2s;  // with other writers; and with readers at the end
 
 }  // namespace
 
-JournaledFile::JournaledFile(std::filesystem::path file) : disk(std::move(file), O_RDWR) {
+JournaledFile::JournaledFile(std::filesystem::path file, std::chrono::milliseconds longest_wait)
+    : disk(std::move(file), O_RDWR), longest_wait(longest_wait) {
     if (const std::optional<Journal> left = read_journal(disk)) {
         disk.lock_exclusive(patience);
         apply(*left, disk);

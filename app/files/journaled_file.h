@@ -16,13 +16,14 @@ namespace sherd {
 /// for them yet; then the blocks that become others, and the new end, go into a journal beside it, which is
 /// what commits the change; then they go into the file itself.
 ///
-/// That last part waits for those who have the file open to read it, for ten seconds at most, and delays
+/// That last part waits for those who have the file open to read it, for `longest_wait` at most, and delays
 /// nobody meanwhile: OverlaidFile reads the journal, too. One object at a time may have the file, and who
 /// makes it holds its OutputLock.
 class JournaledFile : public ByteFile {
   public:
     /// Opens a file, and mends it first. Throws Error (run).
-    explicit JournaledFile(std::filesystem::path file);
+    explicit JournaledFile(std::filesystem::path file,
+                           std::chrono::milliseconds longest_wait = std::chrono::seconds(10));
     /// Forgets what has not been committed, and removes the journal if the file does not need it.
     ~JournaledFile() override;
     JournaledFile(const JournaledFile&) = delete;
@@ -59,6 +60,7 @@ class JournaledFile : public ByteFile {
     void or_fail(Action action);
 
     DiskFile disk;
+    std::chrono::milliseconds longest_wait;
     std::uint64_t stored = 0;     ///< bytes on the disk, which may be needed
     std::uint64_t committed = 0;  ///< size, as committed
     std::uint64_t end = 0;        ///< size

@@ -188,9 +188,8 @@ class Sweeps(unittest.TestCase):
         self.wait_for_checkpoint(process)
         child = self.only_child(process)
         os.kill(child, signal.SIGTERM)
-        while pathlib.Path(f"/proc/{child}/exe").exists():
+        while pathlib.Path(f"/proc/{child}").exists():  # until the sweep knows how it has ended
             time.sleep(0.001)
-        time.sleep(0.1)
         process.terminate()
         out, err = process.communicate()
         self.assertEqual(process.returncode, 143, err)

@@ -165,7 +165,8 @@ TEST(OutputLock, WithoutLocksOfTheFileSystemTheFileIsTheLock) {
 }
 
 void wait_for(const fs::path& file) {
-    while (!fs::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 24'000 && !fs::exists(file); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 TEST(OutputLock, ASecondRunIsRefusedAndTheFirstOnesRecordingStays) {
