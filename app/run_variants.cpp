@@ -17,6 +17,7 @@
 #include "app/progress/progress_display.h"
 #include "app/recording/recording.h"
 #include "app/words/print.h"
+#include "app/words/shell_word.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -41,7 +42,7 @@ std::vector<fs::path> recordings(std::span<const Scene> variants, const fs::path
 /// The command line that runs one variant.
 std::vector<std::string> arguments_of(const std::string& variant, const fs::path& recording,
                                       const RunOptions& options) {
-    std::vector<std::string> arguments{"run",           options.scene.file.string(),
+    std::vector<std::string> arguments{"run",           path_argument(options.scene.file),
                                        "--variant",     variant,
                                        "--output",      recording.string(),
                                        "--progress-to", std::to_string(ChildProcess::report_descriptor)};

@@ -213,7 +213,7 @@ StudyRows study_rows(const Study& study, bool build) {
 }
 
 std::vector<std::string> row_arguments(const StudyRows& rows, const StudyRow& row) {
-    std::vector<std::string> arguments{"run", rows.scene.string()};
+    std::vector<std::string> arguments{"run", path_argument(rows.scene)};
     if (!row.choice.variant.empty()) arguments.insert(arguments.end(), {"--variant", row.choice.variant});
     for (const std::string& assignment : row.choice.overrides)
         arguments.insert(arguments.end(), {"--set", assignment});

@@ -14,4 +14,8 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
+std::string path_argument(const std::filesystem::path& path) {
+    return path.string().starts_with('-') ? "./" + path.string() : path.string();
+}
+
 }  // namespace sherd

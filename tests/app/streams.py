@@ -117,7 +117,10 @@ class Streams(unittest.TestCase):
 
     def test_two_dashes_end_the_options(self):
         (self.folder / "-s.toml").write_text(SCENE)
+        (self.folder / "-study.toml").write_text(STUDY.replace("s.toml", "-s.toml"))
+        (self.folder / "-two.toml").write_text(SCENE + VARIANTS)
         for arguments in (["check", "--no-try", "--", "-s.toml"], ["run", "-o", "r.h5", "--", "-s.toml"],
+                          ["run", "-o", "v", "--", "-two.toml"], ["sweep", "-o", "rows", "--", "-study.toml"],
                           ["mesh", "-o", "x.ply", "--", "-s.toml"]):
             done = self.sherd(*arguments)
             self.assertEqual(done.returncode, 0, (arguments, done.stderr))
