@@ -70,7 +70,7 @@ PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view t
     bool is_complete = false;
     TextLines lines(file, text);
     while (auto line = lines.next_with_words()) {
-        const std::string_view keyword = line->next_word();
+        const std::string keyword = lower_case(line->next_word());
         if (keyword == "vertex") {
             const double x = line->next_number(), y = line->next_number(), z = line->next_number();
             soup.points.emplace_back(x, y, z);
@@ -90,7 +90,8 @@ PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view t
 }  // namespace
 
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text) {
-    const bool is_text = text.starts_with("solid") && !is_binary(text);
+    if (!is_binary(text)) text = without_byte_order_mark(file, text);
+    const bool is_text = lower_case(text.substr(0, 5)) == "solid" && !is_binary(text);
     PolygonSoup soup = is_text ? parse_text_stl(file, text) : parse_binary_stl(file, text);
     // The check comes before joining, which compares coordinates and so requires that they are numbers.
     check_polygon_soup(soup);
