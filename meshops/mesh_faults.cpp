@@ -33,13 +33,19 @@ std::vector<std::size_t> around_zero_area(const TriangleSoup& soup) {
 
 }  // namespace
 
-FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join) {
+FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join, double distance) {
     PolygonSoup polygons = read_polygon_soup(file);
     check_polygon_soup(polygons);
     if (join) join_duplicate_points(polygons);
+    if (distance > 0) join_near_points(polygons, distance);
     const TriangleSoup soup = triangulate(polygons);
     FaultyMesh mesh;
-    for (const Point& p : soup.points) mesh.sheet.points.emplace_back(p.x(), p.y(), p.z());
+    const std::vector<bool> is_used = used_points(polygons);
+    for (std::size_t i = 0; i < soup.points.size(); ++i) {
+        // A point that is not used may be no number.
+        const Point& p = soup.points[is_used[i] ? i : polygons.polygons[0][0]];
+        mesh.sheet.points.emplace_back(p.x(), p.y(), p.z());
+    }
     for (const auto& [a, b, c] : soup.triangles)
         mesh.sheet.triangles.push_back(
             {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});

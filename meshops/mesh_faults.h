@@ -18,8 +18,8 @@ struct FaultyMesh {
 };
 
 /// Finds the faults of a mesh file. Since a triangle of zero area cannot be seen, its neighbours across edges
-/// get its fault, too. join: whether points at exactly the same place are joined first. Throws Error like
-/// read_mesh() if the file cannot be read at all.
-FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join);
+/// get its fault, too. join, distance: points at exactly the same place, and points at the border that are so
+/// near to each other, are joined first. Throws Error like read_mesh() if the file cannot be read at all.
+FaultyMesh find_mesh_faults(const std::filesystem::path& file, bool join, double distance = 0);
 
 }  // namespace sherd

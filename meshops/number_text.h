@@ -18,6 +18,12 @@ inline void append(std::string& text, const char* value) {
     text += value;
 }
 
+/// A number for a message, with four digits.
+inline std::string number_words(double value) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr};
+}
+
 template <typename... Values>
 void append_all(std::string& text, const Values&... values) {
     (append(text, values), ...);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "meshops/error.h"
 #include "meshops/polygon_soup.h"
@@ -27,22 +29,48 @@ struct OffHeader {
     throw Error(file.string() + ": the OFF file ends too early (truncated?): " + where);
 }
 
-OffHeader read_keyword(TextLine& line) {
-    const std::string_view word = line.next_word();
-    std::string_view rest = word;
+/// Takes the letters in front of `OFF` off a keyword, which programs write in any order.
+OffHeader take_letters(std::string_view& word) {
     const auto take = [&](std::string_view part) {
-        const bool has = rest.starts_with(part);
-        if (has) rest.remove_prefix(part.size());
+        const bool has = word.starts_with(part);
+        if (has) word.remove_prefix(part.size());
         return has;
     };
     OffHeader header;
-    const bool texture = take("ST"), colour = take("C"), normal = take("N");
-    if (take("4")) header.coordinates = 4;
-    header.has_dimension = take("n");
-    if (rest != "OFF") line.fail("cannot be understood as OFF: write `OFF` in front", word.substr(0, 40));
-    header.extras = (texture ? 2 : 0) + (colour ? 4 : 0) + (normal ? 3 : 0);
+    while (true) {
+        if (take("ST") || take("st"))
+            header.extras += 2;
+        else if (take("C") || take("c"))
+            header.extras += 4;
+        else if (take("N"))
+            header.extras += 3;
+        else if (take("4"))
+            header.coordinates = 4;
+        else if (take("n"))
+            header.has_dimension = true;
+        else
+            return header;
+    }
+}
+
+bool has_digits_only(std::string_view word) {
+    return word.find_first_not_of("0123456789") == word.npos;
+}
+
+/// Takes the keyword off the first line. It may be missing, and the number of vertices may follow it without
+/// a blank.
+OffHeader read_keyword(TextLine& line) {
     TextLine ahead = line;
-    header.is_binary = ahead.next_word() == "BINARY";
+    const std::string_view word = ahead.next_word();
+    if (has_digits_only(word)) return {};
+    std::string_view rest = word;
+    OffHeader header = take_letters(rest);
+    const std::string_view count = rest.substr(std::min<std::size_t>(rest.size(), 3));
+    if (lower_case(rest.substr(0, 3)) != "off" || !has_digits_only(count))
+        line.fail("cannot be understood as OFF: write `OFF` in front", word.substr(0, 40));
+    line = ahead;
+    header.is_binary = lower_case(ahead.next_word()) == "binary";
+    line.put_back(count);
     return header;
 }
 
@@ -62,22 +90,31 @@ void require_dimension(const std::filesystem::path& file, const OffHeader& heade
                     " coordinates for each vertex; a sheet needs 3");
 }
 
-/// The words of a text, regardless of lines.
+/// How a text is set out.
+enum class OffLayout {
+    lines,         ///< a vertex or a face a line; what stands behind it is passed over
+    words,         ///< regardless of lines, with the colours and normals that the keyword names
+    face_colours,  ///< likewise, but what stands behind a face in its line is its colour
+};
+
 class OffText {
   public:
-    OffText(const std::filesystem::path& file, std::string_view text) : file(file), lines(file, text) {}
+    OffText(const std::filesystem::path& file, std::string_view text, OffLayout layout)
+        : file(file), lines(file, text), layout(layout) {}
 
     PolygonSoup parse() {
         soup.file = file;
         next_line("it has no header");
-        OffHeader header = read_keyword(*line);
+        header = read_keyword(*line);
         if (header.has_dimension) require_dimension(file, header, next_count());
         header.vertices = next_count();
         header.faces = next_count();
-        next_count();  // the number of edges is not used
-        require_room(file, header, lines.remaining().size());
-        for (std::size_t i = 0; i < header.vertices; ++i) read_vertex(header, i);
+        skip_edge_count();
+        require_room(file, header, line->length() + lines.remaining().size());
+        for (std::size_t i = 0; i < header.vertices; ++i) read_vertex(i);
         for (std::size_t i = 0; i < header.faces; ++i) read_face(i);
+        if (layout != OffLayout::lines && (!line->is_at_end() || lines.next_with_words(comment)))
+            line->fail("does not belong to a vertex or a face", line->next_word());
         return std::move(soup);
     }
 
@@ -85,6 +122,17 @@ class OffText {
     void next_line(const std::string& where) {
         line = lines.next_with_words(comment);
         if (!line) fail_at_end(file, where);
+    }
+    /// Moves to where a vertex or a face begins, or may go on.
+    void next_element(const std::string& where) {
+        if (layout == OffLayout::lines || line->is_at_end()) next_line(where);
+    }
+    void next_part() {
+        if (layout != OffLayout::lines && line->is_at_end()) next_line("a number is missing");
+    }
+    double next_number() {
+        next_part();
+        return line->next_number();
     }
 
     /// Reads a nonnegative integer.
@@ -101,34 +149,80 @@ class OffText {
         return next_integer("cannot be understood as a number of vertices or faces of OFF");
     }
 
-    void read_vertex(const OffHeader& header, std::size_t number) {
-        next_line("vertex " + std::to_string(number) + " of " + std::to_string(header.vertices) +
-                  " is missing");
-        const double x = line->next_number(), y = line->next_number(), z = line->next_number();
-        const double weight = header.coordinates == 4 ? line->next_number() : 1;
+    /// The number of edges is not used, and some programs leave it out: then a vertex is next, which has
+    /// more words.
+    void skip_edge_count() {
+        if (!line->is_at_end()) {
+            next_count();
+            return;
+        }
+        TextLines after = lines;
+        std::optional<TextLine> next = after.next_with_words(comment);
+        if (!next) return;
+        next->next_word();
+        if (next->is_at_end()) next_count();
+    }
+
+    void read_vertex(std::size_t number) {
+        next_element("vertex " + std::to_string(number) + " of " + std::to_string(header.vertices) +
+                     " is missing");
+        const std::size_t at = lines.number();
+        const double x = next_number(), y = next_number(), z = next_number();
+        const double weight = header.coordinates == 4 ? next_number() : 1;
         soup.points.emplace_back(x / weight, y / weight, z / weight);
-        soup.point_line.push_back(lines.number());
+        soup.point_line.push_back(at);
+        for (std::size_t i = 0; layout != OffLayout::lines && i < header.extras; ++i) next_number();
     }
 
     void read_face(std::size_t number) {
-        next_line("face " + std::to_string(number) + " is missing");
+        next_element("face " + std::to_string(number) + " is missing");
+        soup.polygon_line.push_back(lines.number());
         TextLine before = *line;
         const std::size_t count =
             next_integer("cannot be understood as a number of corners of a face of OFF");
         std::vector<std::size_t>& polygon = soup.polygons.emplace_back();
         for (std::size_t corner = 0; corner < count; ++corner) {
+            next_part();
             if (line->is_at_end())
                 before.fail("corners were promised, the line has fewer", before.next_word());
             polygon.push_back(next_integer("is no vertex number"));
         }
-        soup.polygon_line.push_back(lines.number());
+        if (layout != OffLayout::lines) require_corners(polygon);
+        if (layout == OffLayout::face_colours) *line = TextLine(file, lines.number(), {});
+    }
+
+    /// What is set out otherwise has numbers of vertices only by chance.
+    void require_corners(const std::vector<std::size_t>& polygon) const {
+        const auto is_there = [&](std::size_t corner) { return corner < header.vertices; };
+        if (polygon.size() < 3 || !std::ranges::all_of(polygon, is_there))
+            line->fail("ends what cannot be a face", {});
     }
 
     const std::filesystem::path& file;
     TextLines lines;
     std::optional<TextLine> line;
+    OffLayout layout;
+    OffHeader header;
     PolygonSoup soup;
 };
+
+std::optional<PolygonSoup> parse_off_as(const std::filesystem::path& file, std::string_view text,
+                                        OffLayout layout) {
+    try {
+        return OffText(file, text, layout).parse();
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// OFF knows no lines, yet many files have more or fewer numbers in them than the keyword says. Words come
+/// first, since they fit only if all of them are used; if nothing fits, what is wrong with lines is the
+/// error.
+PolygonSoup parse_off_text(const std::filesystem::path& file, std::string_view text) {
+    for (const OffLayout layout : {OffLayout::words, OffLayout::lines, OffLayout::face_colours})
+        if (auto soup = parse_off_as(file, text, layout)) return std::move(*soup);
+    return OffText(file, text, OffLayout::lines).parse();
+}
 
 /// Big-endian integers and floats after the header line.
 class OffBytes {
@@ -181,7 +275,7 @@ PolygonSoup parse_off(const std::filesystem::path& file, std::string_view conten
     if (!line) throw Error(file.string() + ": the OFF file is empty");
     const OffHeader header = read_keyword(*line);
     return header.is_binary ? OffBytes(file, header, lines.remaining()).parse()
-                            : OffText(file, content).parse();
+                            : parse_off_text(file, content);
 }
 
 }  // namespace sherd

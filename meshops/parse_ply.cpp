@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "meshops/error.h"
 #include "meshops/ply_header.h"
@@ -142,7 +143,7 @@ class PlyRows {
     std::vector<std::vector<double>> values;
 };
 
-/// Where the colours of an element's rows are.
+/// The colours of an element's rows.
 class ColourColumns {
   public:
     explicit ColourColumns(const PlyElement& element) : element(element) {
@@ -153,23 +154,55 @@ class ColourColumns {
         }
     }
 
-    /// Adds that of a row, if the element has any.
-    void add(const std::vector<std::vector<double>>& row, std::vector<Colour>& colours) const {
+    /// Takes those of a row, if the element has any.
+    void add(const std::vector<std::vector<double>>& row) {
         if (columns.size() < 3) return;
-        Colour& colour = colours.emplace_back(white);
-        for (std::size_t i = 0; i < columns.size(); ++i) colour[i] = part(columns[i], row[columns[i]][0]);
+        auto& parts = values.emplace_back();
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            parts[i] = row[columns[i]][0];
+            double& most = i < 3 ? most_colour : most_opacity;
+            if (std::isfinite(parts[i])) most = std::max(most, parts[i]);
+        }
+    }
+
+    std::vector<Colour> colours() const {
+        std::vector<Colour> result;
+        for (std::size_t row = 0; row < values.size(); ++row) {
+            Colour& colour = result.emplace_back(white);
+            for (std::size_t i = 0; i < columns.size(); ++i)
+                colour[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(share(row, i), 0.0, 1.0)));
+        }
+        return result;
+    }
+
+    /// Of each row the part of a colour that is the property `column`, 0 to 1; none: it is no part of one.
+    std::optional<std::vector<double>> shares(std::size_t column) const {
+        const auto found = std::ranges::find(columns, column);
+        if (columns.size() < 3 || found == columns.end()) return std::nullopt;
+        std::vector<double> result;
+        for (std::size_t row = 0; row < values.size(); ++row)
+            result.push_back(share(row, static_cast<std::size_t>(found - columns.begin())));
+        return result;
     }
 
   private:
-    /// Integers fill the range of their type, other numbers go from 0 to 1.
-    std::uint8_t part(std::size_t column, double value) const {
-        const PlyType type = element.properties[column].type;
-        const double share = is_integer(type) ? value / range_of(type).high : value;
-        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+    double share(std::size_t row, std::size_t i) const {
+        return std::isfinite(values[row][i]) ? values[row][i] / full(i) : 0;
+    }
+    /// The number for full light. Integers fill the range of their type, and other numbers go from 0 to 1,
+    /// but files have 0 to 255 in all types, which the largest number tells.
+    double full(std::size_t i) const {
+        constexpr double brighter_than_white = 16;  // as some programs have it
+        const PlyType type = element.properties[columns[i]].type;
+        const double most = i < 3 ? most_colour : most_opacity;
+        if (is_integer(type)) return most <= 255 ? 255 : range_of(type).high;
+        return most > brighter_than_white ? 255 : 1;
     }
 
     const PlyElement& element;
     std::vector<std::size_t> columns;  ///< [3] or [4]; fewer: there are none
+    std::vector<std::array<double, 4>> values;
+    double most_colour = 0, most_opacity = 0;
 };
 
 void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
@@ -182,13 +215,14 @@ void read_vertices(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) 
                         "`: write `property float " + name + "`");
         column[i] = *found;
     }
-    const ColourColumns colours(element);
+    ColourColumns colours(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
-        colours.add(values, soup.point_colour);
+        colours.add(values);
         soup.points.emplace_back(values[column[0]][0], values[column[1]][0], values[column[2]][0]);
         if (rows.line_number() > 0) soup.point_line.push_back(rows.line_number());
     }
+    soup.point_colour = colours.colours();
 }
 
 bool has_vertices(const PlyElement& element) {
@@ -233,15 +267,16 @@ void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     for (const char* name : {"axis_x", "axis_y", "axis_z"})
         if (const auto found = element.find({name}); found && !element.properties[*found].count)
             axis.push_back(*found);
-    const ColourColumns colours(element);
+    ColourColumns colours(element);
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
-        colours.add(values, soup.colour);
+        colours.add(values);
         soup.polygons.push_back(corners(values[*list]));
         if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
         if (axis.size() == 3)
             soup.axis.emplace_back(values[axis[0]][0], values[axis[1]][0], values[axis[2]][0]);
     }
+    soup.colour = colours.colours();
 }
 
 }  // namespace
@@ -273,9 +308,13 @@ std::vector<double> parse_ply_property(const std::filesystem::path& file, std::s
             continue;
         }
         const std::size_t column = single_property(file, element, name);
-        for (std::size_t row = 0; row < element.rows; ++row)
-            values.push_back(rows.next(element, row)[column][0]);
-        break;
+        ColourColumns colours(element);
+        for (std::size_t row = 0; row < element.rows; ++row) {
+            const auto& of_row = rows.next(element, row);
+            values.push_back(of_row[column][0]);
+            colours.add(of_row);
+        }
+        return colours.shares(column).value_or(values);
     }
     return values;
 }

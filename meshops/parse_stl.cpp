@@ -12,23 +12,51 @@
 namespace sherd {
 namespace {
 
+constexpr std::size_t stl_header = 84, stl_record = 50;  // bytes
+
+/// The number of triangles in the header of a binary file.
+std::uint32_t promised_triangles(std::string_view bytes) {
+    return bytes.size() < stl_header ? 0 : number_at<std::uint32_t>(bytes.data() + 80, std::endian::little);
+}
+
+bool fits_binary(std::string_view bytes) {
+    return bytes.size() >= stl_header && bytes.size() - stl_header == stl_record * promised_triangles(bytes);
+}
+
+/// The number of triangles that a binary file has. Programs that write it as they go leave 0 or the largest
+/// number in the header, and some count less than they write: then there are as many as there is room for.
+std::size_t count_triangles(PolygonSoup& soup, std::string_view bytes) {
+    constexpr std::uint32_t unknown = -1;
+    const std::size_t promised = promised_triangles(bytes);
+    const std::size_t room = bytes.size() < stl_header ? 0 : (bytes.size() - stl_header) / stl_record;
+    const bool is_unknown = promised == unknown || promised == 0;
+    if (bytes.size() < stl_header || (promised > room && !is_unknown)) {
+        throw Error(soup.file.string() + ": the binary STL file ends too early (truncated?): it has " +
+                    std::to_string(bytes.size()) + " bytes, its " + std::to_string(promised) +
+                    " triangles take " + std::to_string(stl_header + stl_record * promised));
+    }
+    const std::size_t beyond = bytes.size() - stl_header - stl_record * room;
+    const std::size_t count = is_unknown || beyond == 0 ? room : promised;
+    if (count != promised)
+        soup.warnings.push_back("the binary STL file says that it has " + std::to_string(promised) +
+                                " triangles, and has room for " + std::to_string(count) +
+                                ": so many are read");
+    else if (bytes.size() > stl_header + stl_record * count)
+        soup.warnings.push_back(std::to_string(bytes.size() - stl_header - stl_record * count) +
+                                " bytes behind the last triangle were passed over");
+    return count;
+}
+
 /// A binary file has a header of 80 bytes and the number of triangles, then for each triangle 12 floats
 /// (normal, corners) and 2 bytes.
 PolygonSoup parse_binary_stl(const std::filesystem::path& file, std::string_view text) {
-    constexpr std::size_t header = 84, record = 50;
-    const std::size_t count =
-        text.size() < header ? 0 : number_at<std::uint32_t>(text.data() + 80, std::endian::little);
-    if (text.size() < header + record * count) {
-        throw Error(file.string() + ": the binary STL file ends too early (truncated?): it has " +
-                    std::to_string(text.size()) + " bytes, its " + std::to_string(count) +
-                    " triangles take " + std::to_string(header + record * count));
-    }
     PolygonSoup soup;
     soup.file = file;
+    const std::size_t count = count_triangles(soup, text);
     for (std::size_t i = 0; i < count; ++i) {
         soup.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            const char* bytes = text.data() + header + record * i + 12 * (corner + 1);
+            const char* bytes = text.data() + stl_header + stl_record * i + 12 * (corner + 1);
             const auto coordinate = [&](int k) {
                 const float value = number_at<float>(bytes + 4 * k, std::endian::little);
                 // The format has no numbered vertices, so the message names the face and its corner.
@@ -63,36 +91,98 @@ void drop_unused_points(PolygonSoup& soup) {
     }
 }
 
-/// A text has lines `vertex x y z`, three between each `facet` and `endfacet`, and ends with `endsolid`.
-PolygonSoup parse_text_stl(const std::filesystem::path& file, std::string_view text) {
-    PolygonSoup soup;
-    soup.file = file;
-    bool is_complete = false;
-    TextLines lines(file, text);
-    while (auto line = lines.next_with_words()) {
-        const std::string keyword = lower_case(line->next_word());
-        if (keyword == "vertex") {
-            const double x = line->next_number(), y = line->next_number(), z = line->next_number();
-            soup.points.emplace_back(x, y, z);
-            soup.point_line.push_back(lines.number());
-        } else if (keyword == "endfacet") {
-            const std::size_t first = 3 * soup.polygons.size();
-            if (soup.points.size() != first + 3) line->fail("a facet of STL needs three vertices", {});
-            soup.polygons.push_back({first, first + 1, first + 2});
-            soup.polygon_line.push_back(lines.number());
-        }
-        is_complete = keyword == "endsolid";
+/// The words of a text: `vertex x y z`, three between each `facet` and `endfacet`, and `endsolid` behind the
+/// last. Lines count only behind `solid`, where a name stands.
+class StlText {
+  public:
+    StlText(const std::filesystem::path& file, std::string_view text) : words(file, text) {
+        soup.file = file;
     }
-    if (is_complete) return soup;
-    throw Error(file.string() + ": the STL file ends too early (truncated?): `endsolid` is missing");
+
+    PolygonSoup parse() {
+        while (!words.is_at_end()) read(lower_case(words.next()));
+        if (is_complete) return std::move(soup);
+        if (has_begun)
+            throw Error(soup.file.string() +
+                        ": the STL file ends too early (truncated?): `endsolid` is missing");
+        throw Error(soup.file.string() +
+                    ": is no STL file: it has neither the words `solid` and `facet normal` of a text nor the "
+                    "size of a binary one");
+    }
+
+  private:
+    void read(const std::string& keyword) {
+        if (keyword == "solid") begin_solid();
+        if (keyword == "endsolid") end_solid();
+        if (keyword == "facet") begin_facet();
+        if (keyword == "vertex" && is_in_facet) add_vertex();
+        if (keyword == "endfacet" && is_in_facet) end_facet();
+    }
+
+    void begin_solid() {
+        has_begun = is_in_solid = true;
+        skip_name();
+    }
+    void end_solid() {
+        is_complete = is_complete || is_in_solid;
+        is_in_solid = is_in_facet = false;
+    }
+
+    /// A name ends with its line, or where the first facet begins.
+    void skip_name() {
+        TextLine& line = words.rest_of_line();
+        while (!line.is_at_end() && !begins_facet(line)) line.next_word();
+    }
+    static bool begins_facet(TextLine line) {
+        return lower_case(line.next_word()) == "facet" && lower_case(line.next_word()) == "normal";
+    }
+
+    /// Outside of solids there may be any text, which has facets only where they have a normal.
+    void begin_facet() {
+        TextLine ahead = words.rest_of_line();
+        if (!is_in_solid && lower_case(ahead.next_word()) != "normal") return;
+        has_begun = is_in_solid = is_in_facet = true;
+        is_complete = false;
+    }
+
+    void add_vertex() {
+        const std::size_t line = words.number();
+        const double x = words.next_number(), y = words.next_number(), z = words.next_number();
+        soup.points.emplace_back(x, y, z);
+        soup.point_line.push_back(line);
+    }
+
+    void end_facet() {
+        const std::size_t first = 3 * soup.polygons.size();
+        if (soup.points.size() != first + 3)
+            words.rest_of_line().fail("a facet of STL needs three vertices", {});
+        soup.polygons.push_back({first, first + 1, first + 2});
+        soup.polygon_line.push_back(words.number());
+        is_in_facet = false;
+    }
+
+    TextWords words;
+    PolygonSoup soup;
+    bool has_begun = false, is_in_solid = false, is_in_facet = false;
+    bool is_complete = false;  ///< whether an `endsolid` is behind the last facet
+};
+
+/// Text without the zero bytes that some programs fill up its end with.
+std::string_view without_padding(std::string_view text) {
+    return text.substr(0, text.find_last_not_of('\0') + 1);
+}
+
+/// What a file is, its content tells: `solid` begins binary ones, too, and not all texts.
+PolygonSoup read_stl(const std::filesystem::path& file, std::string_view content) {
+    if (fits_binary(content)) return parse_binary_stl(file, content);
+    const std::string_view text = without_padding(without_byte_order_mark(file, content));
+    return is_binary(text) ? parse_binary_stl(file, content) : StlText(file, text).parse();
 }
 
 }  // namespace
 
 PolygonSoup parse_stl(const std::filesystem::path& file, std::string_view text) {
-    if (!is_binary(text)) text = without_byte_order_mark(file, text);
-    const bool is_text = lower_case(text.substr(0, 5)) == "solid" && !is_binary(text);
-    PolygonSoup soup = is_text ? parse_text_stl(file, text) : parse_binary_stl(file, text);
+    PolygonSoup soup = read_stl(file, text);
     // The check comes before joining, which compares coordinates and so requires that they are numbers.
     check_polygon_soup(soup);
     join_duplicate_points(soup);

@@ -60,13 +60,23 @@ std::string place_of_point(const PolygonSoup& soup, std::size_t point);
 /// The place of a polygon, likewise: "bowl.obj:40: face 7".
 std::string place_of_polygon(const PolygonSoup& soup, std::size_t polygon);
 
-/// Throws Error unless there are polygons, all coordinates are finite, and every polygon has at least three
-/// corners, which are points that exist.
+/// Throws Error unless there are polygons, every corner is a point that exists, and the coordinates of points
+/// that polygons use are finite.
 void check_polygon_soup(const PolygonSoup& soup);
+
+/// Whether polygons use each point; those of fewer than three corners do not.
+std::vector<bool> used_points(const PolygonSoup& soup);
+/// Polygons of fewer than three corners, which bound nothing, ascending. A polygon of none stands for one
+/// that was dropped, and is not among them.
+std::vector<std::size_t> polygons_of_few_corners(const PolygonSoup& soup);
 
 /// Replaces, in the polygons, points at exactly the same place by the first of them. Returns the number of
 /// points that are no longer used for this reason.
 std::size_t join_duplicate_points(PolygonSoup& soup);
+/// Replaces points at the border, on sides of one polygon, each by the nearest earlier one that stays and is
+/// not farther away than `distance`. Returns the number of points that are no longer used for this reason.
+/// Throws Error if that is not small against the sides.
+std::size_t join_near_points(PolygonSoup& soup, double distance);
 /// Whether there is more than one polygon and no two of them have a corner in common, as in formats without
 /// shared points.
 bool shares_no_point(const PolygonSoup& soup);

@@ -2,13 +2,14 @@
 #include "meshops/read_mesh.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <span>
-#include <sstream>
 
 #include "meshops/error.h"
 #include "meshops/flat_triangles.h"
 #include "meshops/inside_out.h"
+#include "meshops/number_text.h"
+#include "meshops/repeated_polygons.h"
+#include "meshops/seam_warnings.h"
 #include "meshops/seams.h"
 #include "meshops/separate_sheets.h"
 
@@ -23,10 +24,10 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 /// The reading of one file: the steps from polygons to a mesh, and their warnings.
 struct Reading {
-    const PolygonSoup& polygons;
-    TriangleSoup soup;
+    PolygonSoup polygons;
     const ReadMeshOptions& options;
     std::vector<std::string>& warnings;
+    TriangleSoup soup = {};
 
     void warn(const std::string& sentence) const {
         warnings.push_back(polygons.file.string() + ": " + sentence);
@@ -39,8 +40,7 @@ struct Reading {
         const auto& [a, b, c] = soup.triangles[triangle];
         return vertex(a) + ", " + vertex(b) + " and " + vertex(c) + " at " + middle(soup.triangles[triangle]);
     }
-    /// The mean of points as "(0.1, 0.02, 0.03)", in the file's unit.
-    std::string middle(std::span<const std::uint32_t> points) const;
+    std::string middle(std::span<const std::uint32_t> points) const { return middle_words(soup, points); }
     /// Advice such as "; `repair = true` on the mesh drops such triangles", or to mend the file if repair
     /// cannot be requested.
     std::string advice(const std::string& what) const {
@@ -55,26 +55,45 @@ struct Reading {
                (triangles.size() > 1 ? " (and " + std::to_string(triangles.size() - 1) + " more)" : "");
     }
 
+    void drop_few_corners();
+    /// Joins points as the options say. Returns the number of points that are no longer used, and a sentence
+    /// on that, or none.
+    std::pair<std::size_t, std::string> join_points();
+    void drop_repeated_polygons();
+    void divide_edges();
     void remove_zero_area();
     void remove_repeated();
-    void tell_seams() const;
+    void remove_repeated_quadrilaterals();
+    std::string metres(double length) const { return number_words(length * options.unit) + " m"; }
     void make_manifold();
     void make_consistent();
     void turn_outward();
+    void tell_bare() const;
     /// wanted: number of points that are not joined to others.
     void tell_unused(std::size_t wanted) const;
     Mesh build() const;
 };
 
-std::string Reading::middle(std::span<const std::uint32_t> points) const {
-    std::array<double, 3> sum{};
-    for (const std::uint32_t point : points)
-        for (int i = 0; i < 3; ++i) sum[i] += soup.points[point][i];
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(4);
-    for (int i = 0; i < 3; ++i) text << (i == 0 ? "(" : ", ") << sum[i] / static_cast<double>(points.size());
-    return text.str() + ")";
+void Reading::drop_few_corners() {
+    const auto found = polygons_of_few_corners(polygons);
+    if (found.empty()) return;
+    const std::string first = place_of_polygon(polygons, found[0]);
+    if (!repairs_all())
+        throw Error(first + ": has " + std::to_string(polygons.polygons[found[0]].size()) +
+                    " corners, a face needs three or more" + advice("drops such faces"));
+    warn(counted(found.size(), "face") + " dropped for fewer than three corners (the first: " + first + ")");
+    for (const std::size_t polygon : found) polygons.polygons[polygon].clear();
+}
+
+void Reading::drop_repeated_polygons() {
+    const auto found = repeated_polygons(polygons);
+    if (found.empty()) return;
+    const std::string first = place_of_polygon(polygons, found[0].polygon) + ", which covers what face " +
+                              std::to_string(found[0].earlier) + " does";
+    if (!repairs_all())
+        throw Error(first + ", which makes their edges non-manifold" + advice("drops repeated faces"));
+    warn(counted(found.size(), "face") + " dropped as repeated (the first: " + first + ")");
+    for (const RepeatedPolygon& repeated : found) polygons.polygons[repeated.polygon].clear();
 }
 
 void Reading::remove_zero_area() {
@@ -104,14 +123,22 @@ void Reading::remove_repeated() {
     erase_triangles(soup, found);
 }
 
-void Reading::tell_seams() const {
-    const auto seams =
-        options.join_advice.empty() ? std::vector<std::array<std::uint32_t, 2>>{} : seam_edges(soup);
-    if (seams.empty()) return;
-    warn(std::to_string(seams.size()) +
-         " edges lie on each other without being joined, as along a crack (the first: vertices " +
-         vertex(seams[0][0]) + " and " + vertex(seams[0][1]) + " at " + middle(seams[0]) + "); " +
-         std::string(options.join_advice) + " makes one sheet of what lies beside them");
+void Reading::remove_repeated_quadrilaterals() {
+    const auto found = repeated_quadrilaterals(soup);
+    if (found.empty()) return;
+    if (!repairs_all())
+        throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
+                    " covers, with its neighbour, what two earlier ones do" +
+                    advice("drops repeated triangles"));
+    warn(counted(found.size(), "triangle") +
+         " dropped as repeated, cut along other diagonals (the first: " + place(found[0]) + ")");
+    erase_triangles(soup, found);
+}
+
+void Reading::divide_edges() {
+    if (!(options.join_distance > 0)) return;
+    const std::size_t divided = divide_at_junctions(soup, options.join_distance);
+    if (divided > 0) warn(counted(divided, "edge") + " divided by vertices that lie on them");
 }
 
 void Reading::make_manifold() {
@@ -173,17 +200,45 @@ void Reading::turn_outward() {
     for (const std::size_t triangle : found) turn_over(soup, triangle);
 }
 
+void Reading::tell_bare() const {
+    std::size_t bare = 0;
+    for (std::size_t i = 0; i < polygons.texture.size(); ++i)
+        bare += polygons.texture[i].empty() && !polygons.polygons[i].empty();
+    if (bare > 0) warn(counted(bare, "face") + " given texture coordinates (0, 0)");
+}
+
 void Reading::tell_unused(std::size_t wanted) const {
-    std::vector<bool> is_used(polygons.points.size(), false);
-    for (const auto& polygon : polygons.polygons)
-        for (const std::size_t corner : polygon) is_used[corner] = true;
-    const std::size_t unused = wanted - static_cast<std::size_t>(std::ranges::count(is_used, true));
+    const std::size_t unused =
+        wanted - static_cast<std::size_t>(std::ranges::count(used_points(polygons), true));
     if (unused == 0) return;
     if (options.repair == Repair::none) {
         throw Error(polygons.file.string() + ": no face uses " + std::to_string(unused) + " of the vertices" +
                     advice("drops them"));
     }
     warn(counted(unused, "vertex") + " dropped that no face uses");
+}
+
+std::pair<std::size_t, std::string> Reading::join_points() {
+    if (options.join_duplicate_points || options.join_distance > 0) {
+        std::size_t joined = join_duplicate_points(polygons);
+        const bool is_near = options.join_distance > 0;
+        if (is_near) joined += join_near_points(polygons, options.join_distance);
+        const std::string where = is_near ? " within " + metres(options.join_distance) : " at the same place";
+        return {joined, joined == 0 ? "" : counted(joined, "vertex") + " joined with another" + where};
+    }
+    if (options.repair == Repair::least || !shares_no_point(polygons)) return {0, ""};
+    PolygonSoup joint = polygons;
+    const std::size_t joined = join_duplicate_points(joint);
+    if (joined == 0) return {0, ""};
+    if (options.repair == Repair::none) {
+        throw Error(
+            polygons.file.string() + ": no two faces share a vertex, but " + std::to_string(joined) +
+            " vertices lie where others do" +
+            (options.join_advice.empty() ? "" : "; " + std::string(options.join_advice) + " joins them"));
+    }
+    polygons = std::move(joint);
+    return {joined, counted(joined, "vertex") +
+                        " joined with another at the same place, since no two faces shared one"};
 }
 
 Mesh Reading::build() const {
@@ -235,48 +290,28 @@ Mesh Reading::build() const {
     return mesh;
 }
 
-/// Joins points at one place where the options ask for it, or where no two faces share a point and all may be
-/// repaired. Returns the number of points that are no longer used, and a warning, or none.
-std::pair<std::size_t, std::string> join(PolygonSoup& polygons, const ReadMeshOptions& options) {
-    if (options.join_duplicate_points) {
-        const std::size_t joined = join_duplicate_points(polygons);
-        return {joined,
-                joined == 0 ? "" : counted(joined, "vertex") + " joined with another at the same place"};
-    }
-    if (options.repair == Repair::least || !shares_no_point(polygons)) return {0, ""};
-    PolygonSoup joint = polygons;
-    const std::size_t joined = join_duplicate_points(joint);
-    if (joined == 0) return {0, ""};
-    if (options.repair == Repair::none) {
-        throw Error(
-            polygons.file.string() + ": no two faces share a vertex, but " + std::to_string(joined) +
-            " vertices lie where others do" +
-            (options.join_advice.empty() ? "" : "; " + std::string(options.join_advice) + " joins them"));
-    }
-    polygons = std::move(joint);
-    return {joined, counted(joined, "vertex") +
-                        " joined with another at the same place, since no two faces shared one"};
-}
-
 }  // namespace
 
 Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options,
                std::vector<std::string>& warnings) {
-    PolygonSoup polygons = read_polygon_soup(file);
+    Reading reading{read_polygon_soup(file), options, warnings};
+    const PolygonSoup& polygons = reading.polygons;
     check_polygon_soup(polygons);
-    const auto [joined, sentence] = join(polygons, options);
-    Reading reading{polygons, triangulate(polygons), options, warnings};
     for (const std::string& missing : polygons.warnings) reading.warn(missing);
-    const std::size_t in_file = polygons.points.size();
+    reading.drop_few_corners();
+    const auto [joined, sentence] = reading.join_points();
     if (!sentence.empty()) reading.warn(sentence);
-    const auto is_bare = [](const auto& texture) { return texture.empty(); };
-    if (const auto bare = std::ranges::count_if(polygons.texture, is_bare); bare > 0) {
-        reading.warn(counted(static_cast<std::size_t>(bare), "face") + " given texture coordinates (0, 0)");
-    }
-    reading.tell_unused(in_file - joined);
+    reading.drop_repeated_polygons();
+    reading.soup = triangulate(polygons);
+    if (reading.soup.triangles.empty())
+        throw Error(file.string() + ": the mesh has no faces left: none has three corners");
+    reading.tell_bare();
+    reading.tell_unused(polygons.points.size() - joined);
+    reading.divide_edges();
     reading.remove_zero_area();
     reading.remove_repeated();
-    reading.tell_seams();
+    reading.remove_repeated_quadrilaterals();
+    for (const std::string& seam : seam_warnings(reading.soup, options)) reading.warn(seam);
     reading.make_manifold();
     reading.make_consistent();
     reading.turn_outward();

@@ -26,14 +26,19 @@ enum class Repair {
 
 struct ReadMeshOptions {
     bool join_duplicate_points = false;  ///< join points at exactly the same place to one vertex
-    /// With Repair::all triangles of zero area are removed without leaving a slit, repeated ones are dropped,
-    /// sheets that meet in an edge of more than two faces are cut apart, closed parts that are inside out are
-    /// turned, and points at one place are joined where no two faces share any.
+    /// With Repair::all triangles of zero area are removed without leaving a slit, faces of fewer than three
+    /// corners and repeated ones are dropped, sheets that meet in an edge of more than two faces are cut
+    /// apart, closed parts that are inside out are turned, and points at one place are joined where no two
+    /// faces share any.
     Repair repair = Repair::least;
     /// What the user can write to request a repair, for messages; empty if that is impossible.
     std::string_view repair_advice = "`repair = true` on the mesh";
     /// What the user can write to join points; empty where seams need no word.
     std::string_view join_advice = "`join = true` on the mesh";
+    /// If it is more than 0, points at the border that are so near to each other (in units of the file) are
+    /// joined, too, and edges at the border are divided by points that are so near to them.
+    double join_distance = 0;
+    double unit = 1;  ///< m per unit of the file, for messages
 };
 
 /// Reads a triangle mesh from an .obj, .ply, .off or .stl file, text or binary if the format has both. Points
@@ -45,7 +50,8 @@ struct ReadMeshOptions {
 /// property::surface_material (surface_material.h), colours of PLY property::vertex_colour and
 /// property::face_colour (surface_colour.h); every mesh gets property::file_vertex.
 /// `warnings` gets a sentence, starting with the file's name, for each kind of change, and for seams: edges
-/// that lie on others without being joined to them. Throws Error naming the file (and line, vertex or face,
+/// that lie on others, or within a thousandth of their length, without being joined to them, and vertices on
+/// edges that they do not divide. Throws Error naming the file (and line, vertex or face,
 /// numbered from 0) if the file is missing, unreadable, damaged or of unknown extension, on no faces, NaN or
 /// infinite coordinates, an index out of range, a polygon that crosses itself, a surface with only one side
 /// and on what `repair` does not allow to mend.
@@ -53,8 +59,8 @@ Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options
                std::vector<std::string>& warnings);
 
 /// Reads a property of the vertices of a .ply file: a number of any type for each, by its number in the file
-/// (property::file_vertex). Throws Error naming the file if it is missing, damaged or no PLY file, or has no
-/// such property.
+/// (property::file_vertex). The parts of a colour are from 0 to 1 whatever their type. Throws Error naming
+/// the file if it is missing, damaged or no PLY file, or has no such property.
 std::vector<double> read_vertex_property(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace sherd

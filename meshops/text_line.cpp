@@ -38,6 +38,10 @@ bool TextLine::is_at_end() const {
     return rest.find_first_not_of(blanks) == rest.npos;
 }
 
+void TextLine::put_back(std::string_view end) {
+    rest = {end.data(), end.size() + rest.size()};
+}
+
 void TextLine::fail(const std::string& what, std::string_view word) const {
     const std::string quoted = word.empty() ? "" : "`" + std::string(word) + "` ";
     throw Error(file->string() + ":" + std::to_string(number) + ": " + quoted + what);
@@ -83,6 +87,22 @@ std::optional<TextLine> TextLines::next_with_words(char comment) {
         if (const TextLine line(*file, count, text); !line.is_at_end()) return line;
     }
     return std::nullopt;
+}
+
+bool TextWords::is_at_end() {
+    if (!line.is_at_end()) return false;
+    const std::optional<TextLine> next = lines.next_with_words(comment);
+    if (next) line = *next;
+    return !next;
+}
+
+std::string_view TextWords::next() {
+    return is_at_end() ? std::string_view() : line.next_word();
+}
+
+double TextWords::next_number() {
+    is_at_end();  // moves to the line of the next word
+    return line.next_number();
 }
 
 }  // namespace sherd

@@ -20,6 +20,9 @@ class TextLine {
     /// Reads a real number; it is infinite if it is too large for a double. Throws Error if there is none.
     double next_number();
     bool is_at_end() const;
+    std::size_t length() const { return rest.size(); }  ///< of what is behind the last word
+    /// Makes `end`, the end of the last word, a word of its own, which is the next one.
+    void put_back(std::string_view end);
     /// Throws Error with the message "file:line: `word` what".
     [[noreturn]] void fail(const std::string& what, std::string_view word) const;
 
@@ -57,6 +60,28 @@ class TextLines {
     std::string_view rest;
     bool ends_alone;  ///< whether CR alone ends the first line: then LF behind CR is no part of the same end
     std::size_t count = 0;
+};
+
+/// The words of a text file, regardless of its lines.
+class TextWords {
+  public:
+    /// `file` and `text` must outlive the words. comment: as for TextLines::next_with_words().
+    TextWords(const std::filesystem::path& file, std::string_view text, char comment = '\0')
+        : lines(file, text), line(file, 1, {}), comment(comment) {}
+
+    /// Returns the next word; empty at the end of the file.
+    std::string_view next();
+    /// Reads a real number as TextLine::next_number() does.
+    double next_number();
+    bool is_at_end();
+    /// The line of the last word, with what stands behind that word.
+    TextLine& rest_of_line() { return line; }
+    std::size_t number() const { return lines.number(); }  ///< of that line, from 1
+
+  private:
+    TextLines lines;
+    TextLine line;
+    char comment;
 };
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshops/number_text.h"
 #include "meshops/soup_edges.h"
 
 namespace sherd {
@@ -55,6 +56,14 @@ std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup) {
     }
     std::ranges::sort(result);
     return result;
+}
+
+std::string middle_words(const TriangleSoup& soup, std::span<const std::uint32_t> points) {
+    std::array<double, 3> sum{};
+    for (const std::uint32_t point : points)
+        for (int i = 0; i < 3; ++i) sum[i] += soup.points[point][i];
+    const auto mean = [&](int i) { return number_words(sum[i] / static_cast<double>(points.size())); };
+    return "(" + mean(0) + ", " + mean(1) + ", " + mean(2) + ")";
 }
 
 void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascending) {

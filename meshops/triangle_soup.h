@@ -3,6 +3,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "meshops/polygon_soup.h"
@@ -19,15 +21,18 @@ struct TriangleSoup {
     std::vector<std::size_t> polygon;  ///< of each triangle, the polygon of the file that it is part of
 };
 
-/// Cuts polygons into triangles; those of a polygon follow each other, and triangles stay as they are. Throws
-/// Error if a polygon crosses or touches itself. Triangles without texture coordinates get (0, 0) if others
-/// have some.
+/// Cuts polygons into triangles; those of a polygon follow each other, and triangles stay as they are.
+/// Polygons of fewer than three corners have none. A polygon may go back along its sides, as to a hole and
+/// from it. Throws Error if it crosses or touches itself otherwise. Triangles without texture coordinates get
+/// (0, 0) if others have some.
 TriangleSoup triangulate(const PolygonSoup& soup);
 
 /// Triangles whose area is zero up to round-off, with repeated or collinear corners, ascending.
 std::vector<std::size_t> zero_area_triangles(const TriangleSoup& soup);
 /// Triangles with the same three points as an earlier one, ascending.
 std::vector<std::size_t> repeated_triangles(const TriangleSoup& soup);
+/// The mean of points as "(0.1, 0.02, 0.03)", in the file's unit.
+std::string middle_words(const TriangleSoup& soup, std::span<const std::uint32_t> points);
 void erase_triangles(TriangleSoup& soup, const std::vector<std::size_t>& ascending);
 
 /// An edge where three or more triangles meet.

@@ -54,16 +54,35 @@ std::vector<Corners> split_quadrilateral(const std::vector<Point>& polygon, cons
     return {};
 }
 
+/// How often a side of a polygon lies between two vertices of its triangulation.
+using SideCounts = std::map<std::array<PolygonDelaunay::Vertex_handle, 2>, int>;
+
+/// Sides of a polygon that go back along others, as the bridges to holes do, bound nothing.
+SideCounts count_sides(const std::vector<PolygonDelaunay::Vertex_handle>& corner) {
+    SideCounts counts;
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        const auto here = corner[i], next = corner[(i + 1) % corner.size()];
+        ++counts[here < next ? std::array{here, next} : std::array{next, here}];
+    }
+    return counts;
+}
+
 /// The triangulation's faces inside the polygon: those reached from outside across an odd number of its
 /// sides.
-std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& triangulation) {
+std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& triangulation,
+                                                      const SideCounts& sides) {
+    const auto bounds = [&](PolygonDelaunay::Face_handle face, int side) {
+        const auto a = face->vertex(PolygonDelaunay::cw(side)), b = face->vertex(PolygonDelaunay::ccw(side));
+        const auto found = sides.find(a < b ? std::array{a, b} : std::array{b, a});
+        return found != sides.end() && found->second % 2 == 1;
+    };
     std::map<PolygonDelaunay::Face_handle, bool> is_inner{{triangulation.infinite_face(), false}};
     std::vector<PolygonDelaunay::Face_handle> order{triangulation.infinite_face()};
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto face = order[i];
         for (int side = 0; side < 3; ++side) {
             const auto other = face->neighbor(side);
-            const bool inner = is_inner[face] != face->is_constrained(side);
+            const bool inner = is_inner[face] != bounds(face, side);
             if (is_inner.emplace(other, inner).second) order.push_back(other);
         }
     }
@@ -71,15 +90,17 @@ std::vector<PolygonDelaunay::Face_handle> inner_faces(const PolygonDelaunay& tri
     return order;
 }
 
-/// Constrained Delaunay triangles of a polygon of five or more corners; empty if it crosses itself.
+/// Constrained Delaunay triangles of a polygon of five or more corners, which may have holes that bridges
+/// lead to; empty if it crosses itself. Of corners at one place the first stands for all.
 std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
     PolygonDelaunay triangulation;
     std::vector<PolygonDelaunay::Vertex_handle> corner;
     for (std::size_t i = 0; i < flat.size(); ++i) {
+        const std::size_t before = triangulation.number_of_vertices();
         corner.push_back(triangulation.insert(flat[i]));
-        corner.back()->info() = i;
+        if (triangulation.number_of_vertices() > before) corner.back()->info() = i;
     }
-    if (triangulation.number_of_vertices() != flat.size() || triangulation.dimension() != 2) return {};
+    if (triangulation.dimension() != 2) return {};
     for (std::size_t i = 0; i < corner.size(); ++i) {
         triangulation.insert_constraint(corner[i], corner[(i + 1) % corner.size()]);
     }
@@ -87,7 +108,7 @@ std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
     for (std::size_t i = 0; i < corner.size(); ++i)
         if (!triangulation.is_edge(corner[i], corner[(i + 1) % corner.size()])) return {};
     std::vector<Corners> result;
-    for (const auto face : inner_faces(triangulation)) {
+    for (const auto face : inner_faces(triangulation, count_sides(corner))) {
         Corners corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
         std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         result.push_back(corners);
@@ -115,7 +136,7 @@ std::vector<Corners> triangulate_simple(const std::vector<Point>& points) {
 std::vector<Corners> triangulate_polygon(const PolygonSoup& soup, std::size_t number) {
     const auto& polygon = soup.polygons[number];
     const std::size_t count = polygon.size();
-    if (count == 3) return fan(3);
+    if (count <= 3) return fan(count);
     std::vector<Point> points;
     std::vector<std::size_t> kept;
     std::vector<Corners> result;

@@ -34,6 +34,26 @@ TEST(Off, WhatStandsBehindPointsAndCornersIsPassedOver) {
     }
 }
 
+// Programs and data sets differ in their headers, and the format knows no lines.
+TEST(Off, HeadersAndLinesAreAsProgramsWriteThem) {
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n", face = "3 0 1 2\n";
+    for (const std::string& text :
+         {"OFF3 1 0\n" + points + face, "COFF3 1 0\n" + points + face, "NCOFF\n3 1 0\n" + points + face,
+          "CNSTOFF\n3 1 0\n" + points + face, "off\n3 1 0\n" + points + face, "3 1 0\n" + points + face,
+          "OFF\n3 1\n" + points + face, "OFF 3 1\n" + points + face,
+          "\n# comment\nOFF # of a ring\n3 # vertices\n1\n\n0 # edges\n" + points + face,
+          "n4OFF\n3\n3 1 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n" + face,
+          std::string("OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2"),
+          std::string("OFF\n3 1 0\n0 0 0 1 0\n0 0 1 0\n3 0\n1 2\n"),
+          std::string("OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2 255 0 0\n"),
+          std::string("NOFF\n3 1 0\n0 0 0\n0 0 1\n1 0 0\n0 0 1\n0 1 0\n0 0 1\n3 0 1 2\n"),
+          std::string("OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r")}) {
+        const PolygonSoup soup = parse_off("a.off", text);
+        EXPECT_EQ(soup.points, corners) << text;
+        EXPECT_EQ(soup.polygons, (Polygons{{0, 1, 2}})) << text;
+    }
+}
+
 template <class Number>
 void append(std::string& bytes, Number number) {
     auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);

@@ -183,6 +183,31 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
               std::string::npos);
 }
 
+// Programs write colours in whatever type they have, and 0 to 255 in all of them.
+TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
+    const auto content_of = [](const std::string& type, const std::string& colours) {
+        std::string content = good;
+        for (const char* name : {"blue", "green", "red"})
+            content = replaced(content, "property float z\n",
+                               "property float z\nproperty " + type + " " + name + "\n");
+        return replaced(content, "0 0 0\n1 0 0\n0 1 0\n",
+                        "0 0 0 " + colours + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n");
+    };
+    const auto first_colour = [&](const std::string& type, const std::string& colours) {
+        return parse(content_of(type, colours)).point_colour[0];
+    };
+    const Colour expected{200, 30, 10, 255};
+    for (const char* type : {"uchar", "short", "int", "uint", "float", "double"})
+        EXPECT_EQ(first_colour(type, "200 30 10"), expected) << type;
+    EXPECT_EQ(first_colour("ushort", "65535 257 0"), (Colour{255, 1, 0, 255}));
+    EXPECT_EQ(first_colour("float", "1 0.2 0"), (Colour{255, 51, 0, 255}));
+    EXPECT_EQ(first_colour("float", "1.5 0.2 nan"), (Colour{255, 51, 0, 255})) << "brighter than white";
+    // A map of 0 to 255 would be 1 everywhere.
+    for (const char* type : {"uchar", "float"})
+        EXPECT_EQ(parse_ply_property("a.ply", content_of(type, "204 51 0"), "red")[0], 0.8) << type;
+    EXPECT_EQ(parse_ply_property("a.ply", content_of("float", "0.75 0 0"), "red")[0], 0.75);
+}
+
 // A painted scan would come out of a run in white, or in other colours than it had.
 TEST(Ply, ColoursOfVerticesAndFacesAreReadAndWrittenAgain) {
     std::string content = replaced(good, "property float z\n",

@@ -117,6 +117,14 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     EXPECT_GT(test::mesh_quality(side).smallest_angle, 20);
     // Bent: the two halves are planar, the whole is not.
     EXPECT_EQ(read("bent.obj", test::square + "v 0.5 -0.5 1\nf 1 5 2 3 4\n").number_of_faces(), 3U);
+    // A hole, to which a bridge leads and back, as CAD programs write faces with holes.
+    const std::string ring = test::square + "v 3 0 0\nv 3 3 0\nv 0 3 0\nv 1 2 0\nv 2 1 0\nv 2 2 0\nv 1 1 0\n";
+    for (const char* face : {"f 1 5 6 7 1 11 8 10 9 11", "f 11 9 10 8 11 1 7 6 5 1"}) {
+        const Mesh mesh = read("ring.obj", ring + face);
+        EXPECT_EQ(mesh.number_of_faces(), 8U);
+        EXPECT_NEAR(area(mesh), 8, 1e-14);
+    }
+    expect_failure("eight.obj", test::square + "v 2 0 0\nv 2 2 0\nf 1 3 4 1 5 6\n", "crosses");
     expect_failure("bow.obj", test::square + "f 1 2 4 3\n", "crosses or touches itself");
     expect_failure("star.obj", "v 0 0 0\nv 4 3 0\nv 0 3 0\nv 4 0 0\nv 2 5 0\nf 1 2 3 4 5\n", "crosses");
     // Two sides that go back on others, so that there are as many triangles between sides as a polygon has.

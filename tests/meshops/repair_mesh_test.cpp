@@ -72,6 +72,52 @@ TEST_F(RepairMesh, MendsNothingWhereNothingMayBe) {
     EXPECT_EQ(read("b.obj", square + "f 1 2 3\nf 1 3 4\n", nothing).number_of_faces(), 2U);
 }
 
+// Exporters write faces twice, for two sides, or as polygons and as their triangles: a sheet that is there
+// twice is cut apart at every edge.
+TEST_F(RepairMesh, DropsFacesThatAreThereTwiceHoweverTheyBegin) {
+    const std::string points = square + "v 2 0 0\nv 2 1 0\n", quads = "f 1 2 3 4\nf 2 5 6 3\n";
+    for (const std::string again :
+         {"f 3 4 1 2\nf 6 3 2 5\n", "f 4 3 2 1\nf 3 6 5 2\n", "f 1 2 3\nf 1 3 4\nf 2 5 3\nf 5 6 3\n",
+          "f 3 2 1\nf 4 3 1\n", "f 2 4 1\nf 4 2 3\nf 4 2 3\n"}) {
+        for (const std::string& text : {quads + again, again + quads}) {
+            const Mesh mesh = read("a.obj", points + text, repair);
+            EXPECT_EQ(mesh.number_of_faces(), 4U) << text;
+            EXPECT_EQ(connected_components(mesh).count, 1) << text;
+            EXPECT_NEAR(area(mesh), 2, 1e-15) << text;
+            expect_warning("dropped as repeated (the first: ");
+            expect_failure("a.obj", points + text, "drops repeated");
+        }
+    }
+    // A ring of a pentagon in parts of three and four corners.
+    const std::string pentagon = "v 0 0 0\nv 2 0 0\nv 3 2 0\nv 1 3 0\nv -1 2 0\nf 1 2 3 4 5\n";
+    EXPECT_EQ(read("b.obj", pentagon + "f 1 2 3\nf 1 3 4 5\n", repair).number_of_faces(), 3U);
+    // Triangles that are there twice, across the other diagonal: flat, and as a part of a bent sheet.
+    EXPECT_EQ(read("c.obj", square + "f 1 2 3\nf 1 3 4\nf 4 3 2\nf 4 2 1\n", repair).number_of_faces(), 2U);
+    expect_warning("2 triangles were dropped as repeated, cut along other diagonals");
+    const std::string bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 2 0 0\nv 2 1 0.2\n";
+    const std::string sides = "f 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\nf 4 3 2\nf 4 2 1\nf 3 6 5\nf 3 5 2\n";
+    EXPECT_EQ(read("d.obj", bent + sides, repair).number_of_faces(), 4U);
+    // A tetrahedron, however flat, is a body; a face between two others is a wall.
+    EXPECT_EQ(read("e.obj", bent + "f 1 2 3\nf 1 3 4\nf 4 3 2\nf 4 2 1\n", repair).number_of_faces(), 4U);
+    EXPECT_EQ(read("f.obj", square + "v 0 0 1\nf 1 2 3 4\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", repair)
+                  .number_of_faces(),
+              6U);
+}
+
+TEST_F(RepairMesh, DropsWhatBoundsNothing) {
+    const Mesh mesh =
+        read("a.obj", square + "vt 0 0\nf 1/1 2/1\nf 1/1 2/1 3/1\nf 4\nf 1/1 3/1 4/1\n", repair);
+    EXPECT_EQ(triangles(mesh), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+    expect_warning("2 faces were dropped for fewer than three corners (the first: ");
+    EXPECT_EQ(warnings.size(), 1U);
+    expect_failure("a.obj", square + "f 1 2\n", "no faces left", repair);
+    // Depth cameras give places that they did not see as NaN.
+    const std::string unseen = square + "v nan nan nan\nv nan inf 0\nv 0 0 0\nf 1 2 3\nf 7 3 4\n";
+    EXPECT_EQ(read("b.obj", unseen, repair).number_of_vertices(), 6U);
+    expect_warning("2 vertices were dropped that no face uses");
+    EXPECT_EQ(read("b.obj", unseen, {.join_duplicate_points = true}).number_of_vertices(), 4U);
+}
+
 // A fin on a plate must not take half of the plate with it.
 TEST_F(RepairMesh, SheetsGoStraightOnWhereTheyMeet) {
     const std::string cross =
