@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include "meshops/error.h"
 #include "meshops/text_line.h"
@@ -27,13 +28,13 @@ std::vector<std::vector<LinePoint>> read_cut_lines(const std::filesystem::path& 
         throw Error(fmt::format("{}: cannot read the lines to cut; check the path", file.string()));
     std::vector<std::vector<LinePoint>> lines;
     bool is_new = true;
-    std::string text;
-    for (std::size_t number = 1; std::getline(stream, text); ++number) {
-        if (number == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // some editors' first bytes
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    TextLines texts(file, without_byte_order_mark(file, content));
+    while (!texts.is_at_end()) {
+        const std::string_view text = texts.next_text();
         const bool is_comment =
             text.find_first_not_of(" \t\r") == text.find('#') && text.find('#') != text.npos;
-        text = text.substr(0, text.find('#'));
-        TextLine line(file, number, text);
+        TextLine line(file, texts.number(), text.substr(0, text.find('#')));
         if (line.is_at_end()) {
             is_new = is_new || !is_comment;
             continue;
@@ -42,7 +43,7 @@ std::vector<std::vector<LinePoint>> read_cut_lines(const std::filesystem::path& 
         if (!line.is_at_end()) line.fail("is one too many; write x y z, in metres", line.next_word());
         if (is_new) lines.emplace_back();
         is_new = false;
-        lines.back().push_back({{x, y, z}, fmt::format("{}:{}", file.string(), number)});
+        lines.back().push_back({{x, y, z}, fmt::format("{}:{}", file.string(), texts.number())});
     }
     if (lines.empty()) throw Error(fmt::format("{}: holds no point; write x y z a line", file.string()));
     for (const auto& line : lines)

@@ -63,7 +63,8 @@ void add_refused(const SheetSpec& sheet, Picture& picture) {
     const auto* spec = std::get_if<MeshFile>(&sheet.mesh);
     if (!spec) return picture.undrawn.push_back(sheet.name);
     try {
-        const FaultyMesh mesh = find_mesh_faults(spec->path, spec->join);
+        const FaultyMesh mesh = find_mesh_faults(spec->path, spec->join || spec->join_distance > 0,
+                                                 spec->join_distance / spec->scale);
         const std::size_t first = picture.triangles.size();
         picture.add(mesh.sheet, Eigen::Affine3d(sheet.place) * Eigen::Scaling(spec->scale));
         for (std::size_t t = 0; t < mesh.faults.size(); ++t)

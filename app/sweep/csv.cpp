@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "meshops/error.h"
+#include "meshops/text_line.h"
 
 namespace sherd {
 namespace {
@@ -18,7 +19,8 @@ std::string quoted_cell(const std::string& cell) {
 /// Reads one row after the other.
 class CsvReader {
   public:
-    CsvReader(const std::string& text, const std::filesystem::path& file) : text(text), file(file) {}
+    CsvReader(std::string_view text, const std::filesystem::path& file)
+        : text(without_byte_order_mark(file, text)), file(file) {}
 
     CsvRows read() {
         CsvRows rows;
@@ -41,11 +43,12 @@ class CsvReader {
                 read_quoted(row.back());
             else if (c == ',')
                 row.emplace_back();
-            else if (c == '\n')
+            else if (c == '\n' || c == '\r')
                 break;
-            else if (c != '\r')
+            else
                 row.back() += c;
         }
+        if (text.compare(at, 2, "\r\n") == 0) ++at;
         ++at, ++line;
         return row;
     }
@@ -62,7 +65,7 @@ class CsvReader {
         throw Error(fmt::format("{}:{}: a quote is not closed", file.string(), begin));
     }
 
-    const std::string& text;
+    std::string_view text;
     const std::filesystem::path& file;
     std::size_t at = 0, line = 1;
 };

@@ -170,10 +170,13 @@ TEST_F(Cut, AnswersEveryBadList) {
 
 TEST_F(Cut, TakesListsFromAnyEditor) {
     write_mesh(triangle_sheet(test::grid(3, 1)), directory.path / "mesh.obj");
-    write("edges.txt", "\xEF\xBB\xBF# cracks\r\n\r\n  1\t5 \r\n6 2 # no line end");
-    const auto result = cut({"--json"});
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(nlohmann::json::parse(result.out)["edges_opened"], 2);
+    for (const char* list :
+         {"\xEF\xBB\xBF# cracks\r\n\r\n  1\t5 \r\n6 2 # no line end", "# cracks\r1 5\r6 2\r"}) {
+        write("edges.txt", list);
+        const auto result = cut({"--json", "--force"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(nlohmann::json::parse(result.out)["edges_opened"], 2);
+    }
 }
 
 // What is not there, or is no file, has to be told from what is wrong in it.

@@ -2,6 +2,8 @@
 // `sherd mesh`: what an artist paints on must be the very mesh that the scene is run with.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/scene/build/mesh.h"
 #include "app/scene/read/scene.h"
 #include "meshops/face_groups.h"
@@ -78,6 +80,28 @@ TEST_F(MeshCommand, WritesMeshesThatWereScaledAndRemeshed) {
         0);
     EXPECT_GT(read("a.obj").number_of_faces(), 20u);
     EXPECT_NEAR(measure(read("a.obj")).area, 0.01, 1e-12);
+}
+
+// The length is in metres, whatever the unit of the file: wrong by 1000, all or nothing would be joined.
+TEST_F(MeshCommand, JoinsWhatIsSoNearInMetres) {
+    directory.write(
+        "halves.obj",
+        "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 10.001 0 0\nv 20 0 0\nv 20 10 0\nv 10.001 10 0\n"
+        "f 1 2 3 4\nf 5 6 7 8\n");
+    const auto vertices = [&](const std::string& join) {
+        const std::string file = "{ file = \"halves.obj\", scale = 0.01, join = " + join + " }";
+        EXPECT_EQ(mesh(sheet_table("plate", file), {"-o", "a.obj", "--force"}).exit_code, 0);
+        return read("a.obj").number_of_vertices();
+    };
+    EXPECT_EQ(vertices("2e-5"), 6u);
+    EXPECT_EQ(vertices("5e-6"), 8u);
+    EXPECT_EQ(vertices("true"), 8u);
+}
+
+TEST_F(MeshCommand, ReadsScenesWithTheLineEndsOfOtherSystems) {
+    std::string scene = "\xEF\xBB\xBF" + sheet_table("plate", disc);
+    std::ranges::replace(scene, '\n', '\r');
+    EXPECT_EQ(mesh(scene, {"-o", "a.obj"}).exit_code, 0);
 }
 
 TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -68,13 +69,11 @@ std::vector<Edge> read_edge_list(const std::filesystem::path& file, const Mesh& 
     const auto edges = edges_by_file_vertices(mesh);
     std::map<VertexPair, std::size_t> line_of;
     std::vector<Edge> chosen;
-    std::string text;
-    for (std::size_t number = 1; std::getline(stream, text); ++number) {
-        if (number == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // some editors' first bytes
-        text = text.substr(0, text.find('#'));
-        TextLine line(file, number, text);
-        if (line.is_at_end()) continue;
-        const VertexPair ends = read_pair(line);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    TextLines lines(file, without_byte_order_mark(file, text));
+    while (std::optional<TextLine> line = lines.next_with_words('#')) {
+        const std::size_t number = lines.number();
+        const VertexPair ends = read_pair(*line);
         const std::string where =
             fmt::format("{}:{}: edge {} {}", file.string(), number, ends.first, ends.second);
         const auto [known, added] = line_of.emplace(ends, number);

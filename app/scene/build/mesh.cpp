@@ -152,7 +152,9 @@ void warn_of_size(double size, std::vector<std::string>& warnings) {
 
 Mesh read_mesh(const MeshFile& spec, std::vector<std::string>& warnings) {
     const ReadMeshOptions options{.join_duplicate_points = spec.join,
-                                  .repair = spec.repair ? Repair::all : Repair::none};
+                                  .repair = spec.repair ? Repair::all : Repair::none,
+                                  .join_distance = spec.join_distance / spec.scale,
+                                  .unit = spec.scale};
     Mesh mesh = read_mesh(spec.path, options, warnings);
     if (!spec.has_size) warn_of_size(size_of(mesh), warnings);
     if (spec.scale != 1) transform(mesh, Eigen::Affine3d(Eigen::Scaling(spec.scale)));

@@ -171,7 +171,10 @@ MeshFile read_mesh_file(TomlTable& table, const std::filesystem::path& directory
     const std::string name = table.string("file", "the name of a mesh file");
     mesh.path = directory / name;
     mesh.repair = table.flag("repair", true);
-    mesh.join = table.flag("join", false);
+    if (table.is_number("join"))
+        mesh.join_distance = table.number("join", "m", positive);
+    else
+        mesh.join = table.flag("join", false);
     mesh.has_size = table.has("scale") || table.has("size");
     mesh.scale = table.number("scale", "m per unit of the file", positive, 1);
     if (table.has("size")) read_size(table, mesh);

@@ -3,14 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "meshops/error.h"
+#include "meshops/text_line.h"
 
 namespace sherd {
+
+namespace {
+
+/// TOML ends lines with LF or CR LF; a text whose lines end with CR alone gets LF.
+std::string with_line_feeds(std::string text) {
+    if (text.find('\n') == text.npos) std::ranges::replace(text, '\r', '\n');
+    return text;
+}
+
+}  // namespace
 
 std::string read_toml_text(const std::filesystem::path& file, std::string_view kind) {
     const auto fail = [&](const std::string& reason) {
@@ -22,7 +34,8 @@ std::string read_toml_text(const std::filesystem::path& file, std::string_view k
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw fail(std::generic_category().message(errno));
     try {
-        return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+        const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+        return with_line_feeds(std::string(without_byte_order_mark(file, text)));
     } catch (const std::ios_base::failure&) {
         throw fail(std::generic_category().message(errno));
     }

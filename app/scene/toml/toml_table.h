@@ -68,6 +68,7 @@ class TomlTable {
     /// Returns "FILE:LINE: dotted.key", for errors found later.
     std::string where(std::string_view key) const;
     bool is_string(std::string_view key) const { return content->get_as<std::string>(key) != nullptr; }
+    bool is_number(std::string_view key) const { return (*content)[key].is_number(); }
     bool is_table(std::string_view key) const { return content->get_as<toml::table>(key) != nullptr; }
     bool is_array(std::string_view key) const { return content->get_as<toml::array>(key) != nullptr; }
     /// Reports every key that was never asked for, with the nearest one that was.

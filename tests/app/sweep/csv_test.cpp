@@ -20,6 +20,7 @@ RC_GTEST_PROP(Csv, WhatIsWrittenIsReadBack, ()) {
 
 TEST(Csv, EndsOfLinesOfOtherSystemsAreRead) {
     EXPECT_EQ(parse_csv("a,b\r\n1,\"2\"\r\n", "a.csv"), (CsvRows{{"a", "b"}, {"1", "2"}}));
+    EXPECT_EQ(parse_csv("\xEF\xBB\xBF\"a\",b\r1,2\r", "a.csv"), (CsvRows{{"a", "b"}, {"1", "2"}}));
 }
 
 TEST(Csv, DamageIsToldWithItsLine) {
