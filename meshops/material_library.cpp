@@ -92,7 +92,7 @@ std::map<std::string, std::string> read_material_library(const fs::path& file) {
             if (current) current->append(whole).append("\n");
             continue;
         }
-        const std::string name = name_in(words);
+        const std::string name = utf8_name(name_in(words));
         if (name.empty())
             throw Error(file.string() + ":" + std::to_string(lines.number()) + ": newmtl has no name");
         current = &definitions[name];

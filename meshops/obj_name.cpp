@@ -2,6 +2,7 @@
 #include "meshops/obj_name.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace sherd {
 namespace {
@@ -31,7 +32,47 @@ std::string_view take_quoted(std::string_view& text) {
     return rest.substr(1, end - 1);
 }
 
+/// The number of bytes behind a first byte of UTF-8; none: it is no first byte.
+std::optional<std::size_t> bytes_behind(unsigned char first) {
+    if (first < 0x80) return 0;
+    if (first >= 0xc2 && first < 0xe0) return 1;
+    if (first >= 0xe0 && first < 0xf0) return 2;
+    if (first >= 0xf0 && first < 0xf5) return 3;
+    return std::nullopt;
+}
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto more = bytes_behind(static_cast<unsigned char>(text[i]));
+        if (!more || i + *more >= text.size()) return false;
+        const auto first = static_cast<unsigned char>(text[i]);
+        const auto second = static_cast<unsigned char>(text[i + (*more > 0 ? 1 : 0)]);
+        // Longer forms than needed, halves of pairs of UTF-16, and numbers beyond the last one.
+        if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+            (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
+            return false;
+        for (std::size_t end = i + *more; i < end;)
+            if ((static_cast<unsigned char>(text[++i]) & 0xc0) != 0x80) return false;
+    }
+    return true;
+}
+
 }  // namespace
+
+std::string utf8_name(const std::string& name) {
+    if (is_utf8(name)) return name;
+    std::string result;
+    for (const char letter : name) {
+        const auto byte = static_cast<unsigned char>(letter);
+        if (byte < 0x80) {
+            result += letter;
+        } else {
+            result += static_cast<char>(0xc0 | byte >> 6);
+            result += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return result;
+}
 
 std::size_t comment_start(std::string_view line, bool has_name) {
     if (!has_name) return line.find('#');

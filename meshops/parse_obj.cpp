@@ -101,12 +101,13 @@ class ObjParser {
             parse_face(words);
         } else if (keyword == "g") {
             groups = names_in(rest);
+            std::ranges::transform(groups, groups.begin(), utf8_name);
             face_groups = nullptr;
         } else if (keyword == "o") {
-            object = name_in(rest);
+            object = utf8_name(name_in(rest));
             face_groups = nullptr;
         } else if (keyword == "usemtl") {
-            use_material(name_in(rest));
+            use_material(utf8_name(name_in(rest)));
         } else if (keyword == "mtllib") {
             add_libraries(rest);
         } else if (!is_one_of(for_display, keyword)) {

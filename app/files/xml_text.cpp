@@ -14,6 +14,10 @@ std::string xml_escaped(const std::string& text) {
             result += "&gt;";
         else if (c == '"')
             result += "&quot;";
+        else if (c == '\t' || c == '\n' || c == '\r')
+            result += "&#" + std::to_string(static_cast<int>(c)) + ";";  // else it would become a blank
+        else if (static_cast<unsigned char>(c) < ' ')
+            result += '_';  // XML cannot have it
         else
             result += c;
     }

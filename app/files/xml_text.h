@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// `text` as it is written between tags and quotes of XML.
+/// `text` as it is written between tags and quotes of XML; `_` for control characters that XML cannot have.
 std::string xml_escaped(const std::string& text);
 
 }  // namespace sherd

@@ -2,6 +2,7 @@
 // OBJ and MTL files as other programs write them.
 #include <gtest/gtest.h>
 
+#include "meshops/face_groups.h"
 #include "meshops/surface_material.h"
 #include "tests/support/mesh_reading.h"
 
@@ -64,6 +65,19 @@ TEST_F(ReadObj, FindsMaterialsByTheNamesThatExportersWrite) {
     ASSERT_TRUE(exists);
     EXPECT_EQ(material[Face(0)]->name, "red glass");
     EXPECT_NE(material[Face(0)]->definition.find("Kd 1 0 0"), std::string::npos);
+}
+
+// Names go into scenes, HDF5, XML and JSON, which are UTF-8: others end a run when it is exported.
+TEST_F(ReadObj, TakesNamesThatAreNotUtf8ForLatin1) {
+    directory.write("a.mtl", "newmtl gr\xFCn\nKd 0 1 0\n");
+    for (const std::string name : {"gr\xFCn", "gr\xC3\xBCn"}) {
+        const Mesh mesh = read(
+            "a.obj", "mtllib a.mtl\n" + test::square + "g " + name + "\nusemtl " + name + "\nf 1 2 3 4\n");
+        const auto material = find_property<Face, FaceMaterial>(mesh, property::surface_material).first;
+        EXPECT_EQ(material[Face(0)]->name, "gr\xC3\xBCn");
+        EXPECT_FALSE(material[Face(0)]->definition.empty());
+        EXPECT_EQ(group_names(mesh), (std::vector<std::string>{"gr\xC3\xBCn"}));
+    }
 }
 
 }  // namespace
