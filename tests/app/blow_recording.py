@@ -17,7 +17,7 @@ class Seen:
     """What a recording shows, in words. passed: what cannot be doubted: points on the other side of a sheet whose side
     is known, edges that stand in faces, vertices in solids; crossed: what crossed between two frames, and deep: farther
     from all rims than anything moved there. shoved: by how much the blow changed the mean velocity of the sheet that is
-    struck, and that of a free striker (m/s)."""
+    struck, and that of a free body or a sheet that strikes (m/s)."""
 
     def __init__(self, blow, recording):
         self.blow, self.passed, self.deep, self.crossed = blow, [], [], []
@@ -37,18 +37,23 @@ class Seen:
             self.look(k)
 
     def shove(self, frames):
+        """In any of the frames: what is pinned swings back."""
         if len(frames) < 2:
             return numpy.zeros(2)
-        used, mass = self.vertices[0], frames[0]["vertex/mass"][:][self.vertices[0], None]
-        first, last = [(frame["vertex/velocity"][:][used] * mass).sum(axis=0) / mass.sum()
-                       for frame in (frames[0], frames[-1])]
+        return numpy.array([self.shove_of_sheet(frames, 0), self.shove_of_striker(frames)])
+
+    def shove_of_sheet(self, frames, i):
+        used, mass = self.vertices[i], frames[0]["vertex/mass"][:][self.vertices[i], None]
+        velocity = [(frame["vertex/velocity"][:][used] * mass).sum(axis=0) / mass.sum() for frame in frames]
+        return numpy.linalg.norm(numpy.array(velocity) - velocity[0], axis=1).max()
+
+    def shove_of_striker(self, frames):
         bodies = [name for name in self.blow.solids if name not in self.blow.turns]
         if not bodies:
-            return numpy.array([numpy.linalg.norm(last - first), 0])
-        i = self.names.index(bodies[0])
-        ways = [(self.poses[b][i][:, 3] - self.poses[a][i][:, 3]) / (self.times[b] - self.times[a])
-                for a, b in ((0, 1), (-2, -1))]
-        return numpy.array([numpy.linalg.norm(last - first), numpy.linalg.norm(ways[1] - ways[0])])
+            return self.shove_of_sheet(frames, 1) if len(self.sheets) > 1 else 0
+        place = numpy.array([pose[self.names.index(bodies[0])][:, 3] for pose in self.poses])
+        velocity = numpy.diff(place, axis=0) / numpy.diff(self.times)[:, None]
+        return numpy.linalg.norm(velocity - velocity[0], axis=1).max()
 
     def body(self, name, solid, k):
         corner, faces = solid
