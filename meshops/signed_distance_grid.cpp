@@ -59,6 +59,12 @@ Vector3d eigen(const openvdb::Vec3s& p) {
     return {p.x(), p.y(), p.z()};
 }
 
+void require_coarse(double voxel) {
+    if (voxel < SignedDistanceGrid::finest)
+        throw Error(text("its voxels of ", voxel, " m are finer than OpenVDB takes: make them larger, ",
+                         SignedDistanceGrid::finest, " m at least"));
+}
+
 void require_few_voxels(const Polygons& polygons, double voxel, double reach) {
     Eigen::AlignedBox3d box;
     for (const openvdb::Vec3s& p : polygons.points) box.extend(eigen(p));
@@ -188,6 +194,8 @@ std::shared_ptr<const SignedDistanceGrid::State> SignedDistanceGrid::State::of(
                          "distance VDB of Houdini's VDB from Polygons"));
     const Polygons polygons = polygons_of(level_set, scale);
     if (polygons.points.empty()) throw Error("its level set is empty");
+    const openvdb::Vec3d unscaled = level_set.transform().voxelSize();
+    require_coarse(scale * std::min({unscaled.x(), unscaled.y(), unscaled.z()}));
     TransformPointer transform = level_set.transform().copy();
     transform->postScale(scale);
     const openvdb::Vec3d size = transform->voxelSize();
@@ -204,6 +212,7 @@ SignedDistanceGrid::SignedDistanceGrid(std::shared_ptr<const State> state) : sta
 
 SignedDistanceGrid SignedDistanceGrid::of_mesh(const Mesh& mesh, double voxel, double reach) {
     openvdb::initialize();
+    require_coarse(voxel);
     const Polygons polygons = polygons_of(mesh);
     require_few_voxels(polygons, voxel, reach);
     SignedDistanceGrid grid(

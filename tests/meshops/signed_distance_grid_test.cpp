@@ -54,6 +54,15 @@ TEST(SignedDistanceGrid, AMeshOfASphereIsASphere) {
     EXPECT_LT((grid.upper() - Vector3d::Constant(radius + voxel)).norm(), 2e-3);
 }
 
+// OpenVDB's own error does not tell what to do.
+TEST(SignedDistanceGrid, VoxelsThatOpenVdbDoesNotTakeAreNamed) {
+    const Mesh small = generate_sphere(2e-4, {.edge_length = 5e-5});
+    EXPECT_EQ(thrown_by([&] { SignedDistanceGrid::of_mesh(small, 1e-5, 1e-5); }),
+              "its voxels of 1e-05 m are finer than OpenVDB takes: make them larger, 2e-05 m at least");
+    EXPECT_NEAR(SignedDistanceGrid::of_mesh(small, SignedDistanceGrid::finest, 1e-5).volume(),
+                4.0 / 3 * 3.14159265 * 8e-12, 2e-12);
+}
+
 // Force and stiffness of contact come from these.
 TEST(SignedDistanceGrid, DerivativesAreThoseOfTheInterpolatedDistance) {
     const SignedDistanceGrid grid = SignedDistanceGrid::of_mesh(sphere_mesh(), voxel, 0.002);

@@ -49,7 +49,8 @@ Made make(const Solid& solid, const Need& need, std::vector<std::string>&) {
 }
 
 double voxel_of(const ObstacleMesh& spec, const MeshMeasures& extent) {
-    return spec.voxel > 0 ? spec.voxel : (extent.upper - extent.lower).norm() / voxels_along;
+    if (spec.voxel > 0) return spec.voxel;
+    return std::max((extent.upper - extent.lower).norm() / voxels_along, SignedDistanceGrid::finest);
 }
 
 Made solid(const Mesh& mesh, double voxel, const Need& need) {

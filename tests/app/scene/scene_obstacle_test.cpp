@@ -101,6 +101,17 @@ TEST(SceneObstacle, AMeshFileBecomesASolid) {
     EXPECT_EQ(solid.surface->triangles.size(), 8u);
 }
 
+// A hundredth of the diagonal of a grain is finer than OpenVDB's voxels may be.
+TEST(SceneObstacle, AGrainOfHalfAMillimetreIsASolid) {
+    const TemporaryDirectory directory;
+    directory.write("solid.obj", octahedron + "f 1 4 6\n");
+    const Scene scene = read_scene(
+        directory.write("scene.toml", plate_and_thing + "mesh = { file = \"solid.obj\", scale = 0.00025 }"));
+    std::vector<std::string> warnings;
+    const Obstacle solid = make_obstacles(scene.obstacles, thickness_of(scene), warnings).at(0);
+    EXPECT_NEAR(distance(solid, 0, Vector3d::Zero()), -0.00025 / std::sqrt(3.0), 2e-5);
+}
+
 TEST(SceneObstacle, AMeshThatEnclosesNothingIsRefused) {
     const ProgramResult open = checked(octahedron, "mesh = \"solid.obj\"");
     EXPECT_EQ(open.exit_code, 2) << open.out;
