@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/shell/patch_momentum.h"
 #include "core/shell/supports.h"
@@ -18,6 +19,7 @@ constexpr double resolution_of_contact = 3;
 /// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
 /// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
+constexpr int most_again = 200'000;  // substeps of a step that is made again: more would seem to hang
 constexpr Index vertices_at_once = 512;
 
 std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
@@ -196,6 +198,30 @@ void ExplicitStepper::measure_vertices() {
 MinimiserResult ExplicitStepper::solve(int) {
     const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
     if (made) return {0, true, 0};
+    const OpeningEdges opening_then = opening;
+    make_step();
+    int made_substeps = substeps;
+    while (!contact.end(step, position)) {
+        opening = opening_then;
+        make_step_again();
+        made_substeps += substeps;
+    }
+    ledger.solved(stored());
+    return {made_substeps, true, 0};
+}
+
+void ExplicitStepper::make_step_again() {
+    ledger.scheme_changed();  // firm springs that were pressed may have been replaced
+    try {
+        begin(step.length);
+        if (substeps > most_again) ExplicitContact::refuse_passage();
+        make_step();
+    } catch (const std::runtime_error&) {  // that substeps would be too many tells nothing of the blow
+        ExplicitContact::refuse_passage();
+    }
+}
+
+void ExplicitStepper::make_step() {
     made = true;
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
     energies_now.reset();
@@ -204,9 +230,6 @@ MinimiserResult ExplicitStepper::solve(int) {
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
     require_stable(position.allFinite());
-    contact.end(step, position);
-    ledger.solved(stored());
-    return {substeps, true, 0};
 }
 
 PotentialEnergies ExplicitStepper::elastic_energies() const {

@@ -25,7 +25,8 @@ class ExplicitStepper : public Stepper {
 
     using Stepper::begin;
     bool begin(double length) override;
-    /// Makes the whole step, once; its iterations are substeps.
+    /// Makes the whole step, once, or again with firmer contact where something would pass; its iterations
+    /// are substeps.
     MinimiserResult solve(int max_iterations) override;
     bool solves_again() const override { return false; }
     double held(Index edge) const override { return opening.held(edge); }
@@ -79,6 +80,9 @@ class ExplicitStepper : public Stepper {
     void accelerate() { accelerate(0, static_cast<Index>(position.cols())); }
     void accelerate(Index begin, Index end);
     void make_substep(double from);
+    /// Makes the open step.
+    void make_step();
+    void make_step_again();  ///< with firmer contact
     /// The first half of the kick, and the motion.
     void move(double end);
     /// Moves what is told where to be, from where `moved` has it.

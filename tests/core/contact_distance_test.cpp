@@ -211,5 +211,19 @@ TEST(Barrier, PushesLikeAUnitSpringAtHalfItsRangeAndSmoothlyEndsThere) {
     EXPECT_EQ(barrier.value(-1), std::numeric_limits<double>::infinity());
 }
 
+// Where it begins, a second spring must neither jump nor add energy.
+TEST(Barrier, AFirmSpringIsStifferBelowItsShareOfTheRange) {
+    const Barrier soft{0.02, true}, firm{0.02, true, {.degree = 1, .halvings = 2}};
+    for (const double gap : {0.025, 0.015, 0.005}) {
+        EXPECT_EQ(firm.value(gap), soft.value(gap));
+        EXPECT_EQ(firm.slope(gap), soft.slope(gap));
+    }
+    EXPECT_EQ(firm.curvature(0.006), 1);
+    EXPECT_EQ(firm.curvature(0.004), 65);
+    const double depth = 0.005 - 0.002;
+    EXPECT_NEAR(firm.slope(0.002), soft.slope(0.002) - 64 * depth, 1e-15);
+    EXPECT_NEAR(firm.value(0.002), soft.value(0.002) + 32 * depth * depth, 1e-15);
+}
+
 }  // namespace
 }  // namespace sherd

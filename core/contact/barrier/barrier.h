@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace sherd {
+
+/// A second spring, which acts beside the first one from where a share of its range is left.
+struct Firmness {
+    std::uint8_t degree = 0;    ///< 0: there is none
+    std::uint8_t halvings = 1;  ///< the share: 1/2, 1/4, 1/8 ...
+
+    /// As a multiple of the first spring's.
+    double stiffness() const { return degree == 0 ? 0 : std::pow(64, degree); }
+    double share() const { return std::ldexp(1, -halvings); }
+};
 
 /// The barrier potential of a gap between two elements: it is infinite at zero, zero from `range` on, and
 /// twice continuously differentiable (the clamped logarithm of incremental potential contact, Li et al. 2020,
@@ -14,27 +26,34 @@ namespace sherd {
 struct Barrier {
     double range;  ///< m
     bool spring = false;
+    Firmness firmness = {};
 
     double value(double gap) const {  ///< J
         if (gap >= range) return 0;
-        if (spring) return 0.5 * (range - gap) * (range - gap);
+        if (spring)
+            return 0.5 * (range - gap) * (range - gap) + 0.5 * firmness.stiffness() * firm(gap) * firm(gap);
         if (gap <= 0) return std::numeric_limits<double>::infinity();
         return -scale * (range - gap) * (range - gap) * std::log(gap / range);
     }
     double slope(double gap) const {  ///< N; the force is its negative
         if (gap >= range) return 0;
-        if (spring) return gap - range;
+        if (spring) return gap - range - firmness.stiffness() * firm(gap);
         const double left = range - gap;
         return scale * left * (2 * std::log(gap / range) - left / gap);
     }
     double curvature(double gap) const {  ///< N/m, positive
         if (gap >= range) return 0;
-        if (spring) return 1;
+        if (spring) return firm(gap) > 0 ? 1 + firmness.stiffness() : 1;
         const double ratio = (range - gap) / gap;
         return scale * (-2 * std::log(gap / range) + ratio * (4 + ratio));
     }
 
   private:
+    /// m, by how much the second spring is pressed.
+    double firm(double gap) const {
+        return firmness.degree == 0 ? 0 : std::max(0.0, firmness.share() * range - gap);
+    }
+
     static constexpr double scale = 0.5 / (0.5 + 0.693147180559945309);  // slope(range / 2) is -range / 2
 };
 

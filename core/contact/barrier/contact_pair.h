@@ -19,9 +19,11 @@ struct ContactPair {
     EdgeMollifier mollifier;        ///< used by edge-edge pairs only
     double closest = 0.75;          ///< minimum distance, as a share of the activation distance
     bool spring = false;            ///< see Barrier
+    Firmness firmness = {};         ///< of a spring
 
     double minimum() const { return closest * activation_distance; }  ///< m
-    Barrier barrier() const { return {activation_distance - minimum(), spring}; }
+    Barrier barrier() const { return {activation_distance - minimum(), spring, firmness}; }
+    double largest_stiffness() const { return stiffness * (1 + firmness.stiffness()); }  ///< N/m, of a spring
 };
 
 /// Sorts pairs by their kind, then by their vertices.

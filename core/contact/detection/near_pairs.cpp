@@ -87,6 +87,7 @@ const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) cons
     if (last.cols() == x.cols() && last == x) return active;
     candidates(x);
     active = found.active(of, x);
+    for (ContactPair& pair : active) pair.firmness = firm;
     last = x;
     return active;
 }
@@ -155,8 +156,23 @@ std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const
         return within(pair.activation_distance + way, pair, columns(x, pair.vertices));
     };
     std::vector<ContactPair> reached = candidates(x, motion).near(x, motion, 1, 0, may_reach);
-    for (ContactPair& pair : reached) of.stiffen(pair);
+    for (ContactPair& pair : reached) {
+        of.stiffen(pair);
+        pair.firmness = firm;
+    }
     return reached;
+}
+
+void NearPairs::set_firmness(Firmness of_springs) {
+    firm = of_springs;
+    last.resize(3, 0);
+}
+
+double NearPairs::least_share(const Positions& x) const {
+    double least = 1;
+    for (const ContactPair& pair : active_pairs(x))
+        least = std::min(least, distance(pair, columns(x, pair.vertices)) / pair.activation_distance);
+    return least;
 }
 
 void NearPairs::add_contacts(const Positions& x, bool ahead,

@@ -42,6 +42,12 @@ class NearPairs {
         }
         return false;
     }
+    /// Pairs that are springs have this from now on.
+    void set_firmness(Firmness of_springs);
+    Firmness firmness() const { return firm; }
+    /// The smallest distance of an active pair at x, as a share of its activation distance; 1 if there is
+    /// none.
+    double least_share(const Positions& x) const;
     /// Whether pairs at x that are springs could be barriers, with some of their range left.
     bool leave_room_for_barriers(const Positions& x) const;
     /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
@@ -62,8 +68,8 @@ class NearPairs {
 
     /// Trees follow from where the elements are.
     void visit_state(StateVisitor& visit) {
-        auto& [of, threads, trees, found, last, active] = *this;
-        visit(of, found, last, active);
+        auto& [of, threads, firm, trees, found, last, active] = *this;
+        visit(of, firm, found, last, active);
     }
 
   private:
@@ -79,6 +85,7 @@ class NearPairs {
 
     ContactSurface of;
     Threads threads;
+    Firmness firm;
     // These are caches: no result depends on them.
     mutable KeptTrees trees;
     mutable ContactCandidates found;          ///< candidates for many steps to come

@@ -55,6 +55,28 @@ bool ExplicitBodies::leave_room_for_barriers(const Positions& x) const {
     return true;
 }
 
+double ExplicitBodies::least_share(const std::vector<RigidBody>& places, const Positions& x) const {
+    double least = 1;
+    for (std::size_t b = 0; b < all.size(); ++b)
+        if (pairs[b]) least = std::min(least, pairs[b]->least_share(seen_from(places[b], x)));
+    return least;
+}
+
+void ExplicitBodies::set_firmness(Firmness firmness) {
+    for (const auto& of_body : pairs)
+        if (of_body) of_body->set_firmness(firmness);
+}
+
+double ExplicitBodies::rate_of_firm_springs(std::size_t body, const StepContext& step, double margin) const {
+    const double times = pairs[body] ? pairs[body]->firmness().stiffness() : 0;
+    if (times == 0) return 0;
+    const RigidBody& of = all[body];
+    const double radius = of.surface->points.colwise().norm().maxCoeff();
+    const double total = at_vertices[body].total_stiffness(step.origin, of.pose(), margin);
+    return times * (at_vertices[body].largest_rate(step.origin, of.pose(), margin) +
+                    total * largest_mobility(of, radius));
+}
+
 std::vector<Eigen::Isometry3d> ExplicitBodies::with_bodies(std::span<const Eigen::Isometry3d> places) const {
     std::vector<Eigen::Isometry3d> together;
     if (surfaces.empty()) return together;

@@ -263,7 +263,8 @@ double ExplicitBodies::largest_rate(const StepContext& step, double margin) cons
     // far from a body that touches an edge or a face as these are long.
     for (std::size_t b = 0; b < all.size(); ++b) {
         const double reach = margin + (pairs[b] ? longest : 0);
-        largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach));
+        largest = std::max(largest, 2 * at_vertices[b].largest_rate(step.origin, all[b].pose(), reach) +
+                                        rate_of_firm_springs(b, step, reach));
     }
     for (const auto& [body, other, point] : points) {
         const double turning = all[body].mass * point.squaredNorm() / all[body].inertia.minCoeff();

@@ -50,6 +50,10 @@ class ExplicitBodies {
     bool pass_shell(const StepContext& step, const Positions& end) const;
     /// See SheetContact; x: [3, V] m.
     bool leave_room_for_barriers(const Positions& x) const;
+    /// See NearPairs: with the shell at x [3, V] m, and the bodies as they were when the step began, or are.
+    double least_share_at_start(const Positions& x) const { return least_share(started, x); }
+    double least_share_at_end(const Positions& x) const { return least_share(all, x); }
+    void set_firmness(Firmness firmness);
 
     const std::vector<RigidBody>& bodies() const { return all; }
     /// Stored in the contacts with the shell at x and with obstacles at these places, J.
@@ -108,6 +112,8 @@ class ExplicitBodies {
                               const PairPlaces& places, double sharing, double length) const;
     /// Whether points of either push the other one.
     bool points_hold(const SurfacePairs& two, std::span<const Eigen::Isometry3d> places) const;
+    /// The square of frequencies, 1/s^2, that firm springs add to those of the body or of vertices so near.
+    double rate_of_firm_springs(std::size_t body, const StepContext& step, double margin) const;
     /// The square of frequencies, 1/s^2, that surfaces may add to those of any body in the step.
     double rate_of_surfaces(const StepContext& step) const;
     /// How points of the body, [3, P] m, move in the step as seen from the other one; m, in its frame.
@@ -120,6 +126,7 @@ class ExplicitBodies {
     void measure_triangles();
     /// The share of a body in the mobility of pair_friction(), 1/kg; force: those along the slip, on it.
     double mobility(std::size_t body, const Force& force) const;
+    double least_share(const std::vector<RigidBody>& places, const Positions& x) const;
     bool passes_shell(std::size_t body, const StepContext& step, const Positions& end) const;
     /// Positions, m, of a body's points and the shell's vertices, in the body's frame.
     static Positions seen_from(const RigidBody& body, const Positions& x);

@@ -10,6 +10,11 @@
 #include "core/energy_balance.h"
 
 namespace sherd {
+namespace {
+
+constexpr std::uint8_t most_firm = 2, most_halvings = 3;
+
+}  // namespace
 
 ExplicitContact::ExplicitContact(const Shell& shell, ContactOptions given, const Vector3d& gravity,
                                  const Threads& threads)
@@ -188,8 +193,9 @@ double ExplicitContact::largest_rate(const StepContext& step, const Positions& m
         const Closest closest = closest_points(pair.kind, columns(all, pair.vertices));
         for (int i = 0; i < 4; ++i)
             if (pair.vertices[i] >= first)
-                rate[pair.vertices[i] - first] +=
-                    2 * std::abs(closest.weights[i]) * pair.stiffness / shell.mass[pair.vertices[i] - first];
+                rate[pair.vertices[i] - first] += 2 * std::abs(closest.weights[i]) *
+                                                  pair.largest_stiffness() /
+                                                  shell.mass[pair.vertices[i] - first];
     }
     for (const LipStencil& lip : shell.lips)
         for (const Index v : lip.vertices) rate[v] += 2 * lip.stiffness / shell.mass[v];
@@ -207,31 +213,67 @@ double ExplicitContact::obstacle_work(std::span<const Reaction> forces, const Po
     return sum;
 }
 
-void ExplicitContact::end(const StepContext& step, const Positions& end_of_sheets) {
+bool ExplicitContact::end(const StepContext& step, const Positions& end_of_sheets) {
     bodies.look(now);
-    require_no_passage(step, end_of_sheets);
-}
-
-void ExplicitContact::require_no_passage(const StepContext& step, const Positions& end) {
-    bool passes = bodies.pass_shell(step, end);
-    bool is_too_deep = options.barriers_follow && !bodies.leave_room_for_barriers(end);
-    if (sheets) {
-        sheets->begin(step);
-        passes = passes || sheets->passes(step, step.origin, end);
-        is_too_deep = is_too_deep || (options.barriers_follow && !sheets->leaves_room_for_barriers(end));
-        sheets->begin(substep);
-    }
-    if (is_too_deep)
+    if (options.barriers_follow && !leaves_room_for_barriers(end_of_sheets))
         throw std::runtime_error(
             "contact: a sheet is pressed so far into another one, an obstacle or a body that implicit steps "
             "could not go on from there: the springs of explicit contact are overwhelmed; a stiffer or a "
             "thicker sheet, or less speed, may help");
-    if (passes)
-        throw std::runtime_error(
-            "contact: a sheet passes through another one, or an obstacle or a free body through a sheet: the "
-            "springs of explicit contact are overwhelmed; a stiffer or a thicker sheet, less speed, or "
-            "implicit "
-            "steps may help");
+    if (!passes(step, end_of_sheets)) {
+        relax(end_of_sheets);
+        return true;
+    }
+    if (!options.barriers_follow && become_firmer(step)) return false;
+    refuse_passage();
+}
+
+void ExplicitContact::refuse_passage() {
+    throw std::runtime_error(
+        "contact: a sheet passes through another one, or an obstacle or a free body through a sheet: the "
+        "springs of explicit contact are overwhelmed; a stiffer or a thicker sheet, less speed, or implicit "
+        "steps may help");
+}
+
+bool ExplicitContact::passes(const StepContext& step, const Positions& end) {
+    if (bodies.pass_shell(step, end)) return true;
+    if (!sheets) return false;
+    sheets->begin(step);
+    const bool passes = sheets->passes(step, step.origin, end);
+    sheets->begin(substep);
+    return passes;
+}
+
+bool ExplicitContact::leaves_room_for_barriers(const Positions& end) const {
+    return bodies.leave_room_for_barriers(end) && (!sheets || sheets->leaves_room_for_barriers(end));
+}
+
+void ExplicitContact::set_firmness(Firmness of_pairs) {
+    firmness = of_pairs;
+    bodies.set_firmness(firmness);
+    if (sheets) sheets->set_firmness(firmness);
+}
+
+bool ExplicitContact::become_firmer(const StepContext& step) {
+    double least = bodies.least_share_at_start(step.origin);
+    if (sheets) {
+        sheets->begin(step);
+        least = std::min(least, sheets->least_share_at_start(step.origin));
+        sheets->begin(substep);
+    }
+    if (firmness.degree == most_firm) return false;
+    Firmness firmer{static_cast<std::uint8_t>(firmness.degree + 1)};
+    while (firmer.share() > least && firmer.halvings < most_halvings) ++firmer.halvings;
+    if (firmer.share() > least) return false;
+    set_firmness(firmer);
+    return true;
+}
+
+void ExplicitContact::relax(const Positions& end) {
+    if (firmness.degree == 0) return;
+    double least = bodies.least_share_at_end(end);
+    if (sheets) least = std::min(least, sheets->least_share_at_end(end));
+    if (least >= firmness.share()) set_firmness({});
 }
 
 Positions ExplicitContact::lip_forces(const Positions& x) const {

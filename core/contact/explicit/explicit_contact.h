@@ -35,10 +35,13 @@ class ExplicitContact {
     /// An upper bound of the square of the frequencies, 1/s^2, that contact may add to those of the shell in
     /// a step in which it moves by `motion` [3, V] m.
     double largest_rate(const StepContext& step, const Positions& motion);
-    /// Ends a step with the shell at `end` [3, V] m. Throws std::runtime_error if a sheet passes through
-    /// another one, or through an obstacle's surface, in the straight motion from its origin; or is too deep
-    /// in it for ContactOptions::barriers_follow.
-    void end(const StepContext& step, const Positions& end);
+    /// Ends a step with the shell at `end` [3, V] m. Returns false if a sheet passes through another one, or
+    /// through the surface of an obstacle or a body, in the straight motion from its origin: springs have
+    /// become firmer, and the step must be made again. Throws std::runtime_error if they cannot be firmer, or
+    /// the sheet is too deep for ContactOptions::barriers_follow.
+    bool end(const StepContext& step, const Positions& end);
+    /// Throws std::runtime_error that says that springs are overwhelmed.
+    [[noreturn]] static void refuse_passage();
     /// Work, J, of the obstacles that move as they are told, in the substep that placed them last; forces and
     /// those on the vertices of what deforms (ContactForces): the mean over the substep.
     double obstacle_work(std::span<const Reaction> forces, const Positions& on_deforming) const;
@@ -49,12 +52,20 @@ class ExplicitContact {
     Positions lip_forces(const Positions& x) const;                                   ///< N, [3, V]
     double lip_overlap(const Positions& x) const { return lips.largest_overlap(x); }  ///< m
     void visit_state(StateVisitor& visit) {
-        auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, lips] = *this;
-        visit(bodies, at_vertices, substep, before, now, sheets, lips);
+        auto& [options, shell, threads, bodies, at_vertices, substep, before, now, sheets, lips, firmness] =
+            *this;
+        visit(bodies, at_vertices, substep, before, now, sheets, lips, firmness);
     }
 
   private:
-    void require_no_passage(const StepContext& step, const Positions& end);
+    bool passes(const StepContext& step, const Positions& end);
+    bool leaves_room_for_barriers(const Positions& end) const;
+    void set_firmness(Firmness of_pairs);
+    /// Makes springs firmer where no pair is yet that deep at the beginning of the step; false if that cannot
+    /// be.
+    bool become_firmer(const StepContext& step);
+    /// Takes firm springs away that nothing presses.
+    void relax(const Positions& end);
     void add_obstacles(const Substep& substep, ContactForces& sum) const;
     void add_sheets(const Substep& substep, ContactForces& sum) const;
     // all: positions of colliders and sheets at the end of the substep.
@@ -71,6 +82,7 @@ class ExplicitContact {
     std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle, at its beginning and at its end
     std::unique_ptr<SheetContact> sheets;        ///< null where no surfaces meet
     LipContact lips;
+    Firmness firmness;  ///< of all pairs
 };
 
 }  // namespace sherd

@@ -81,6 +81,13 @@ class VertexContact {
                 largest = std::max(largest, stiffness(v) / shell.mass[v]);
         return largest;
     }
+    /// The sum of the stiffnesses, N/m, of these contacts.
+    double total_stiffness(const Positions& x, const Eigen::Isometry3d& pose, double margin) const {
+        double sum = 0;
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+            if (overlap(x, v, pose, margin).depth > 0) sum += stiffness(v);
+        return sum;
+    }
     /// Overlap of a vertex with the collider beyond what there is since the start; margin: m, added to half
     /// the thickness.
     Overlap overlap(const Positions& x, Index vertex, const Eigen::Isometry3d& pose,

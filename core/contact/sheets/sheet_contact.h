@@ -118,6 +118,10 @@ class SheetContact : public Energy {
     bool leaves_room_for_barriers(const Positions& x) const {
         return near.leave_room_for_barriers(at_end(x));
     }
+    /// See NearPairs; colliders are where they are at the beginning of the step.
+    double least_share_at_start(const Positions& x) const { return near.least_share(with(start, x)); }
+    double least_share_at_end(const Positions& x) const { return near.least_share(with(end, x)); }
+    void set_firmness(Firmness firmness) { near.set_firmness(firmness); }
     /// Whether sheets pass through each other, or through a collider, in the step, which begin() has been
     /// told of: the shell moves straight from x, colliders as they are told.
     bool passes(const StepContext& step, const Positions& x, const Positions& end_of_shell) const;
