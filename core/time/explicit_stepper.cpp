@@ -19,7 +19,7 @@ constexpr double resolution_of_contact = 3;
 /// Growth of the largest strain after which the highest frequency is estimated anew: the membrane's stiffness
 /// along a stretch grows by three times as much.
 constexpr double growth = 0.05;
-constexpr int most_again = 200'000;  // substeps of a step that is made again: more would seem to hang
+constexpr int most_again = 50'000;  // substeps of a step that is made again: more would seem to hang
 constexpr Index vertices_at_once = 512;
 
 std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
