@@ -22,14 +22,6 @@ constexpr double growth = 0.05;
 constexpr int most_again = 50'000;  // substeps of a step that is made again: more would seem to hang
 constexpr Index vertices_at_once = 512;
 
-std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
-    for (std::size_t i = 0; i < some.size(); ++i) {
-        some[i].force = 0.5 * (some[i].force + others[i].force);
-        some[i].moment = 0.5 * (some[i].moment + others[i].moment);
-    }
-    return some;
-}
-
 /// The coordinates of the vertices from `begin` to before `end`, one after the other.
 Eigen::Map<Eigen::ArrayXd> range_of(Positions& all, Index begin, Index end) {
     return {all.data() + 3 * begin, 3 * (end - begin)};
@@ -199,29 +191,27 @@ MinimiserResult ExplicitStepper::solve(int) {
     const Stopwatch watch(spent, Task::other);  // except what is booked elsewhere
     if (made) return {0, true, 0};
     const OpeningEdges opening_then = opening;
-    make_step();
-    int made_substeps = substeps;
+    int made_substeps = make_step();
     while (!contact.end(step, position)) {
         opening = opening_then;
-        make_step_again();
-        made_substeps += substeps;
+        made_substeps += make_step_again();
     }
     ledger.solved(stored());
     return {made_substeps, true, 0};
 }
 
-void ExplicitStepper::make_step_again() {
+int ExplicitStepper::make_step_again() {
     ledger.scheme_changed();  // firm springs that were pressed may have been replaced
     try {
         begin(step.length);
         if (substeps > most_again) ExplicitContact::refuse_passage();
-        make_step();
+        return make_step();
     } catch (const std::runtime_error&) {  // that substeps would be too many tells nothing of the blow
         ExplicitContact::refuse_passage();
     }
 }
 
-void ExplicitStepper::make_step() {
+int ExplicitStepper::make_step() {
     made = true;
     for (int i = 0; i < substeps; ++i) make_substep(step.begin + step.length * i / substeps);
     energies_now.reset();
@@ -230,6 +220,7 @@ void ExplicitStepper::make_step() {
         inertia_work - kinetic_energy(mass, velocity) + kinetic_energy(mass, shell.velocity);
     ledger.moves(moving(velocity, position));
     require_stable(position.allFinite());
+    return substeps;
 }
 
 PotentialEnergies ExplicitStepper::elastic_energies() const {

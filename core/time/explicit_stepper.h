@@ -80,9 +80,9 @@ class ExplicitStepper : public Stepper {
     void accelerate() { accelerate(0, static_cast<Index>(position.cols())); }
     void accelerate(Index begin, Index end);
     void make_substep(double from);
-    /// Makes the open step.
-    void make_step();
-    void make_step_again();  ///< with firmer contact
+    /// Makes the open step; returns how many substeps that took.
+    int make_step();
+    int make_step_again();  ///< with firmer contact
     /// The first half of the kick, and the motion.
     void move(double end);
     /// Moves what is told where to be, from where `moved` has it.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/reaction.h"
 #include "core/state_visitor.h"
 #include "core/vector.h"
@@ -57,5 +60,13 @@ struct Substep {
     const Positions& position;  ///< [3, V] m, at its end
     const Positions& velocity;  ///< [3, V] m/s, in the middle of it
 };
+
+inline std::vector<Reaction> means(std::vector<Reaction> some, std::span<const Reaction> others) {
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        some[i].force = 0.5 * (some[i].force + others[i].force);
+        some[i].moment = 0.5 * (some[i].moment + others[i].moment);
+    }
+    return some;
+}
 
 }  // namespace sherd
