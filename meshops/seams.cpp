@@ -163,8 +163,9 @@ class JunctionDivision {
     std::span<const Junction> on_side(const Part& part, int side) const {
         if (!part.is_open[side]) return {};
         const auto [low, high] = std::minmax(part.corners[side], part.corners[(side + 1) % 3]);
-        const auto range = std::ranges::equal_range(junctions, EdgePoints{low, high}, {}, &Junction::edge);
-        return {range.begin(), range.end()};
+        const EdgePoints edge{low, high};
+        return {std::ranges::lower_bound(junctions, edge, {}, &Junction::edge),
+                std::ranges::upper_bound(junctions, edge, {}, &Junction::edge)};
     }
 
     void add(const Part& part) {

@@ -99,9 +99,10 @@ TEST_F(MeshCommand, JoinsWhatIsSoNearInMetres) {
 }
 
 TEST_F(MeshCommand, ReadsScenesWithTheLineEndsOfOtherSystems) {
-    std::string scene = "\xEF\xBB\xBF" + sheet_table("plate", disc);
+    std::string scene = std::string("\xEF\xBB\xBF") + "duration = 1\n" + sheet_table("plate", disc);
     std::ranges::replace(scene, '\n', '\r');
-    EXPECT_EQ(mesh(scene, {"-o", "a.obj"}).exit_code, 0);
+    directory.write("scene.toml", scene);
+    EXPECT_EQ(run_sherd({"mesh", "scene.toml", "-o", "a.obj"}, directory.path).exit_code, 0);
 }
 
 TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
