@@ -15,8 +15,8 @@ Point moved(const Point& point, double by) {
 
 }  // namespace
 
-PointGrid::PointGrid(const std::vector<Point>& points, std::vector<std::uint32_t> chosen, double cell)
-    : points(points), cell(cell) {
+PointGrid::PointGrid(const std::vector<Point>& points, std::vector<std::uint32_t> chosen_points, double cell)
+    : points(points), chosen(std::move(chosen_points)), cell(cell) {
     if (chosen.empty()) return;
     std::array<double, 3> low{}, high{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -33,7 +33,7 @@ PointGrid::PointGrid(const std::vector<Point>& points, std::vector<std::uint32_t
 
 std::int64_t PointGrid::row(double coordinate, int axis) const {
     const double rows = std::floor((coordinate - origin[axis]) / cell);
-    return static_cast<std::int64_t>(std::clamp(rows, 0.0, static_cast<double>(most_rows - 1)));
+    return rows > 0 ? static_cast<std::int64_t>(std::min(rows, static_cast<double>(most_rows - 1))) : 0;
 }
 
 template <class Visit>
@@ -44,24 +44,31 @@ void PointGrid::for_each_cell(const Point& low, const Point& high, Visit visit) 
                 visit(static_cast<std::uint64_t>((x * most_rows + y) * most_rows + z));
 }
 
-std::vector<std::uint32_t> PointGrid::near_segment(const Point& a, const Point& b, double distance) const {
-    std::vector<std::uint32_t> near;
+std::vector<std::uint32_t> PointGrid::candidates(const Point& a, const Point& b, double distance) const {
     const auto whole = b - a;
-    const double pieces = std::ceil(std::sqrt(whole.squared_length()) / cell);
-    for (double piece = 0; piece == 0 || piece < pieces; ++piece) {
-        const double parts = std::max(pieces, 1.0);
-        const Point from = a + whole * (piece / parts), to = a + whole * ((piece + 1) / parts);
+    const double pieces = std::max(std::ceil(std::sqrt(whole.squared_length()) / cell), 1.0);
+    const double cells = pieces * std::pow(2 + 2 * distance / cell, 3);
+    // Where a segment is much longer than a cell, all points are fewer than the cells around it.
+    if (!(cells <= static_cast<double>(chosen.size()) + 64)) return chosen;
+    std::vector<std::uint32_t> result;
+    for (double piece = 0; piece < pieces; ++piece) {
+        const Point from = a + whole * (piece / pieces), to = a + whole * ((piece + 1) / pieces);
         const Point low(std::min(from.x(), to.x()), std::min(from.y(), to.y()), std::min(from.z(), to.z()));
         const Point high(std::max(from.x(), to.x()), std::max(from.y(), to.y()), std::max(from.z(), to.z()));
         for_each_cell(moved(low, -distance), moved(high, distance), [&](std::uint64_t key) {
             const auto here = found.find(key);
-            if (here != found.end()) near.insert(near.end(), here->second.begin(), here->second.end());
+            if (here != found.end()) result.insert(result.end(), here->second.begin(), here->second.end());
         });
     }
-    std::ranges::sort(near);
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return result;
+}
+
+std::vector<std::uint32_t> PointGrid::near_segment(const Point& a, const Point& b, double distance) const {
+    std::vector<std::uint32_t> near = candidates(a, b, distance);
     std::erase_if(near,
                   [&](std::uint32_t i) { return place_on_segment(points[i], a, b).distance > distance; });
+    std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
 }
 

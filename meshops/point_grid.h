@@ -28,7 +28,11 @@ class PointGrid {
     void for_each_cell(const Point& low, const Point& high, Visit visit) const;
     std::int64_t row(double coordinate, int axis) const;
 
+    /// Points of the cells near a segment, in any order.
+    std::vector<std::uint32_t> candidates(const Point& a, const Point& b, double distance) const;
+
     const std::vector<Point>& points;
+    std::vector<std::uint32_t> chosen;
     Point origin{0, 0, 0};
     double cell;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> found;  ///< points of each cell

@@ -13,8 +13,9 @@ using CsvRows = std::vector<std::vector<std::string>>;
 /// As RFC 4180 has it, but with "\n" at the ends of lines.
 std::string csv_text(const CsvRows& rows);
 
-/// Reads such a text, with any end of lines and with or without a byte order mark. Throws Error (input) with the line when quotes are not closed
-/// or a row has another number of cells than the first. `file` is for messages.
+/// Reads such a text, with any end of lines and with or without a byte order mark. Throws Error (input) with
+/// the line when quotes are not closed or a row has another number of cells than the first. `file` is for
+/// messages.
 CsvRows parse_csv(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace sherd
