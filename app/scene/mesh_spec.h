@@ -32,9 +32,9 @@ struct MeshFile {
     std::filesystem::path path;  ///< as seen from the working directory
     bool repair = true;          ///< mend what can only mean one thing; else it is an error
     bool join = false;           ///< join duplicate points
-    double join_distance = 0;    ///< m; above 0, join points at the border that are so near to each other, too
-    double scale = 1;            ///< metres per unit of the file; with `size` what makes the mesh that large
-    bool has_size = false;       ///< whether the scene says `scale` or `size`
+    double join_distance = 0;  ///< m; above 0, join points at the border that are so near to each other, too
+    double scale = 1;          ///< metres per unit of the file; with `size` what makes the mesh that large
+    bool has_size = false;     ///< whether the scene says `scale` or `size`
     std::optional<RemeshOptions> remesh;  ///< none: as it is
 };
 
