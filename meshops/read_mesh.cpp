@@ -124,7 +124,7 @@ void Reading::remove_repeated() {
 }
 
 void Reading::remove_repeated_quadrilaterals() {
-    const auto found = repeated_quadrilaterals(soup);
+    const auto found = repeated_quadrilaterals(soup, repairs_all());
     if (found.empty()) return;
     if (!repairs_all())
         throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +

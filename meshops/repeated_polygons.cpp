@@ -223,7 +223,7 @@ std::vector<RepeatedPolygon> repeated_polygons(const PolygonSoup& soup) {
     return repeated;
 }
 
-std::vector<std::size_t> repeated_quadrilaterals(const TriangleSoup& soup) {
+std::vector<std::size_t> repeated_quadrilaterals(const TriangleSoup& soup, bool alone) {
     constexpr double flat = 1e-9, thin = 0.5;  // sines of angles between faces
     std::vector<EdgeUse> uses;
     std::vector<FilledQuadrilateral> pairs = crossed_pairs(soup, uses);
@@ -232,7 +232,8 @@ std::vector<std::size_t> repeated_quadrilaterals(const TriangleSoup& soup) {
     for (std::size_t i = 0, first = 0; i < pairs.size(); ++i) {
         if (pairs[i].quadrilateral() != pairs[first].quadrilateral()) first = i;
         if (pairs[i].diagonal == pairs[first].diagonal) continue;
-        if (coincide(soup, pairs[first], pairs[i], goes_on(uses, pairs[i]) ? thin : flat))
+        const bool is_part = goes_on(uses, pairs[i]);
+        if ((is_part || alone) && coincide(soup, pairs[first], pairs[i], is_part ? thin : flat))
             repeated.insert(repeated.end(), pairs[i].triangles.begin(), pairs[i].triangles.end());
     }
     std::ranges::sort(repeated);
