@@ -63,7 +63,6 @@ struct Reading {
     void divide_edges();
     void remove_zero_area();
     void remove_repeated();
-    void remove_repeated_quadrilaterals();
     std::string metres(double length) const { return number_words(length * options.unit) + " m"; }
     void make_manifold();
     void make_consistent();
@@ -120,18 +119,6 @@ void Reading::remove_repeated() {
                     advice("drops repeated triangles"));
     }
     warn(counted(found.size(), "triangle") + " dropped as repeated (the first: " + place(found[0]) + ")");
-    erase_triangles(soup, found);
-}
-
-void Reading::remove_repeated_quadrilaterals() {
-    const auto found = repeated_quadrilaterals(soup, repairs_all());
-    if (found.empty()) return;
-    if (!repairs_all())
-        throw Error(place(found[0]) + ": the triangle of vertices " + corners(found[0]) +
-                    " covers, with its neighbour, what two earlier ones do" +
-                    advice("drops repeated triangles"));
-    warn(counted(found.size(), "triangle") +
-         " dropped as repeated, cut along other diagonals (the first: " + place(found[0]) + ")");
     erase_triangles(soup, found);
 }
 
@@ -310,7 +297,6 @@ Mesh read_mesh(const std::filesystem::path& file, const ReadMeshOptions& options
     reading.divide_edges();
     reading.remove_zero_area();
     reading.remove_repeated();
-    reading.remove_repeated_quadrilaterals();
     for (const std::string& seam : seam_warnings(reading.soup, options)) reading.warn(seam);
     reading.make_manifold();
     reading.make_consistent();

@@ -17,9 +17,4 @@ struct RepeatedPolygon {
 /// comes later repeats.
 std::vector<RepeatedPolygon> repeated_polygons(const PolygonSoup& soup);
 
-/// Triangles that cover the quadrilateral of an earlier pair of triangles, cut along its other diagonal;
-/// ascending. alone: also where no edge around it has more than two triangles, so that the four are a
-/// manifold.
-std::vector<std::size_t> repeated_quadrilaterals(const TriangleSoup& soup, bool alone);
-
 }  // namespace sherd
