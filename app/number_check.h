@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// What CLI::Option::check takes: the error for the text that an option was given, or nothing.
+/// A check for CLI::Option::check: returns the error for the text that an option was given, or nothing.
 using NumberCheck = std::function<std::string(const std::string&)>;
 
 /// A whole number, all of the text.

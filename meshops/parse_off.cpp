@@ -191,7 +191,7 @@ class OffText {
         if (layout == OffLayout::face_colours) *line = TextLine(file, lines.number(), {});
     }
 
-    /// What is set out otherwise has numbers of vertices only by chance.
+    /// Refuses a face whose words are no numbers of vertices: then the text is laid out in another way.
     void require_corners(const std::vector<std::size_t>& polygon) const {
         const auto is_there = [&](std::size_t corner) { return corner < header.vertices; };
         if (polygon.size() < 3 || !std::ranges::all_of(polygon, is_there))

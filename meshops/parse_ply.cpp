@@ -175,7 +175,7 @@ class ColourColumns {
         return result;
     }
 
-    /// Of each row the part of a colour that is the property `column`, 0 to 1; none: it is no part of one.
+    /// Returns the values of the property `column` as parts of a colour, 0 to 1; none: it is no part of one.
     std::optional<std::vector<double>> shares(std::size_t column) const {
         const auto found = std::ranges::find(columns, column);
         if (columns.size() < 3 || found == columns.end()) return std::nullopt;

@@ -172,7 +172,7 @@ std::string_view without_padding(std::string_view text) {
     return text.substr(0, text.find_last_not_of('\0') + 1);
 }
 
-/// What a file is, its content tells: `solid` begins binary ones, too, and not all texts.
+/// The content tells binary files from texts: `solid` begins binary ones, too, and not all texts.
 PolygonSoup read_stl(const std::filesystem::path& file, std::string_view content) {
     if (fits_binary(content)) return parse_binary_stl(file, content);
     const std::string_view text = without_padding(without_byte_order_mark(file, content));

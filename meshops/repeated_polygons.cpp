@@ -72,8 +72,8 @@ class PolygonsAt {
 
   private:
     const PolygonSoup& soup;
-    std::vector<std::size_t> first,
-        polygons;  ///< those at point p are `polygons` from first[p] to first[p + 1]
+    /// The polygons at point p are `polygons` from first[p] to first[p + 1].
+    std::vector<std::size_t> first, polygons;
 };
 
 void add_repeated_wholes(const PolygonSoup& soup, std::vector<RepeatedPolygon>& repeated) {

@@ -11,7 +11,8 @@
 namespace sherd {
 namespace {
 
-constexpr double near_share = 1e-3;  // of an edge: what is nearer to it was hardly meant to be apart from it
+// Share of an edge's length: points nearer to it were hardly meant to be apart from it.
+constexpr double near_share = 1e-3;
 
 /// The sentences on one soup.
 struct SeamWarnings {
@@ -42,7 +43,7 @@ double SeamWarnings::mean_edge() const {
 }
 
 std::string SeamWarnings::advice(double gap) const {
-    constexpr double least = 1e-6;  // of an edge, for round-off
+    constexpr double least = 1e-6;  // mean edges, for round-off
     const double distance = std::max(2 * gap, least * mean_edge()) * options.unit;
     const double digit = std::pow(10, std::floor(std::log10(distance)));
     constexpr double round_off = 1e-6;

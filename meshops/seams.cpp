@@ -75,7 +75,7 @@ class SoupBorder {
 
     const TriangleSoup& soup;
     std::vector<EdgePoints> edges;
-    std::vector<std::uint32_t> apexes;  ///< of each edge's triangle, the third corner
+    std::vector<std::uint32_t> apexes;  ///< third corner of each edge's triangle
 
   private:
     std::optional<PointGrid> grid;

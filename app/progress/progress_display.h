@@ -42,7 +42,7 @@ class ProgressDisplay {
     std::size_t name_columns;
     std::chrono::milliseconds idle;
     std::chrono::steady_clock::time_point last_shown, begun;
-    std::mutex mutex;                  ///< of the records
+    std::mutex mutex;                  ///< guards the records
     std::vector<std::string> records;  ///< last known of all that go on; where there is no terminal
     std::optional<IdleTimer> timer;    ///< destroyed first, since it reads the others
 };

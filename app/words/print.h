@@ -31,8 +31,9 @@ void print_message(fmt::format_string<Arguments...> format, Arguments&&... argum
 /// A message for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
-/// Ends the program by SIGPIPE, silently, as programs end whose reader has gone.
-[[noreturn]] void end_without_reader();
+/// Ends the program by SIGPIPE, silently, as programs end whose reader has gone; returns if the signal is
+/// blocked.
+void end_without_reader();
 
 /// Writes what stdout still holds; returns whether all that was printed is written. Does not return if its
 /// reader has gone, as that of `sherd info run.h5 | head -1`.

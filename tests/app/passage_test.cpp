@@ -116,7 +116,6 @@ material = { preset = "glass", thickness = 0.003 }
 fracture = { preset = true }
 )",
                     "");
-    ;
     EXPECT_EQ(blow.result.exit_code, 0) << blow.result.err;
 }
 

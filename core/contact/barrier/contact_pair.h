@@ -19,7 +19,7 @@ struct ContactPair {
     EdgeMollifier mollifier;        ///< used by edge-edge pairs only
     double closest = 0.75;          ///< minimum distance, as a share of the activation distance
     bool spring = false;            ///< see Barrier
-    Firmness firmness = {};         ///< of a spring
+    Firmness firmness = {};         ///< counts for springs only
 
     double minimum() const { return closest * activation_distance; }  ///< m
     Barrier barrier() const { return {activation_distance - minimum(), spring, firmness}; }

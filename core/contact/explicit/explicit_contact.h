@@ -82,7 +82,7 @@ class ExplicitContact {
     std::vector<Eigen::Isometry3d> before, now;  ///< of each obstacle, at its beginning and at its end
     std::unique_ptr<SheetContact> sheets;        ///< null where no surfaces meet
     LipContact lips;
-    Firmness firmness;  ///< of all pairs
+    Firmness firmness;  ///< all pairs have this one
 };
 
 }  // namespace sherd
