@@ -15,6 +15,7 @@
 #include "app/scene/build/crack_step_words.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
+#include "app/scene/build/squeeze.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/build/thickness.h"
 #include "app/scene/build/yield_words.h"
@@ -134,6 +135,14 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
     warn_of_cost(scene, cost, warnings);
 }
 
+/// Throws Error where obstacles will squeeze a sheet; where they only may, it warns.
+void require_room_between(const Scene& scene, const BuiltScene& built, std::vector<std::string>& warnings) {
+    const SqueezedSheets squeezed =
+        squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);
+    warnings.insert(warnings.end(), squeezed.possible.begin(), squeezed.possible.end());
+    if (!squeezed.certain.empty()) throw Error(fmt::format("{}", fmt::join(squeezed.certain, "\n")));
+}
+
 /// Prints what there is to know. Throws Error with all mistakes that only the meshes show.
 void check(const Scene& scene, const CheckOptions& options, std::vector<std::string>& warnings) {
     if (!scene.variant.empty()) print_result("variant {}\n", scene.variant);
@@ -159,6 +168,7 @@ void check(const Scene& scene, const CheckOptions& options, std::vector<std::str
     // Throws where sheets are not apart or do not hold their shape, and where a load or a support reaches
     // nothing.
     BuiltScene built = build_scene(scene, std::move(inputs), warnings);
+    require_room_between(scene, built, warnings);
     print_result("{}", bending_words(built));
     print_bodies(scene, built.options.stepper.contact.bodies);
     if (const std::string words = crack_step_words(scene, built.sheets); !words.empty())

@@ -18,6 +18,7 @@
 #include "app/run_summary.h"
 #include "app/run_variants.h"
 #include "app/scene/build/built_scene.h"
+#include "app/scene/build/squeeze.h"
 #include "app/time_table.h"
 #include "app/words/moment_words.h"
 #include "app/words/print.h"
@@ -54,6 +55,10 @@ Runner built_runner(const Scene& scene, int threads) {
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
     built.options.stepper.threads = threads;
+    const SqueezedSheets squeezed =
+        squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);
+    for (const auto* found : {&squeezed.certain, &squeezed.possible})
+        warnings.insert(warnings.end(), found->begin(), found->end());
     print_warnings(warnings);
     return Runner(scene, std::move(built));
 }
