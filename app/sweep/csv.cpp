@@ -9,8 +9,10 @@
 namespace sherd {
 namespace {
 
+/// Quotes also keep what looks like a byte order mark from being one at the beginning of a file.
 std::string quoted_cell(const std::string& cell) {
-    if (cell.find_first_of("\",\r\n") == std::string::npos) return cell;
+    const bool is_mark = cell.find_first_of("\xEF\xFE\xFF") == 0;
+    if (!is_mark && cell.find_first_of("\",\r\n") == std::string::npos) return cell;
     std::string quoted = "\"";
     for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";

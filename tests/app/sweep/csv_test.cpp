@@ -11,7 +11,8 @@ namespace sherd::test {
 namespace {
 
 RC_GTEST_PROP(Csv, WhatIsWrittenIsReadBack, ()) {
-    const auto cell = rc::gen::container<std::string>(rc::gen::element('a', '1', ' ', ',', '"', '\n', ';'));
+    const auto cell = rc::gen::container<std::string>(
+        rc::gen::element<std::string>("a", "1", " ", ",", "\"", "\n", ";", "\xEF\xBB\xBF", "\xFF\xFE"));
     const std::size_t columns = *rc::gen::inRange<std::size_t>(1, 5);
     const CsvRows rows = *rc::gen::nonEmpty(
         rc::gen::container<CsvRows>(rc::gen::container<std::vector<std::string>>(columns, cell)));
