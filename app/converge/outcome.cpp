@@ -4,38 +4,91 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/run/run_totals.h"
 #include "app/run/runner.h"
 #include "app/scene/build/supports.h"
+#include "core/elements/principal_values.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
-/// The largest magnitudes of what gauges and supports show.
+/// The largest of what one gauge has shown.
+struct LargestReading {
+    double displacement = 0;                    ///< m
+    std::optional<double> stress = {};          ///< Pa, largest_stress()
+    double curvature = 0, membrane_strain = 0;  ///< 1/m, 1; principal, of largest magnitude, signed
+
+    void add(const GaugeReading& reading) {
+        displacement = std::max(displacement, reading.displacement.norm());
+        stress = std::max(stress.value_or(largest_stress(reading)), largest_stress(reading));
+        raise(curvature, principal_strain(reading.curvature));
+        raise(membrane_strain, principal_strain(reading.membrane_strain));
+    }
+
+  private:
+    static void raise(double& largest, double value) {
+        if (std::abs(value) > std::abs(largest)) largest = value;
+    }
+};
+
+/// The largest of what gauges and supports show.
 class LargestReadings : public RunObserver {
   public:
     void stepped(const StepReport& report, const CrackEvents&) override {
-        displacements.resize(report.gauges.size());
+        gauges.resize(report.gauges.size());
         forces.resize(report.reactions.size());
-        for (std::size_t i = 0; i < displacements.size(); ++i)
-            displacements[i] = std::max(displacements[i], report.gauges[i].displacement.norm());
+        for (std::size_t i = 0; i < gauges.size(); ++i) gauges[i].add(report.gauges[i]);
         for (std::size_t i = 0; i < forces.size(); ++i)
             forces[i] = std::max(forces[i], report.reactions[i].force.norm());
     }
-    std::vector<double> displacements, forces;  ///< m; N
+    std::vector<LargestReading> gauges;
+    std::vector<double> forces;  ///< N
 };
+
+void add_components(std::vector<Quantity>& all, const std::string& name, const std::string& unit,
+                    const Vector3d& tensor) {
+    constexpr std::array components{"00", "11", "01"};
+    for (std::size_t i = 0; i < components.size(); ++i)
+        all.push_back(
+            {fmt::format("{} {}, at the end", name, components[i]), unit, tensor[static_cast<Index>(i)]});
+}
+
+/// Adds what a gauge is to record.
+void add_gauge(std::vector<Quantity>& all, const GaugeSpec& gauge, const GaugeReading& last,
+               const LargestReading& largest) {
+    const std::string& name = gauge.name;
+    const auto add = [&](const std::string& what, const std::string& unit, double end, double most) {
+        all.push_back({name + what + ", at the end", unit, end});
+        all.push_back({name + what + ", largest", unit, most});
+    };
+    if (gauge.displacement) add("", "m", last.displacement.norm(), largest.displacement);
+    if (gauge.fields.stress) {
+        add_components(all, name + ", stress top", "Pa", last.stress_top);
+        add_components(all, name + ", stress bottom", "Pa", last.stress_bottom);
+        add(", principal stress", "Pa", largest_stress(last), largest.stress.value_or(0));
+    }
+    if (gauge.fields.curvature) {
+        add_components(all, name + ", curvature", "1/m", last.curvature);
+        add(", principal curvature", "1/m", principal_strain(last.curvature), largest.curvature);
+    }
+    if (gauge.fields.membrane_strain) {
+        add_components(all, name + ", membrane strain", "", last.membrane_strain);
+        add(", principal membrane strain", "", principal_strain(last.membrane_strain),
+            largest.membrane_strain);
+    }
+}
 
 std::vector<Quantity> quantities(const Scene& scene, const RunTotals& totals,
                                  const LargestReadings& largest) {
     std::vector<Quantity> all;
-    for (std::size_t i = 0; i < largest.displacements.size(); ++i) {
-        const std::string& name = scene.gauges[i].name;
-        all.push_back({name + ", at the end", "m", totals.last.gauges[i].displacement.norm()});
-        all.push_back({name + ", largest", "m", largest.displacements[i]});
-    }
+    for (std::size_t i = 0; i < largest.gauges.size(); ++i)
+        add_gauge(all, scene.gauges[i], totals.last.gauges[i], largest.gauges[i]);
     const auto supports = support_names(scene);
     for (std::size_t i = 0; i < largest.forces.size(); ++i)
         all.push_back({"force on " + supports[i].name, "N", largest.forces[i]});

@@ -2,7 +2,9 @@
 // An order or a limit that is made up would be believed more than the result itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "app/converge/observed_order.h"
 #include "app/converge/outcome.h"
@@ -61,6 +63,26 @@ TEST(Outcome, OfCoupledHingesIsOfSecondOrderInTheEdges) {
     EXPECT_NEAR(*found.order, 2, 0.7);
     // q L^4 / (8 D) with q = 0.1 Pa and D = 250 / 3 N m
     EXPECT_NEAR(*found.limit, 0.1 / 8 * 3 / 250, 0.02 * 1.5e-4);
+}
+
+const Quantity& quantity(const Outcome& outcome, const std::string& name) {
+    const auto found = std::ranges::find(outcome.quantities, name, &Quantity::name);
+    if (found == outcome.quantities.end()) throw std::runtime_error("no quantity is " + name);
+    return *found;
+}
+
+// The displacement, which a gauge of stress does not record, was told in its place, as 0 m.
+TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
+    std::string text = strip;
+    text.replace(text.find("at = [1, 0.125, 0]"), 18, "at = [0.51, 0.13, 0]\nrecord = [\"stress\"]");
+    const Outcome result = outcome(built_from(text).scene);
+    EXPECT_EQ(result.quantities[0].name, "tip, stress top 00, at the end");
+    EXPECT_EQ(result.quantities[0].unit, "Pa");
+    const Quantity& principal = quantity(result, "tip, principal stress, at the end");
+    EXPECT_EQ(principal.unit, "Pa");
+    EXPECT_EQ(quantity(result, "tip, principal stress, largest").value, principal.value) << "the load grows";
+    // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the side that is pulled; a face is as long as 0.06 L.
+    EXPECT_NEAR(principal.value, 3 * 0.1 * 0.49 * 0.49 / 1e-4, 0.3 * 720);
 }
 
 TEST(Outcome, StepsAndMeshesThatCannotBeCoarserSaySo) {
