@@ -67,17 +67,56 @@ double farthest(const Mesh& mesh, const Mesh& from) {
     return std::sqrt(squared);
 }
 
+/// Where faces of an input cross each other.
+struct InputCrossings {
+    FaceMarks there, near;  ///< those that do, and those that are near to such, too
+    std::size_t most = 0;   ///< pairs of faces that may cross there, once all are as large as is asked for
+};
+
+// Of the edge length: edges that nothing asks to split, and those of faces that cross, which would cross more
+// often as several.
+constexpr double longest = 4.0 / 3, large = 2;
+
+/// m, the lengths of a face's shortest and longest edge.
+std::pair<double, double> edge_range(const Mesh& mesh, Face face) {
+    const std::array<Eigen::Vector3d, 3> p = face_points(mesh, face);
+    return std::minmax({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+}
+
+InputCrossings input_crossings(const Mesh& input, double edge_length) {
+    constexpr double pairs = 6;  // of faces, of that length, along as much of what larger ones share
+    InputCrossings found{FaceMarks(input.number_of_faces(), 0), {}};
+    for (const auto& pair : self_intersections(input)) {
+        for (const Face face : pair) found.there[face] = 1;
+        const double side =
+            std::max(edge_range(input, pair[0]).second, edge_range(input, pair[1]).second) / edge_length;
+        found.most += side <= large ? 1 : static_cast<std::size_t>(pairs * side);
+    }
+    found.near = found.there;
+    add_near(input, edge_length / 2, found.near);
+    return found;
+}
+
+/// Where faces are kept, edges up to these lengths (m) stay whole.
+std::vector<double> unsplit(const InputCrossings& crossings, double edge_length, const FaceMarks& kept) {
+    std::vector<double> lengths(kept.size(), 0);
+    for (std::size_t face = 0; face < kept.size(); ++face)
+        if (kept[face]) lengths[face] = (crossings.there[face] ? large : longest) * edge_length;
+    return lengths;
+}
+
 /// One way to remesh an input: with faces whose shape is kept, and shorter edges where it turns out badly.
 class RemeshTrial {
   public:
-    RemeshTrial(const Mesh& input, const RemeshOptions& options, const FaceMarks& crosses,
+    RemeshTrial(const Mesh& input, const RemeshOptions& options, const InputCrossings& there,
                 const FaceMarks& kept)
         : surface(input, feature_lines(input, options.features, options.edge_length, kept),
                   smoothing * options.edge_length),
           sizes(surface, options.edge_length, options.adaptive),
-          remeshing(surface, sizes),
+          remeshing(surface, sizes, unsplit(there, options.edge_length, kept)),
           options(options),
-          crosses(crosses) {
+          there(there),
+          kept(kept) {
         constexpr int rounds = 8, more_rounds = 3, refinements = 3;
         remeshing.improve(rounds);
         find_crossings();
@@ -90,14 +129,23 @@ class RemeshTrial {
         }
     }
 
-    /// How many pairs of faces cross where no faces of the input do.
-    std::size_t crossings() const { return crossing.size(); }
-    /// Marks the faces of the input below these.
-    void mark_crossings(FaceMarks& marks) const {
+    /// How many pairs of faces cross where no faces of the input do, and beyond the input's where these do.
+    std::size_t crossings() const {
+        return crossing.size() + (old_crossing.size() > there.most ? old_crossing.size() - there.most : 0);
+    }
+    /// Whether there is anything that the input's faces do better.
+    bool is_worse() const { return crossings() > 0 || !tiny_edges().empty(); }
+    /// Marks the faces of the input below what is worse.
+    void mark_worse(FaceMarks& marks) const {
+        const auto mark = [&](Vertex v) { marks[remeshing.face_below(v)] = 1; };
         for (const auto& pair : crossing)
-            for (const Face face : pair)
-                for (const Vertex v : face_corners(remeshing.mesh(), face))
-                    marks[remeshing.face_below(v)] = 1;
+            for (const Face face : pair) std::ranges::for_each(face_corners(remeshing.mesh(), face), mark);
+        if (old_crossing.size() > there.most)
+            for (const auto& pair : old_crossing)
+                for (const Face face : pair)
+                    std::ranges::for_each(face_corners(remeshing.mesh(), face), mark);
+        for (const Edge edge : tiny_edges())
+            for (const int end : {0, 1}) mark(remeshing.mesh().vertex(edge, end));
     }
 
     /// The mesh, with the properties of the input.
@@ -111,13 +159,30 @@ class RemeshTrial {
 
   private:
     using Triangle = std::array<Eigen::Vector3d, 3>;
-    static constexpr double smoothing = 1.0 / 4;  // of the edge length
+    static constexpr double smoothing = 1.0 / 4, shortest = 1.0 / 10;  // of the edge length
 
     void find_crossings() {
         crossing.clear();
-        for (const auto& pair : self_intersections(remeshing.mesh()))
-            if (std::ranges::none_of(pair, [&](Face face) { return crosses_below(face); }))
-                crossing.push_back(pair);
+        old_crossing.clear();
+        for (const auto& pair : self_intersections(remeshing.mesh())) {
+            const bool is_old = std::ranges::any_of(pair, [&](Face face) { return crosses_below(face); });
+            (is_old ? old_crossing : crossing).push_back(pair);
+        }
+    }
+
+    /// Edges that are far shorter than asked for, where the input's faces are not kept.
+    std::vector<Edge> tiny_edges() const {
+        const Mesh& mesh = remeshing.mesh();
+        std::vector<Edge> tiny;
+        for (const Edge edge : mesh.edges()) {
+            const Vertex a = mesh.vertex(edge, 0), b = mesh.vertex(edge, 1);
+            const double least = std::min(finest(a), finest(b)) / 2;
+            if ((position(mesh, a) - position(mesh, b)).norm() >=
+                std::min(shortest * options.edge_length, least))
+                continue;
+            if (!kept[remeshing.face_below(a)] || !kept[remeshing.face_below(b)]) tiny.push_back(edge);
+        }
+        return tiny;
     }
 
     bool crosses_below(Face face) const {
@@ -125,19 +190,18 @@ class RemeshTrial {
         const std::array<Vertex, 3> corners = face_corners(remeshing.mesh(), face);
         return std::ranges::any_of(corners, [&](Vertex v) {
             const Face below = remeshing.face_below(v);
-            return crosses[below] != 0 || crosses[surface.nearest(below, middle).face] != 0;
+            return there.near[below] != 0 || there.near[surface.nearest(below, middle).face] != 0;
         });
     }
 
     /// Wants shorter edges where faces cross; returns whether there are longer ones.
     bool refine_crossings() {
-        constexpr double ratio = 0.4, smallest = 1.0 / 32;  // of the edge length
+        constexpr double ratio = 0.4;
         bool are_longer = false;
         for (const auto& pair : crossing)
             for (const Face face : pair)
                 for (const Vertex v : face_corners(remeshing.mesh(), face))
-                    are_longer |=
-                        refine(v, std::max(ratio * remeshing.size_at(v), smallest * options.edge_length));
+                    are_longer |= refine(v, std::max(ratio * remeshing.size_at(v), finest(v)));
         return are_longer;
     }
 
@@ -158,6 +222,13 @@ class RemeshTrial {
         return are_longer;
     }
 
+    /// m, of edges that are made shorter there: a sixth of what is asked for, or those of the input.
+    double finest(Vertex v) const {
+        constexpr double smallest = 1.0 / 6;
+        return std::min(smallest * options.edge_length,
+                        edge_range(surface.mesh, remeshing.face_below(v)).first);
+    }
+
     bool refine(Vertex v, double size) {
         return sizes.refine(surface.nearest(remeshing.face_below(v), position(remeshing.mesh(), v)), size);
     }
@@ -166,18 +237,11 @@ class RemeshTrial {
     SizeField sizes;
     Remeshing remeshing;
     const RemeshOptions& options;
-    const FaceMarks& crosses;
-    std::vector<std::array<Face, 2>> crossing;
+    const InputCrossings& there;
+    const FaceMarks& kept;
+    std::vector<std::array<Face, 2>> crossing,
+        old_crossing;  ///< where the input's faces do not, where they do
 };
-
-/// Faces of the input that cross each other, or are near to such.
-FaceMarks crossing_faces(const Mesh& input, double edge_length) {
-    FaceMarks crosses(input.number_of_faces(), 0);
-    for (const auto& pair : self_intersections(input))
-        for (const Face face : pair) crosses[face] = 1;
-    add_near(input, edge_length / 2, crosses);
-    return crosses;
-}
 
 }  // namespace
 
@@ -187,17 +251,17 @@ Remeshed remesh(const Mesh& mesh, const RemeshOptions& options) {
     Mesh input = mesh;
     input.collect_garbage();
     const bool texture_lost = drop_torn_texture(input);
-    const FaceMarks crosses = crossing_faces(input, options.edge_length);
+    const InputCrossings there = input_crossings(input, options.edge_length);
     FaceMarks kept(input.number_of_faces(), 0);
-    auto trial = std::make_unique<RemeshTrial>(input, options, crosses, kept);
+    auto trial = std::make_unique<RemeshTrial>(input, options, there, kept);
     constexpr int keepings = 8;
-    for (int i = 0; i < keepings && trial->crossings() > 0; ++i) {
+    for (int i = 0; i < keepings && trial->is_worse(); ++i) {
         // What is kept is larger from round to round, so that it covers what is there to be crossed.
         FaceMarks more(kept.size(), 0);
-        trial->mark_crossings(more);
+        trial->mark_worse(more);
         for (int ring = 0; ring <= i / 2; ++ring) add_ring(input, more);
         std::ranges::transform(kept, more, kept.begin(), [](char a, char b) { return char(a | b); });
-        trial = std::make_unique<RemeshTrial>(input, options, crosses, kept);
+        trial = std::make_unique<RemeshTrial>(input, options, there, kept);
     }
     Remeshed result{.mesh = trial->result()};
     result.kept = static_cast<std::size_t>(std::ranges::count(kept, char(1)));

@@ -15,15 +15,20 @@ namespace sherd {
 
 using Eigen::Vector3d;
 
-Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes)
+Remeshing::Remeshing(const InputSurface& surface, const SizeField& sizes, const std::vector<double>& unsplit)
     : surface(surface), sizes(sizes), work(bare_copy(surface.mesh)) {
     site = work.add_property_map<Vertex, Site>("v:site").first;
     stretch = work.add_property_map<Edge, LineStretch>("e:stretch").first;
+    whole = work.add_property_map<Edge, double>("e:whole", 0).first;
     for (const Edge edge : surface.mesh.edges()) {
         // The copy has its own numbers of edges.
         const LineStretch& of = surface.lines.of_edge[edge];
         const Vertex a = surface.mesh.vertex(edge, 0), b = surface.mesh.vertex(edge, 1);
-        if (of.line != LineStretch::none) stretch[work.edge(work.halfedge(a, b))] = of;
+        const Edge copy = work.edge(work.halfedge(a, b));
+        if (of.line != LineStretch::none) stretch[copy] = of;
+        for (const Halfedge h : {surface.mesh.halfedge(edge, 0), surface.mesh.halfedge(edge, 1)})
+            if (!surface.mesh.is_border(h))
+                whole[copy] = std::max(whole[copy], unsplit[surface.mesh.face(h)]);
     }
     for (const Vertex v : work.vertices()) {
         site[v].is_fixed = surface.lines.is_corner[v] != 0;
@@ -83,7 +88,8 @@ void Remeshing::split_long() {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         bool is_done = true;
         for (const Edge edge : edges_by_length(true)) {
-            if (length(edge) <= longest * wanted(work.vertex(edge, 0), work.vertex(edge, 1))) continue;
+            const double most = longest * wanted(work.vertex(edge, 0), work.vertex(edge, 1));
+            if (length(edge) <= std::max(most, whole[edge])) continue;
             split(edge);
             is_done = false;
         }
@@ -105,6 +111,7 @@ void Remeshing::split(Edge edge) {
     }
     site[v] = {.face = site[a].face, .is_on_line = was.line != LineStretch::none};
     stretch[work.edge(half)] = stretch[edge] = {};
+    whole[work.edge(half)] = whole[edge];
     Vector3d near = middle;
     if (was.line != LineStretch::none) {
         const double way = (was.at_begin + was.at_end) / 2;

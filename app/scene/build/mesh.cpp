@@ -61,12 +61,11 @@ void warn_of_remesh(double edge_length, const Mesh& mesh, const Remeshed& result
     if (result.kept > 0)
         warnings.push_back(fmt::format(
             "remesh = {}: {} of {} faces stay as they are in the file, where it is so thin or sharp "
-            "that others would cross; smaller edges may do without",
+            "that others would cross or be tiny; smaller edges may do without",
             edge_length, result.kept, mesh.number_of_faces()));
     if (result.crossings > 0)
         warnings.push_back(fmt::format(
-            "remesh = {}: {} pairs of faces cross where those of the file do not; smaller edges may "
-            "do better",
+            "remesh = {}: {} more pairs of faces cross than in the file; smaller edges may do better",
             edge_length, result.crossings));
     if (result.distance > far * edge_length)
         warnings.push_back(

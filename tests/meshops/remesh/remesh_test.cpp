@@ -191,6 +191,25 @@ TEST(Remesh, WhatCrossesBeforeMayCrossAfter) {
 }
 
 // A remeshed box whose edges are cut off is no box any more.
+// A scan that crosses itself in three places would come out with forty, and with edges a hundredth as long as
+// asked for, which explicit steps take thousands of substeps for.
+TEST(Remesh, CrossesNoMoreOftenThanBefore) {
+    const double edge = 0.02;
+    Mesh two = generate_sphere(0.1, {edge, Layout::delaunay, 1});
+    Mesh other = generate_sphere(0.1, {edge, Layout::delaunay, 2});
+    for (const Vertex v : other.vertices())
+        other.point(v) = point_at(position(other, v) + Eigen::Vector3d(0.195, 0.01, 0));
+    two += other;
+    const std::size_t before = self_intersections(two).size();
+    ASSERT_GT(before, 0u);
+    for (const double asked : {edge, 1.3 * edge, 2 * edge}) {
+        const Remeshed result = remesh(two, {asked});
+        EXPECT_LE(self_intersections(result.mesh).size(), before) << asked;
+        EXPECT_EQ(result.crossings, 0u) << asked;
+        EXPECT_GT(measure(result.mesh).smallest_edge, asked / 10) << asked;
+    }
+}
+
 TEST(Remesh, KeepsSharpEdges) {
     const Mesh mesh = remesh(cube(), {0.1}).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
