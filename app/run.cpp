@@ -108,8 +108,7 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
         keeper.put_back(*start.checkpoint);
         if (!goes_on(file, runner, end_at, recorder)) return 0;
     }
-    ProgressObserver progress(scene.duration, simulation.time(), scene.time_unit(), totals,
-                              options.progress_to);
+    ProgressObserver progress(scene, simulation.time(), totals, options.progress_to);
     for (RunObserver* observer :
          std::initializer_list<RunObserver*>{&interruption, &end_at, &totals, &progress, &recorder, &keeper})
         runner.add(*observer);

@@ -2,6 +2,7 @@
 #include "fracture/simulation.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -143,8 +144,15 @@ void Simulation::give_up(const StepReport& report) const {
         throw Error(text.str(), Fault::run);
     }
     text << "a step of " << step_size.size() << unit << " cannot be solved within " << options.max_iterations
-         << " iterations; more of them (solver.max_iterations) or a larger solver.tolerance may help, and "
-            "sherd check warns of numbers that are hardly meant";
+         << " iterations; ";
+    const double farthest = breakable.mechanics().position.cwiseAbs().maxCoeff();
+    const double spacing = std::numeric_limits<double>::epsilon() * farthest;
+    if (spacing > options.tolerance * mean_edge_length(breakable.mechanics()))
+        text << "it lies " << farthest << " m from the origin, where positions have steps of " << spacing
+             << " m: place the scene near the origin";
+    else
+        text << "more of them (solver.max_iterations) or a larger solver.tolerance may help, and sherd check "
+                "warns of numbers that are hardly meant";
     if (statics)
         text
             << "; or there is no equilibrium near: the shell snaps through (solver.arc_length = true follows "
@@ -327,6 +335,8 @@ void Simulation::finish(StepReport& report) {
     report.exempt_pairs = static_cast<Index>(breakable.exempt_pairs());
     report.fragments = fragments.count();
     report.is_explicit = stepper->scheme() == Scheme::explicit_differences;
+    if (const auto face = stepper->fastest_triangle())
+        report.fastest = face_place(breakable.mechanics(), *face);
     {
         // The stepper that made the step knows where its contacts are; one of another scheme has yet to
         // begin.

@@ -50,7 +50,8 @@ struct StepReport : EnergyBalance {
     double peak_bending_strain = 0;  ///< 1/m, the paper's measure
     double peak_overload = 0;        ///< measure over strength; 0 where nothing can break
     double peak_yield = 0;  ///< of all faces, von Mises stress over yield stress; 0 where nothing yields
-    YieldPlace yielding;    ///< where that is
+    FacePlace yielding;     ///< where that is
+    FacePlace fastest;      ///< what asks for short substeps: Stepper::fastest_triangle()
 
     void visit_state(StateVisitor& visit);
 };

@@ -24,10 +24,7 @@ YieldPeak yield_peak(const BreakableShell& shell, const FaceStrains& strains) {
         const FaceState state =
             face_state(mechanics, face, strains.membrane.col(face), strains.curvature.col(face));
         const double ratio = std::max(von_mises(state.stress_top), von_mises(state.stress_bottom)) / yield;
-        if (ratio > peak.ratio)
-            peak = {ratio,
-                    {mechanics.face_sheet[f],
-                     columns(mechanics.rest, mechanics.triangles[f].vertices).rowwise().mean()}};
+        if (ratio > peak.ratio) peak = {ratio, face_place(mechanics, face)};
     }
     return peak;
 }

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fracture/face_place.h"
 #include "fracture/surface_stress.h"
 
 namespace sherd {
 
-struct YieldPlace {
-    Index sheet = -1;                  ///< number of the input
-    Vector3d rest = Vector3d::Zero();  ///< m, the middle of the face at rest
-};
-
 /// Where stress is largest beside the yield stress of its sheet.
 struct YieldPeak {
     double ratio = 0;  ///< von Mises stress at a surface over Material::yield; 0: no material yields
-    YieldPlace place;
+    FacePlace place;
 };
 
 /// The von Mises stress of plane stress (Pa) with the components 00, 11 and 01.

@@ -19,6 +19,8 @@ class Progress {
     /// amount: of the total.
     void show(double amount, ProgressText text);
     void show(double amount, const std::string& what) { show(amount, {{{what, 1}}, {}}); }
+    /// Makes way for something else to be printed.
+    void make_way() { display.make_way(); }
     /// Leaves the line as it is in the end.
     void finish();
 

@@ -35,6 +35,11 @@ void RunReporter::update(const RunProgress& progress) {
     send();
 }
 
+void RunReporter::warn(const std::string& words) {
+    shown.make_way();
+    print_warnings({words});
+}
+
 void RunReporter::finish() {
     shown.finish();
     if (descriptor >= 0) send();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "app/progress/progress.h"
 #include "app/progress/run_progress.h"
 
@@ -14,6 +16,8 @@ class RunReporter {
     RunReporter(double duration, double begun, int descriptor);
 
     void update(const RunProgress& progress);
+    /// Prints a warning above the line.
+    void warn(const std::string& words);
     /// Ends the line on stderr, or reports for the last time.
     void finish();
     double wall_seconds() const { return shown.wall_seconds(); }

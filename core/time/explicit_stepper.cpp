@@ -7,7 +7,6 @@
 
 #include "core/shell/patch_momentum.h"
 #include "core/shell/supports.h"
-#include "core/time/highest_frequency.h"
 #include "core/time/stable_substep.h"
 
 namespace sherd {
@@ -103,7 +102,7 @@ void ExplicitStepper::choose_substep() {
     // With the fall in the step: what lies at rest, just touching, is in contact in a moment.
     Positions motion = step.length * shell.velocity;
     motion.colwise() += step.length * step.length * options.gravity;
-    const double of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
+    of_contact = resolution_of_contact * std::sqrt(contact.largest_rate(step, motion));
     const double highest = std::hypot(of_shell, of_contact);
     const double stable = stable_substep(highest, options.shell.damping, step.length);
     substeps = std::max(1, static_cast<int>(std::ceil(step.length / stable - 1e-9)));
@@ -113,16 +112,16 @@ void ExplicitStepper::choose_substep() {
 void ExplicitStepper::visit_state(StateVisitor& visit) {
     static_assert(
         has_only<ExplicitStepper, Stepper, decltype(threads), decltype(elastic_gradient), decltype(contact),
-                 decltype(opening), decltype(elastic), decltype(step), decltype(of_shell), decltype(substeps),
-                 decltype(length), decltype(first), decltype(made), decltype(changed), decltype(strain_then),
-                 decltype(mode), decltype(velocity), decltype(acceleration), decltype(forces_now),
-                 decltype(mass), decltype(of_mass), decltype(gravity), decltype(guided), decltype(moved),
-                 decltype(acceleration_before), decltype(forces_before), decltype(energies_now),
-                 decltype(work), decltype(inertia_work)>());
+                 decltype(opening), decltype(elastic), decltype(step), decltype(of_shell),
+                 decltype(of_contact), decltype(substeps), decltype(length), decltype(first), decltype(made),
+                 decltype(changed), decltype(strain_then), decltype(mode), decltype(velocity),
+                 decltype(acceleration), decltype(forces_now), decltype(mass), decltype(of_mass),
+                 decltype(gravity), decltype(guided), decltype(moved), decltype(acceleration_before),
+                 decltype(forces_before), decltype(energies_now), decltype(work), decltype(inertia_work)>());
     Stepper::visit_state(visit);
     if (visit.reads()) elastic_gradient.shell_changed();
-    visit(contact, opening, step, of_shell, substeps, length, first, made, changed, strain_then, mode,
-          velocity, acceleration, forces_now, energies_now, work, inertia_work);
+    visit(contact, opening, step, of_shell, of_contact, substeps, length, first, made, changed, strain_then,
+          mode, velocity, acceleration, forces_now, energies_now, work, inertia_work);
 }
 
 template <class Range>

@@ -6,6 +6,7 @@
 #include "core/batches/elastic_gradient.h"
 #include "core/contact/explicit/explicit_contact.h"
 #include "core/state_visitor.h"
+#include "core/time/highest_frequency.h"
 #include "core/time/opening_edges.h"
 #include "core/time/stepper.h"
 
@@ -40,6 +41,10 @@ class ExplicitStepper : public Stepper {
     double lip_overlap() const override { return contact.lip_overlap(position); }
     const std::vector<RigidBody>& bodies() const override { return contact.of_bodies().bodies(); }
     std::vector<char> crossed() const override { return contact.of_bodies().crossed(); }
+    std::optional<Index> fastest_triangle() const override {
+        if (of_contact > of_shell || mode.cols() == 0) return std::nullopt;
+        return sherd::fastest_triangle(shell, mode);
+    }
 
     void visit_state(StateVisitor& visit) override;
     double substep() const { return length; }  ///< s, of the open step, or of the last one
@@ -105,6 +110,7 @@ class ExplicitStepper : public Stepper {
     std::vector<Energy*> elastic;
     StepContext step;                  ///< the open one, or the last one
     double of_shell = 0;               ///< rad/s, highest frequency without contact
+    double of_contact = 0;             ///< rad/s, bound of that of contact alone
     int substeps = 0;                  ///< of the open step, or of the last one
     double length = 0;                 ///< s, of each of them
     bool first = true;                 ///< whether no step has begun yet

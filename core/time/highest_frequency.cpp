@@ -3,6 +3,7 @@
 
 #include <Spectra/SymEigsSolver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -83,6 +84,14 @@ double highest_frequency(const std::function<Positions(const Positions&)>& gradi
             "materials and triangles that are hardly meant, and implicit steps do not need it");
     mode = solver.eigenvectors().reshaped(3, x.cols()) * map.root.asDiagonal();
     return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+}
+
+Index fastest_triangle(const Shell& shell, const Positions& mode) {
+    const VectorXd energy = shell.mass.cwiseProduct(mode.colwise().squaredNorm().transpose());
+    const auto sum = [&](const TriangleStencil& triangle) {
+        return energy[triangle.vertices[0]] + energy[triangle.vertices[1]] + energy[triangle.vertices[2]];
+    };
+    return static_cast<Index>(std::ranges::max_element(shell.triangles, {}, sum) - shell.triangles.begin());
 }
 
 }  // namespace sherd

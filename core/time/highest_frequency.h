@@ -14,4 +14,8 @@ namespace sherd {
 double highest_frequency(const std::function<Positions(const Positions&)>& gradient, const Shell& shell,
                          const Positions& x, Positions& mode);
 
+/// Returns the triangle that moves most in a mode [3, V]: the sum over its corners of mass times amplitude
+/// squared is the largest.
+Index fastest_triangle(const Shell& shell, const Positions& mode);
+
 }  // namespace sherd

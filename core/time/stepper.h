@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/contact/colliders/touch.h"
 #include "core/contact/contact_options.h"
@@ -78,6 +79,10 @@ class Stepper {
 
     /// Share of what held an edge together that still does: see ShellChange::opening.
     virtual double held(Index /*edge*/) const { return 0; }
+
+    /// The triangle whose own vibration asks for the shortest substeps of the last step; none where contact
+    /// does, and where there are no substeps.
+    virtual std::optional<Index> fastest_triangle() const { return std::nullopt; }
 
     Scheme scheme() const { return options.scheme; }
     /// J, that the time scheme takes in the open step, which has been solved.

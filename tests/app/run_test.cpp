@@ -69,6 +69,28 @@ scheme = "auto"
     }));
 }
 
+// One sliver of a scan makes a run thousands of times as long, and nobody would know which.
+TEST(Run, NamesTheFaceThatAsksForManySubsteps) {
+    const test::TemporaryDirectory directory;
+    std::ofstream(directory.path / "sliver.obj")
+        << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 1e-4 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    std::ofstream(directory.path / "scene.toml") << R"(
+duration = 2e-3
+[sheet.plate]
+mesh = { file = "sliver.obj" }
+material = { density = 7850, thickness = 0.001, young = 2e11 }
+[solver]
+scheme = "explicit"
+step = 1e-3
+)";
+    const auto result = test::run_sherd({"run", "scene.toml", "-o", "run.h5"}, directory.path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const std::string words = " at (0.5, 3.33e-05, 0) m at rest asks for the shortest";
+    const std::size_t found = result.err.find("the face of sheet.plate" + words);
+    EXPECT_NE(found, std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find(words, found + 50), std::string::npos) << "once is enough\n" << result.err;
+}
+
 // Nobody could see what a run spends its time on, or would have to filter it out of the results.
 TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     const test::TemporaryDirectory directory;

@@ -26,7 +26,7 @@ std::vector<double> kept_yields(const Scene& scene) {
     return yields;
 }
 
-std::string yield_words(double ratio, const YieldPlace& place, const Scene& scene) {
+std::string yield_words(double ratio, const FacePlace& place, const Scene& scene) {
     return fmt::format("{:.3g} times the yield stress, in sheet.{} at {} at rest", ratio,
                        scene.sheets[place.sheet].name, place_words(place.rest));
 }

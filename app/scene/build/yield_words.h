@@ -17,6 +17,6 @@ bool keeps_bends(const Scene& scene, const SheetSpec& sheet);
 std::vector<double> kept_yields(const Scene& scene);
 
 /// "1.8 times the yield stress, in sheet.lid at (0.1, 0.02, 0) m at rest".
-std::string yield_words(double ratio, const YieldPlace& place, const Scene& scene);
+std::string yield_words(double ratio, const FacePlace& place, const Scene& scene);
 
 }  // namespace sherd
