@@ -13,6 +13,7 @@
 #include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
 #include "app/scene/build/crack_step_words.h"
+#include "app/scene/build/own_weight.h"
 #include "app/scene/build/plausibility.h"
 #include "app/scene/build/sheet.h"
 #include "app/scene/build/squeeze.h"
@@ -120,6 +121,7 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
                 std::vector<std::string>& warnings) {
     RunCost cost = run_cost(scene, built);
     if (!options.no_try && cost.memory < cost.machine_memory) {
+        warn_of_own_weight(scene, built.inputs, warnings);
         const TriedSteps tried = try_steps(scene, std::move(built));
         add(cost, tried);
         if (!tried.failure.empty())

@@ -121,6 +121,14 @@ TEST(Plausibility, EdgesShorterThanTheThicknessAreTold) {
     EXPECT_FALSE(contains(thin.out, "shorter than it is thick")) << thin.out;
 }
 
+// Newton's corrections would never get below the steps of positions there, and tolerances would be blamed.
+TEST(Plausibility, PlacesWhereDigitsRunOutAreTold) {
+    EXPECT_EQ(with({"sheet.disc.place.translate=[1e5, 0, 0.05]"}), "");
+    EXPECT_NE(with({"sheet.disc.place.translate=[1e9, 0, 0.05]", "obstacle={}"})
+                  .find("is 1e+09 m from the origin, where positions have steps of 2e-07 m"),
+              std::string::npos);
+}
+
 TEST(Plausibility, WhatGoesTooFarInAStepIsTold) {
     const std::string fast = with({"sheet.disc.velocity=[0,0,-500]"});
     EXPECT_TRUE(
@@ -268,6 +276,28 @@ TEST(Check, FramesAndSizeAreThoseOfTheRun) {
                   frame_count(scene))
             << every;
     }
+}
+
+// A pane of 1 m bears its weight at rest, at 2.4 of 3 MPa, and breaks when it is put on at once.
+TEST(Check, TellsThatWeightAloneBreaksAPane) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", R"(duration = 0.06
+[sheet.pane]
+mesh = { generate = "rectangle", width = 1, height = 1, edge_length = 0.06 }
+material = { preset = "glass", thickness = 0.003 }
+pin = { boundary = true }
+)");
+    const auto words_of = [&](const std::string& strength) {
+        return run_sherd({"check", "scene.toml", "--set", "sheet.pane.fracture.strength=" + strength},
+                         directory.path)
+            .out;
+    };
+    const std::string weak = words_of("3e6");
+    EXPECT_TRUE(contains(weak, "the weight of sheet.pane alone takes 0.")) << weak;
+    EXPECT_TRUE(contains(weak, "area = [0, 0, -73.6], ramp = ")) << weak;
+    const std::string weaker = words_of("1e6");
+    EXPECT_TRUE(contains(weaker, "the weight of sheet.pane alone takes 2")) << weaker;
+    EXPECT_FALSE(contains(words_of("3e7"), "the weight of")) << "a tenth of it is safe";
 }
 
 TEST(Check, WarnsOfMoreThanADay) {

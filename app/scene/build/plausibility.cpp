@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/scene/build/deforming_mesh.h"
@@ -24,8 +25,9 @@ constexpr double most_short_edges = 0.05;  // share of the edges that may be sho
 
 constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 
-constexpr double smallest_edge = 0.02;  // of the mean
-constexpr double steps_a_period = 10;   // of the slowest vibration, whose first peak then is 39 % low
+constexpr double smallest_edge = 0.02;    // of the mean
+constexpr double coarsest_places = 1e-7;  // of the mean edge; thin glass breaks at a hundred times that
+constexpr double steps_a_period = 10;     // of the slowest vibration, whose first peak then is 39 % low
 
 /// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
 /// breaks at a millionth, what is as stiff as wood or stiffer not at a fifth (whiskers and fibres: a tenth),
@@ -130,17 +132,9 @@ void warn_of_locking(const SheetInput& input, const SheetSpec& sheet, const Scen
                     locking_limit, measure(input.mesh).mean_edge * std::sqrt(locking_limit / most)));
 }
 
-/// Period (s) of the slowest bending vibration of a free disc of the sheet's area: omega R^2 sqrt(rho h / D)
-/// = 5.36 at a Poisson ratio of 0.3 (Leissa, Vibration of Plates, 1969). A curved shell vibrates faster.
-double slowest_period(const Material& m, double area) {
-    const double frequency =
-        5.36 * std::numbers::pi / area * std::sqrt(bending_rigidity(m) / (m.density * m.thickness));
-    return 2 * std::numbers::pi / frequency;
-}
-
 void warn_of_long_step(const SheetInput& input, const SheetSpec& sheet, const Scene& scene,
                        std::vector<std::string>& warnings) {
-    const double period = slowest_period(input.material, measure(input.mesh).area);
+    const double period = slowest_period(input);
     if (!sheet.fracture || scene.is_static() || scene.solver.step <= period / steps_a_period) return;
     warnings.push_back(
         fmt::format("{}: solver.step of {:.2g} s is long even for the slowest vibration of sheet.{}, whose "
@@ -225,7 +219,28 @@ void warn_of_deforming(const Scene& scene, const SimulationOptions& options,
     }
 }
 
+/// Positions are doubles: far from the origin their steps are strains.
+void warn_of_distance(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    double farthest = 0;
+    for (const Vertex v : input.mesh.vertices())
+        farthest = std::max(farthest, input.starts_at(v).cwiseAbs().maxCoeff());
+    const double spacing = std::numeric_limits<double>::epsilon() * farthest;
+    const double edge = measure(input.mesh).mean_edge;
+    if (spacing <= coarsest_places * edge) return;
+    warnings.push_back(
+        fmt::format("{}: sheet.{} is {:.3g} m from the origin, where positions have steps of {:.1g} m, "
+                    "strains of {:.1g} in its edges of {:.3g} m: place the scene near the origin",
+                    sheet.where, sheet.name, farthest, spacing, spacing / edge, edge));
+}
+
 }  // namespace
+
+double slowest_period(const SheetInput& input) {
+    const Material& m = input.material;
+    const double frequency = 5.36 * std::numbers::pi / measure(input.mesh).area *
+                             std::sqrt(bending_rigidity(m) / (m.density * m.thickness));
+    return 2 * std::numbers::pi / frequency;
+}
 
 void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inputs,
                          const SimulationOptions& options, std::vector<std::string>& warnings) {
@@ -234,6 +249,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
         if (!scene.is_static()) warn_of_material(inputs[s], scene.sheets[s], warnings);
         warn_of_short_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_tiny_edges(inputs[s], scene.sheets[s], warnings);
+        warn_of_distance(inputs[s], scene.sheets[s], warnings);
         warn_of_locking(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_long_step(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_threshold(inputs[s], scene.sheets[s], warnings);
