@@ -8,6 +8,7 @@
 #include "app/cut_lines.h"
 #include "app/files/pending_file.h"
 #include "app/json/json.h"
+#include "app/number_check.h"
 #include "app/scene/build/edge_list.h"
 #include "app/words/print.h"
 #include "fracture/crack_mesh.h"
@@ -83,6 +84,7 @@ int cut(const CutOptions& options) {
     std::vector<std::string> warnings;
     ReadMeshOptions read = options.read;
     if (options.repair) read.repair = Repair::all;
+    read.join_duplicate_points |= read.join_distance > 0;
     Mesh mesh = read_mesh(options.mesh, read, warnings);
     print_warnings(warnings);
     const Mesh before = mesh;
@@ -127,6 +129,13 @@ void add_cut(CLI::App& program, Command& chosen) {
         ->option_text("OUT");
     command->add_flag("--repair", options->repair, "Mend what can only mean one thing, as scenes do");
     command->add_flag("--join", options->read.join_duplicate_points, "Join points at the same place first");
+    command
+        ->add_option(
+            "--join-within", options->read.join_distance,
+            "Join points at the border that are so near, too, and divide edges there by such points, "
+            "in units of MESH")
+        ->check(positive_number())
+        ->option_text("DISTANCE");
     command->add_flag("--force", options->force, "Replace OUT if it exists");
     command->add_flag("--json", options->json, "Print the counts as JSON");
     command->footer(

@@ -55,10 +55,7 @@ Runner built_runner(const Scene& scene, int threads) {
     std::vector<std::string> warnings;
     BuiltScene built = build_scene(scene, warnings);
     built.options.stepper.threads = threads;
-    const SqueezedSheets squeezed =
-        squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);
-    for (const auto* found : {&squeezed.certain, &squeezed.possible})
-        warnings.insert(warnings.end(), found->begin(), found->end());
+    warn_of_squeezes(scene, built, warnings);
     print_warnings(warnings);
     return Runner(scene, std::move(built));
 }

@@ -12,8 +12,8 @@ namespace sherd {
 /// Finds points that are near to a segment, by the cells of a grid.
 class PointGrid {
   public:
-    /// chosen: the points of `points` to be found, ascending. `points` must outlive the grid. cell: the side
-    /// of a cell; the search is fast where segments are about as long.
+    /// Takes the numbers of the points to be found, ascending, and the side of a cell: the search is fast
+    /// where segments are about as long. `points` must outlive the grid.
     PointGrid(const std::vector<Point>& points, std::vector<std::uint32_t> chosen, double cell);
 
     /// Returns the points within `distance` of the segment between `a` and `b`, ascending.

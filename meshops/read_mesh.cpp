@@ -63,7 +63,6 @@ struct Reading {
     void divide_edges();
     void remove_zero_area();
     void remove_repeated();
-    std::string metres(double length) const { return number_words(length * options.unit) + " m"; }
     void make_manifold();
     void make_consistent();
     void turn_outward();
@@ -210,7 +209,9 @@ std::pair<std::size_t, std::string> Reading::join_points() {
         std::size_t joined = join_duplicate_points(polygons);
         const bool is_near = options.join_distance > 0;
         if (is_near) joined += join_near_points(polygons, options.join_distance);
-        const std::string where = is_near ? " within " + metres(options.join_distance) : " at the same place";
+        const std::string where = is_near
+                                      ? " within " + number_words(options.join_distance * options.unit) + " m"
+                                      : " at the same place";
         return {joined, joined == 0 ? "" : counted(joined, "vertex") + " joined with another" + where};
     }
     if (options.repair == Repair::least || !shares_no_point(polygons)) return {0, ""};

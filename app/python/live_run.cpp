@@ -8,6 +8,7 @@
 #include "app/python/without_lock.h"
 #include "app/run/checkpoint.h"
 #include "app/scene/build/built_scene.h"
+#include "app/scene/build/squeeze.h"
 #include "meshops/error.h"
 
 namespace sherd::python {
@@ -15,6 +16,7 @@ namespace {
 
 BuiltScene built(const Scene& scene, int threads, std::vector<std::string>& warnings) {
     BuiltScene built = build_scene(scene, warnings);
+    warn_of_squeezes(scene, built, warnings);
     built.options.stepper.threads = threads;
     built.options.stepper.shell.given_forces = true;
     return built;

@@ -196,6 +196,22 @@ TEST_F(Cut, NamesAFileThatItCannotRead) {
 
 // --force is for old results, never for what the command reads.
 // There is no scene here to write a key into.
+// Parts that an export has left a micrometre apart would open where nobody asked for it.
+TEST_F(Cut, JoinsWhatIsNearEnough) {
+    write("mesh.obj",
+          "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.000001 0 0\nv 2 0 0\nv 2 1 0\nv 1.000001 1 0\n"
+          "f 1 2 3\nf 1 3 4\nf 5 6 7\nf 5 7 8\n");
+    write("edges.txt", "1 2\n");
+    const auto apart = cut({"--join", "--json"});
+    EXPECT_EQ(apart.exit_code, 2) << "on the boundary\n" << apart.out;
+    const auto joined = cut({"--join-within", "1e-5", "--json"});
+    ASSERT_EQ(joined.exit_code, 0) << joined.err;
+    const auto json = nlohmann::json::parse(joined.out);
+    EXPECT_EQ(json["vertices_before"], 6);
+    EXPECT_EQ(json["fragments"], 2);
+    EXPECT_EQ(cut({"--join-within", "nan"}).exit_code, 2);
+}
+
 TEST_F(Cut, AdvisesItsOwnOptions) {
     write("edges.txt", "0 1\n");
     write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");

@@ -38,8 +38,9 @@ double overload(const Scene& scene, const SheetSpec& sheet, SheetInput input) tr
     input.velocity = input.spin = Vector3d::Zero();
     BuiltScene built = build_scene(alone(scene, sheet), {std::move(input)}, ignored);
     Simulation simulation(std::move(built.sheets), built.options);
-    const StepReport report = simulation.step();
-    return simulation.arrived() ? 1 / simulation.time() : report.peak_overload;
+    double most = 0;
+    while (!simulation.arrived() && simulation.time() < 1) most = simulation.step().peak_overload;
+    return simulation.arrived() ? 1 / simulation.time() : most;
 } catch (const Error&) {
     return 0;
 }

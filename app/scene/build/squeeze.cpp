@@ -240,4 +240,11 @@ SqueezedSheets squeezed_sheets(const Scene& scene, const std::vector<SheetInput>
     return all;
 }
 
+void warn_of_squeezes(const Scene& scene, const BuiltScene& built, std::vector<std::string>& warnings) {
+    const SqueezedSheets found =
+        squeezed_sheets(scene, built.inputs, built.options.stepper.contact.obstacles);
+    for (const auto* some : {&found.certain, &found.possible})
+        warnings.insert(warnings.end(), some->begin(), some->end());
+}
+
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/build/built_scene.h"
 #include "app/scene/scene.h"
 #include "core/contact/colliders/obstacle.h"
 #include "fracture/sheet_input.h"
@@ -23,5 +24,8 @@ struct SqueezedSheets {
 /// scene, in its order.
 SqueezedSheets squeezed_sheets(const Scene& scene, const std::vector<SheetInput>& inputs,
                                const std::vector<Obstacle>& obstacles);
+
+/// Appends both kinds, for what runs a scene.
+void warn_of_squeezes(const Scene& scene, const BuiltScene& built, std::vector<std::string>& warnings);
 
 }  // namespace sherd
