@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
+#include "app/files/pending_file.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
 #include "app/scene/read/variant_remarks.h"
@@ -35,11 +36,7 @@ std::filesystem::path part_file(const std::filesystem::path& file, const std::st
 void require_no_input(const std::filesystem::path& output, const Scene& scene) {
     std::vector<std::filesystem::path> inputs = input_files(scene);
     inputs.push_back(scene.file);
-    std::error_code none;  // what is not there is nobody's input
-    for (const std::filesystem::path& input : inputs)
-        if (std::filesystem::equivalent(output, input, none))
-            throw Error("'" + output.string() +
-                        "' is read by this scene and would be lost; name another file");
+    check_free(output, true, inputs);
 }
 
 namespace {

@@ -52,11 +52,7 @@ OutputLock checked_output(const CutOptions& options) {
         throw Error(fmt::format(
             "'{}' ends in none of .obj, .ply and .off; name a file that does (STL would close every crack)",
             output.string()));
-    std::error_code none;  // what is not there is nobody's input
-    for (const auto& input : {options.mesh, options.edges, options.line})
-        if (std::filesystem::equivalent(output, input, none))
-            throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",
-                                    output.string()));
+    check_free(output, true, {options.mesh, options.edges, options.line});
     OutputLock lock(output);
     check_free(output, options.force);
     return lock;

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "app/commands.h"
 #include "app/files/pending_file.h"
+#include "app/files/plain_name.h"
 #include "app/words/nearest_name.h"
 #include "app/words/print.h"
 #include "meshops/error.h"
@@ -71,6 +73,7 @@ std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
     const fs::path file = part_file(options.output, scene.variant);
     std::vector<MeshJob> jobs;
     TriangleSheet all;
+    std::set<std::string> names;
     for (const SheetSpec* sheet : sheets) {
         TriangleSheet mesh = made(*sheet, scene, options.placed);
         if (sheets.size() == 1)
@@ -78,7 +81,7 @@ std::vector<MeshJob> jobs_of(const Scene& scene, const MeshOptions& options) {
         else if (is_kind(file, ".obj"))
             add_group(all, mesh, sheet->name);
         else
-            jobs.push_back({std::move(mesh), part_file(file, sheet->name)});
+            jobs.push_back({std::move(mesh), part_file(file, plain_name(sheet->name, names))});
     }
     if (jobs.empty()) jobs.push_back({std::move(all), file});
     return jobs;

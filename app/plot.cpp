@@ -242,8 +242,8 @@ int plot(PlotOptions options) {
         options.output = std::filesystem::path(options.input).replace_extension(".svg");
     if (!is_table && !(options.axes.x + options.axes.y + options.axes.by + options.log).empty())
         throw Error("--x, --y, --by and --log are for the table of a study (.csv)");
+    check_free(options.output, options.force, {options.input});
     const OutputLock lock(options.output);
-    check_free(options.output, options.force);
     PendingFile pending(lock, Fault::input);
     pending.write(is_table ? study_svg(options) : recording_svg(options.input));
     pending.publish(options.force);

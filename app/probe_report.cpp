@@ -92,7 +92,8 @@ struct ProbeOptions {
 };
 
 int run_probe(const ProbeOptions& options) {
-    if (!options.output.empty()) check_free(options.output, options.force);
+    if (!options.output.empty())
+        check_free(options.output, options.force, {options.rest, options.deformed, options.material});
     const MaterialFile material = read_material_file(options.material);
     std::vector<std::string> warnings;
     const ProbeShapes shapes = read_probe_shapes(options.rest, options.deformed, warnings);

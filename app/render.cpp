@@ -41,14 +41,16 @@ std::optional<std::pair<Number, Number>> parse_pair(const std::string& text, con
 }
 
 PictureOptions picture_options(const RenderOptions& options) {
-    constexpr int largest = 16384, most_samples = 65536;
+    constexpr int largest = 16384, most_samples = 65536, most_threads = 1024;
     const auto size = parse_pair<int>(options.size, "%dx%d%n");
     if (!size || size->first < 1 || size->second < 1 || size->first > largest || size->second > largest)
         throw Error(fmt::format("--size {}: give WIDTHxHEIGHT in pixels, each 1 to {}, such as 960x540",
                                 options.size, largest));
     if (options.samples < 1 || options.samples > most_samples)
         throw Error(fmt::format("--samples {}: must be 1 to {}", options.samples, most_samples));
-    if (options.threads < 0) throw Error(fmt::format("--threads {}: must be 0 or more", options.threads));
+    if (options.threads < 0 || options.threads > most_threads)
+        throw Error(fmt::format("--threads {}: must be 0 (as many as the processor runs at once) to {}",
+                                options.threads, most_threads));
     return {size->first, size->second, options.samples, options.threads};
 }
 
@@ -186,8 +188,8 @@ Rendering render_recording(const RenderOptions& options) {
     std::string pace;
     const std::vector<Moment> moments = planned_moments(options, recording, pace);
     const std::vector<fs::path> files = planned_files(options, moments);
-    for (const fs::path& file : files) check_free(file, options.force);
-    if (!options.film.empty()) check_free(options.film, options.force);
+    for (const fs::path& file : files) check_free(file, options.force, {options.recording});
+    if (!options.film.empty()) check_free(options.film, options.force, {options.recording});
     std::vector<std::string> warnings;
     const RenderStage stage(recording, wanted, warnings);
     if (stage.colour_bar() && !options.plain && !has_room_for_bar(picture.width, picture.height))

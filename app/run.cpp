@@ -88,6 +88,7 @@ bool goes_on(const std::filesystem::path& file, const Runner& runner, const EndA
 }
 
 int run(const Scene& scene, const std::filesystem::path& file, const RunOptions& options) {
+    require_no_input(file, scene);
     RunStart start = run_start(file, options);
     Runner runner = built_runner(scene_from(scene, start.checkpoint), threads_of_run(options.threads, 1));
     if (start.is_finished) {

@@ -54,12 +54,12 @@ void require_whole(const std::filesystem::path& file, const Scene& scene, double
         throw Error(fmt::format(
             "'{}' is complete at {:g} s, and was so before its first output.checkpoint, so that none "
             "was kept from which it could be made longer; --force instead of --resume runs it from its "
-            "beginning, to the same bits",
+            "beginning",
             file.string(), time));
     if (recording.header().scene_text != scene.text)
         throw Error(
-            fmt::format("'{}' is complete, of a scene with another text or other --set; --force instead of "
-                        "--resume begins anew",
+            fmt::format("'{}' is complete, of a scene with another text or other --set, or these in another "
+                        "order; --force instead of --resume begins anew",
                         file.string()));
 }
 

@@ -74,6 +74,17 @@ std::string explicit_words(const RunTotals& totals) {
     return words;
 }
 
+/// Time schemes take energy, or are not right for what happens in a step.
+void add_made_energy(std::string& text, const RunTotals& totals, const Scene& scene) {
+    constexpr double much = 0.1;  // of the largest energy
+    const double made = -totals.last.lost_to_scheme;
+    if (!scene.is_static() && made > much * totals.largest_energy)
+        add_row(text, "energy from nowhere",
+                fmt::format("{:.3g} J, made by the time scheme, of {:.3g} J at most: take shorter steps, or "
+                            "another solver.scheme",
+                            made, totals.largest_energy));
+}
+
 std::vector<std::string> untouched_obstacles(const Scene& scene, const Simulation& simulation) {
     std::vector<std::string> names;
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o)
@@ -118,6 +129,7 @@ std::string run_summary(const RunTotals& totals, const RunEnd& end, const std::f
                 fmt::format("{}, which would have made pieces below fracture.smallest",
                             simulation.forbidden_failures()));
     if (totals.capped > 0) add_row(text, "steps out of stages", fmt::format("{}", totals.capped));
+    add_made_energy(text, totals, scene);
     if (totals.cracks == 0 && totals.last.step > 0) text += peak_table(peak_rows(scene, simulation));
     if (const auto names = untouched_obstacles(scene, simulation); !names.empty())
         add_row(text, "nothing touched", fmt::format("obstacle.{}", fmt::join(names, ", obstacle.")));

@@ -51,7 +51,11 @@ std::string usage_message(const CLI::App* program, const CLI::Error& error) {
     // An option that is missing may be the one that was misspelt: both are told.
     if (left.empty() || error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError))
         text += fmt::format("sherd: error: {}\n", error.what());
-    if (!left.empty()) text += fmt::format("sherd: error: {}\n", unknown_word(*program, left.front()));
+    if (left.size() > 1 && left.front() == "--")
+        text += fmt::format("sherd: error: '{}' is one argument too many: behind '--' there are no options\n",
+                            left[1]);
+    else if (!left.empty())
+        text += fmt::format("sherd: error: {}\n", unknown_word(*program, left.front()));
     const std::vector<CLI::App*> chosen = program->get_subcommands();
     return text + fmt::format("Run 'sherd {}--help' for more information.\n",
                               chosen.empty() ? "" : chosen.front()->get_name() + " ");

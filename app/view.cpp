@@ -145,8 +145,8 @@ Pace pace_of_page(const ViewOptions& options, const Recording& recording) {
 int view(ViewOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".html");
+    check_free(options.output, options.force, {options.recording});
     const OutputLock lock(options.output);
-    check_free(options.output, options.force);
     std::vector<std::string> warnings;
     const std::string page = view_page(options, warnings);
     print_warnings(warnings);

@@ -19,7 +19,8 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 10;
-constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
+constexpr double coarsest_places = 1e-7;  // of the mean edge: what Newton's corrections must get below
+constexpr double no_freedom = 1e-9;       // of a projection that is zero but for round-off
 
 /// Snapshot::edge_held, [E].
 std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {
@@ -146,8 +147,8 @@ void Simulation::give_up(const StepReport& report) const {
     text << "a step of " << step_size.size() << unit << " cannot be solved within " << options.max_iterations
          << " iterations; ";
     const double farthest = breakable.mechanics().position.cwiseAbs().maxCoeff();
-    const double spacing = std::numeric_limits<double>::epsilon() * farthest;
-    if (spacing > options.tolerance * mean_edge_length(breakable.mechanics()))
+    if (const double spacing = std::numeric_limits<double>::epsilon() * farthest;
+        spacing > coarsest_places * mean_edge_length(breakable.mechanics()))
         text << "it lies " << farthest << " m from the origin, where positions have steps of " << spacing
              << " m: place the scene near the origin";
     else
@@ -157,9 +158,7 @@ void Simulation::give_up(const StepReport& report) const {
         text
             << "; or there is no equilibrium near: the shell snaps through (solver.arc_length = true follows "
                "it), a piece came off, or a sheet can turn or glide as a whole";
-    const bool obstacle_moves =
-        std::any_of(options.stepper.contact.obstacles.begin(), options.stepper.contact.obstacles.end(),
-                    [](const Obstacle& obstacle) { return obstacle.moves(); });
+    const bool obstacle_moves = std::ranges::any_of(options.stepper.contact.obstacles, &Obstacle::moves);
     if (obstacle_moves || !breakable.mechanics().motions.empty())
         text << "; or a moving pin or obstacle meets what cannot get out of its way";
     if (!options.stepper.contact.bodies.empty())

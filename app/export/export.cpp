@@ -40,7 +40,7 @@ ExportReport export_recording(const ExportOptions& options) {
     used.solid |= format.bodies;
     ExportSource source(used, format.extension, format.all_frames);
     const std::vector<ExportJob> jobs = format.plan(source);
-    for (const ExportJob& job : jobs) check_free(job.file, options.force);
+    for (const ExportJob& job : jobs) check_free(job.file, options.force, {options.recording});
     prepare_folder(options, jobs.front().file.parent_path());
     const OutputLock lock(source.clip_file(format.extension));
     ExportReport report;

@@ -71,7 +71,7 @@ std::string json_content(ExportSource& source, std::size_t number) {
             {{"obstacle", source.obstacles()[i].name},
              {"plane", source.obstacles()[i].plane},
              {"body", source.frame_file(number, source.obstacle_suffix(i, ".obj")).filename().string()}});
-    return table.dump(2) + "\n";
+    return table.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

@@ -70,8 +70,13 @@ void PendingFile::publish_durably() {
     sync_folder_of(target);
 }
 
-void check_free(const std::filesystem::path& file, bool force) {
+void check_free(const std::filesystem::path& file, bool force,
+                const std::vector<std::filesystem::path>& read) {
     std::error_code unreadable;  // which whoever creates it will be told of
+    for (const std::filesystem::path& input : read)
+        if (std::filesystem::equivalent(file, input, unreadable))
+            throw Error(fmt::format("'{}' is read by this command and would be lost; name another file",
+                                    file.string()));
     const auto status = std::filesystem::status(file, unreadable);
     if (!std::filesystem::exists(status)) return;
     if (!std::filesystem::is_regular_file(status))

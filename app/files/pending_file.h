@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/files/output_lock.h"
 #include "meshops/error.h"
@@ -45,8 +46,10 @@ class PendingFile {
     std::optional<OutputLock> own;
 };
 
-/// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file.
-void check_free(const std::filesystem::path& file, bool force);
+/// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file, or is one
+/// of those that the command reads: not even `force` may replace these.
+void check_free(const std::filesystem::path& file, bool force,
+                const std::vector<std::filesystem::path>& read = {});
 
 /// Makes a folder unless it is there; those above it must be there. Throws Error (input).
 void make_folder(const std::filesystem::path& folder);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/xml_text.h"
 
+#include "meshops/obj_name.h"
+
 namespace sherd {
 
 std::string xml_escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : utf8_name(text)) {
         if (c == '&')
             result += "&amp;";
         else if (c == '<')

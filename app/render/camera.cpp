@@ -18,7 +18,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double margin = 1.08;  // of the picture's size over that of what must be in it
+constexpr double most_zoom = 1e6, farthest = 1e12;  // beyond, rays have no digits left
+constexpr double margin = 1.08;                     // of the picture's size over that of what must be in it
 
 void check_angle(const std::string& text, double angle) {
     if (angle < 1 || angle > 120)
@@ -78,6 +79,8 @@ CameraAxes camera_axes(const Camera& camera) {
 
 CameraChoice parse_camera(const std::string& text) {
     const std::vector<double> n = number_list("--camera", text);
+    if (std::ranges::any_of(n, [](double number) { return std::abs(number) > farthest; }))
+        throw Error(fmt::format("--camera {}: numbers are at most {:g}", text, farthest));
     CameraChoice choice;
     if (n.size() == 2 || n.size() == 3) {
         choice.azimuth = n[0];
@@ -85,7 +88,9 @@ CameraChoice parse_camera(const std::string& text) {
         if (n.size() == 3) choice.zoom = n[2];
         if (std::abs(choice.elevation) > 90)
             throw Error(fmt::format("--camera {}: the elevation must be -90 to 90 degrees", text));
-        if (!(choice.zoom > 0)) throw Error(fmt::format("--camera {}: the zoom must be positive", text));
+        if (!(choice.zoom >= 1 / most_zoom && choice.zoom <= most_zoom))
+            throw Error(
+                fmt::format("--camera {}: the zoom must be {:g} to {:g}", text, 1 / most_zoom, most_zoom));
     } else if (n.size() == 6 || n.size() == 7) {
         choice.eye = Vector3d(n[0], n[1], n[2]);
         choice.target = Vector3d(n[3], n[4], n[5]);

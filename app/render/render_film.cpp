@@ -10,7 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -48,6 +50,31 @@ int spawn(std::vector<std::string> arguments, int input, pid_t& child) {
     const int error = posix_spawnp(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return error;
+}
+
+/// Whether the boxes of an MP4 file (ISO 14496-12) end where it ends, with the one that players begin with
+/// among them: ffmpeg says that all went well, too, when the disk was full at the end.
+bool is_whole(const std::filesystem::path& film) {
+    std::ifstream in(film, std::ios::binary);
+    const std::uint64_t size = std::filesystem::file_size(film);
+    bool has_movie = false;
+    std::uint64_t at = 0;
+    while (at < size) {
+        std::array<unsigned char, 16> head{};
+        in.seekg(static_cast<std::streamoff>(at));
+        in.read(reinterpret_cast<char*>(head.data()), head.size());
+        const auto number = [&](int from, int bytes) {
+            std::uint64_t value = 0;
+            for (int i = from; i < from + bytes; ++i) value = value << 8 | head[i];
+            return value;
+        };
+        const std::uint64_t length = number(0, 4) == 1 ? number(8, 8) : number(0, 4);
+        if (length < 8 || length > size - at) return false;
+        has_movie |= std::memcmp(&head[4], "moov", 4) == 0;
+        in.clear();
+        at += length;
+    }
+    return has_movie;
 }
 
 }  // namespace
@@ -109,6 +136,10 @@ void RenderFilm::publish(bool replace) {
         throw Error(
             fmt::format("ffmpeg could not make the film '{}' (its exit code: {})", file.string(), code),
             Fault::run);
+    if (!is_whole(pending.path()))
+        throw Error(fmt::format("ffmpeg could not write all of the film '{}', as when the disk is full",
+                                file.string()),
+                    Fault::run);
     pending.publish(replace);
 }
 

@@ -15,6 +15,8 @@ void RunTotals::stepped(const StepReport& report, const CrackEvents& events) {
     capped += report.stage_cap_reached;
     newton_iterations += report.newton_iterations;
     raise_peaks(peaks, report);
+    largest_energy =
+        std::max(largest_energy, report.kinetic + report.bending + report.membrane + report.contact);
     if (report.peak_yield > 1) yielded_at = std::min(yielded_at, report.time);
     last = report;
 }

@@ -16,9 +16,9 @@ class RunTotals : public RunObserver {
 
     void visit_state(StateVisitor& visit) {
         auto& [cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
-               peaks, yielded_at, last] = *this;
+               peaks, yielded_at, largest_energy, last] = *this;
         visit(cracks, capped, newton_iterations, halvings, smallest_step, explicit_time, urgencies, load,
-              peaks, yielded_at, last);
+              peaks, yielded_at, largest_energy, last);
     }
 
     std::size_t cracks = 0, capped = 0;
@@ -30,6 +30,7 @@ class RunTotals : public RunObserver {
     StepReport peaks;
     /// s, when a material was first beyond its yield stress.
     double yielded_at = std::numeric_limits<double>::infinity();
+    double largest_energy = 0;  ///< J, kinetic and elastic
     StepReport last;
 };
 

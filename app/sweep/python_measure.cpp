@@ -25,13 +25,19 @@ values = runpy.run_path(file)["measure"](sherd.Recording(recording))
 print(json.dumps({str(key): None if value is None else float(value) for key, value in values.items()}), file=results)
 )";
 
+/// Where the module is that belongs to this program: beside it in a build, below the prefix of an
+/// installation.
+std::filesystem::path package_folder() {
+    const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    if (std::filesystem::exists(folder / "python" / "sherd")) return folder / "python";
+    return folder.parent_path() / "lib" / "python3" / "dist-packages";
+}
+
 }  // namespace
 
 std::vector<std::string> python_arguments(const std::filesystem::path& file,
                                           const std::filesystem::path& recording) {
-    const std::filesystem::path package =
-        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "python";
-    return {"-c", script, package.string(), file.string(), recording.string()};
+    return {"-c", script, package_folder().string(), file.string(), recording.string()};
 }
 
 std::vector<std::pair<std::string, double>> python_values(const std::string& printed) {

@@ -83,11 +83,20 @@ std::pair<double, double> edge_range(const Mesh& mesh, Face face) {
     return std::minmax({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
 }
 
+/// Whether faces have a corner at one place, as along a seam that is not joined: these go on to touch there.
+bool share_a_place(const Mesh& mesh, const std::array<Face, 2>& pair) {
+    const std::array<Vertex, 3> one = face_corners(mesh, pair[0]), other = face_corners(mesh, pair[1]);
+    return std::ranges::any_of(one, [&](Vertex a) {
+        return std::ranges::any_of(other, [&](Vertex b) { return mesh.point(a) == mesh.point(b); });
+    });
+}
+
 InputCrossings input_crossings(const Mesh& input, double edge_length) {
     constexpr double pairs = 6;  // of faces, of that length, along as much of what larger ones share
     InputCrossings found{FaceMarks(input.number_of_faces(), 0), {}};
     for (const auto& pair : self_intersections(input)) {
         for (const Face face : pair) found.there[face] = 1;
+        if (share_a_place(input, pair)) continue;
         const double side =
             std::max(edge_range(input, pair[0]).second, edge_range(input, pair[1]).second) / edge_length;
         found.most += side <= large ? 1 : static_cast<std::size_t>(pairs * side);
@@ -166,7 +175,10 @@ class RemeshTrial {
         old_crossing.clear();
         for (const auto& pair : self_intersections(remeshing.mesh())) {
             const bool is_old = std::ranges::any_of(pair, [&](Face face) { return crosses_below(face); });
-            (is_old ? old_crossing : crossing).push_back(pair);
+            if (!is_old)
+                crossing.push_back(pair);
+            else if (!share_a_place(remeshing.mesh(), pair))
+                old_crossing.push_back(pair);
         }
     }
 

@@ -103,6 +103,7 @@ const std::vector<BadInput> bad_scenes{
            {"scene.toml:11: solver.step: must be a positive number (s), not 0"}),
     change("negative_step", step_line, "step = -1e-4", {"scene.toml:11: solver.step: must be a positive"}),
     change("countless_steps", step_line, "step = 1e-20", {"scene.toml:11: solver.step: would take"}),
+    {"endless", "duration = 1e20\n", {"scene.toml:1: duration: would take 1e+24 steps"}},
     change("step_past_duration", step_line, "step = 1",
            {"scene.toml:11: solver.step: is longer than duration"}),
     change("zero_thickness", stoneware, stoneware + "\nthickness = 0", {"thickness: must be a positive"}),

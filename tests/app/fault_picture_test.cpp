@@ -162,7 +162,7 @@ TEST(FaultPicture, AnExistingFileIsKeptAndVariantsHaveOneEach) {
     directory.write("mine.ply", mesh);
     directory.write("scene.toml", "duration = 1\n" + sheet("a", "", "\"mine.ply\""));
     const ProgramResult own = run_sherd({"check", "scene.toml", "-o", "mine.ply", "--force"}, directory.path);
-    EXPECT_NE(own.err.find("is read by this scene"), std::string::npos) << own.err;
+    EXPECT_NE(own.err.find("is read by this command"), std::string::npos) << own.err;
     EXPECT_EQ(directory.contents().at((directory.path / "mine.ply").string()), mesh);
 }
 

@@ -124,6 +124,8 @@ TEST_F(MeshCommand, SheetsAreObjectsOfOneObjAndFilesOfOtherFormats) {
     EXPECT_EQ(files.out, "all-old.ply\nall-new.ply\n") << files.err;
     expect_same(read("all-new.ply"), made(false, 1));
     ASSERT_EQ(mesh(both, {"-o", "one.obj", "--sheet", "old"}).exit_code, 0);
+    const std::string odd = sheet_table("\"a/b\"", disc) + sheet_table("\"a b\"", disc);
+    EXPECT_EQ(mesh(odd, {"-o", "odd.ply"}).out, "odd-a_b.ply\nodd-a_b_2.ply\n");
     EXPECT_EQ(group_names(read("one.obj")), (std::vector<std::string>{"left"}));
 }
 
@@ -155,7 +157,7 @@ TEST_F(MeshCommand, RefusesWhatWouldBeLost) {
     };
     directory.write("there.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     refused(sheet_table("a", disc), {"-o", "there.obj"}, "'there.obj' exists");
-    refused(sheet_table("a", "\"there.obj\""), {"-o", "there.obj", "--force"}, "is read by this scene");
+    refused(sheet_table("a", "\"there.obj\""), {"-o", "there.obj", "--force"}, "is read by this command");
     refused(sheet_table("a", disc), {"-o", "a.gltf"}, "none of .obj, .ply, .off and .stl");
     refused(sheet_table("plate", disc), {"-o", "a.obj", "--sheet", "palte"}, "did you mean 'plate'?");
     refused(sheet_table("a", "{ generate = \"disc\", radius = 0.1, edge_length = 3 }"), {"-o", "a.obj"},

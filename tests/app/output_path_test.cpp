@@ -41,6 +41,29 @@ TEST(OutputPath, AnExistingFileIsKeptUnlessForced) {
     EXPECT_EQ(run_sherd({"info", "out.h5"}, directory.path).exit_code, 0);
 }
 
+// One wrong name on the command line would cost the scene, or a night's recording.
+TEST(OutputPath, WhatACommandReadsIsNeverReplaced) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", falling_plate);
+    ASSERT_EQ(
+        run_sherd({"run", "scene.toml", "-o", "run.h5", "--set", "duration=2e-4"}, directory.path).exit_code,
+        0);
+    const auto before = directory.contents();
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"run", "scene.toml", "-o", "scene.toml"},
+          {"plot", "run.h5", "-o", "run.h5"},
+          {"view", "run.h5", "-o", "./run.h5"},
+          {"render", "run.h5", "--film", "run.h5"},
+          {"export", "run.h5", "--to", "glb", "-o", "run.h5"},
+          {"modes", "scene.toml", "-o", "scene.toml"}}) {
+        std::vector<std::string> forced = command;
+        forced.emplace_back("--force");
+        const ProgramResult result = run_sherd(forced, directory.path);
+        EXPECT_EQ(result.exit_code, 2) << command[0] << ": " << result.err;
+        EXPECT_EQ(directory.contents(), before) << command[0];
+    }
+}
+
 TEST(OutputPath, AnImpossiblePathIsAnErrorBeforeTheRun) {
     for (const std::string path : {"missing/out.h5", "scene.toml/out.h5", ".", "/proc/out.h5"}) {
         const TemporaryDirectory directory;

@@ -91,6 +91,31 @@ step = 1e-2
     EXPECT_EQ(result.err.find(words, found + 50), std::string::npos) << "once is enough\n" << result.err;
 }
 
+// A run that explodes is complete all the same, and its balance has an account that takes all of it.
+TEST(Run, TellsOfEnergyThatTheTimeSchemeMade) {
+    const test::TemporaryDirectory directory;
+    std::ofstream(directory.path / "scene.toml") << R"(
+duration = 6e-4
+[sheet.falling]
+mesh = { generate = "rectangle", width = 0.06, height = 0.06, edge_length = 0.015 }
+material = { preset = "glass", thickness = 0.001 }
+velocity = [0, 0, -60]
+place = { rotate = { axis = [1, 1, 0], degrees = 70 }, translate = [0.02, 0.02, 0.06] }
+[sheet.rising]
+mesh = { generate = "rectangle", width = 0.06, height = 0.06, edge_length = 0.015 }
+material = { preset = "glass", thickness = 0.001 }
+velocity = [0, 0, 60]
+)";
+    for (const std::string scheme : {"midpoint", "bdf2"}) {
+        const auto result = test::run_sherd(
+            {"run", "scene.toml", "-o", "run.h5", "--force", "--set", "solver.scheme=" + scheme},
+            directory.path);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.out.find("energy from nowhere") != std::string::npos, scheme == "midpoint")
+            << result.out;
+    }
+}
+
 // Nobody could see what a run spends its time on, or would have to filter it out of the results.
 TEST(Run, TellsBesideItsResultsWhatTimeWasSpentOn) {
     const test::TemporaryDirectory directory;

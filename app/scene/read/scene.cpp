@@ -110,11 +110,11 @@ void read_duration(TomlTable& root, Scene& scene) {
     scene.duration = scene.solver.arc_length ? scene.solver.longest_path : scene.solver.load;
 }
 
-void require_few_steps(const Scene& scene, TomlTable& table, const char* key) {
+void require_few_steps(const Scene& scene, TomlTable& table, const char* key, const char* advice) {
     const double steps = scene.duration / scene.solver.step;
     if (steps > most_steps)
-        table.report(key, fmt::format("would take {:.2g} steps, more than {:.0g}: give a longer one", steps,
-                                      most_steps));
+        table.report(key,
+                     fmt::format("would take {:.2g} steps, more than {:.0g}: {}", steps, most_steps, advice));
 }
 
 /// Frames are recorded at the ends of steps: a step that the scene does not give is no longer than the time
@@ -127,7 +127,7 @@ void read_frame_interval(TomlTable& output, bool step_is_given, Scene& scene) {
             "every", fmt::format("is shorter than solver.step ({} s), at whose ends frames are recorded",
                                  scene.solver.step));
     scene.solver.step = scene.frame_interval;
-    require_few_steps(scene, output, "every");
+    require_few_steps(scene, output, "every", "give a longer one");
 }
 
 void read_times(TomlTable& root, Scene& scene) {
@@ -140,7 +140,10 @@ void read_times(TomlTable& root, Scene& scene) {
                                            : scene.solver.arc_length ? "longest_path"
                                                                      : "load",
                                            scene.duration, scene.time_unit()));
-    if (solver) require_few_steps(scene, *solver, "step");
+    if (solver && solver->has("step"))
+        require_few_steps(scene, *solver, "step", "give a longer one");
+    else if (root.has("duration"))
+        require_few_steps(scene, root, "duration", "give a shorter one, or a longer solver.step");
     scene.frame_interval = std::max(scene.is_static() ? 0 : scene.duration / 100, scene.solver.step);
     if (auto output = root.table("output")) {
         if (output->has("every")) read_frame_interval(*output, solver && solver->has("step"), scene);

@@ -14,6 +14,7 @@
 #include "app/render/render_picture.h"
 #include "app/render/render_solid.h"
 #include "app/render/render_stripes.h"
+#include "meshops/error.h"
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/thrown_by.h"
@@ -67,6 +68,8 @@ TEST(Camera, LooksFromTheFrontAndFromTheRight) {
     EXPECT_EQ(*placed.target, Vector3d(4, 5, 6));
     EXPECT_EQ(placed.view_angle, 40);
     EXPECT_EQ(parse_camera("-30,10,1.5").zoom, 1.5);
+    for (const char* text : {"0,0,1e30", "0,0,1e-30", "1e25,0,0,0,0,0", "0,0,nan"})
+        EXPECT_THROW(parse_camera(text), Error) << text;
 }
 
 /// The synthetic run's last frame as bodies 2 mm thick.

@@ -218,6 +218,17 @@ TEST_F(Render, MakesAFilmAlone) {
     EXPECT_EQ(run_sherd({"render", "run.h5"}, folder.path).exit_code, 2) << "nowhere to draw";
 }
 
+// ffmpeg tells of no failure where the disk is full at the end, and its film has no beginning then.
+TEST_F(Render, AFullDiskLeavesNoFilm) {
+    ProgramLimits limits;
+    limits.file_bytes = 4000;
+    const ProgramResult result = run_sherd(
+        {"render", "run.h5", "--film", "film.mp4", "--size", "64x36", "--samples", "1"}, folder.path, limits);
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4"));
+    EXPECT_FALSE(fs::exists(folder.path / "film.mp4.part"));
+}
+
 TEST_F(Render, SaysThatFfmpegIsMissing) {
     const std::string path = getenv("PATH");
     setenv("PATH", folder.path.c_str(), 1);

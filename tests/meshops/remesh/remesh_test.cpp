@@ -210,6 +210,16 @@ TEST(Remesh, CrossesNoMoreOftenThanBefore) {
     }
 }
 
+// Sheets that touch along a seam are no sheets that cross: to keep their faces would leave a strip unmeshed.
+TEST(Remesh, RemeshesAlongOpenSeams) {
+    Mesh two = generate_rectangle(0.1, 0.1, structured(0.02));
+    Mesh other = two;
+    for (const Vertex v : other.vertices())
+        other.point(v) = point_at(position(other, v) + Eigen::Vector3d(0.1, 0, 0));
+    two += other;
+    for (const double asked : {0.01, 0.03}) EXPECT_EQ(remesh(two, {asked}).kept, 0u) << asked;
+}
+
 TEST(Remesh, KeepsSharpEdges) {
     const Mesh mesh = remesh(cube(), {0.1}).mesh;
     EXPECT_NEAR(test::mesh_quality(mesh).area, 6, 1e-9);
