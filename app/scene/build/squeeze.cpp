@@ -52,7 +52,7 @@ struct Pair {
     Positions added;  ///< m, in the frame of the first, of its surface
 
     Positions points_at(double time) const {
-        const Positions placed = one->motion.at(time) * added;
+        Positions placed = one->motion.at(time) * added;
         if (one->surface == nullptr) return placed;
         Positions all(3, one->surface->size() + placed.cols());
         all << one->points_at(time), placed;
@@ -159,7 +159,7 @@ std::optional<NarrowPoint> certain(const Pair& pair, const std::vector<NarrowPoi
     for (int look = 0; look <= looks; ++look) {
         const double time = last * look / looks;
         for (const Vector3d& shift : {Vector3d(Vector3d::Zero()), sheet.flown(time)})
-            if (const auto found = crossed(pair, narrow, sheet, time, shift)) return found;
+            if (auto found = crossed(pair, narrow, sheet, time, shift)) return found;
     }
     return std::nullopt;
 }
