@@ -12,6 +12,7 @@
 #include "app/export/split_points.h"
 #include "app/playback/playback.h"
 #include "app/render/creased_surface.h"
+#include "meshops/error.h"
 
 namespace sherd {
 
@@ -126,6 +127,10 @@ void Animation::add_bodies(GlbScene& scene) {
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const auto fragment = static_cast<Index>(i);
         vertices.push_back(group_points(sheet, fragment));
+        if (vertices[i].empty())
+            throw Error(
+                fmt::format("'{}' is damaged: its last frame has fragments after {}, which has no face",
+                            source.options.recording.string(), scene.nodes[i].name));
         const std::vector<Vector3d> own = gathered(sheet_points, vertices[i]);
         const Eigen::Isometry3d to_origin(Eigen::Translation3d(-centroid(own)));
         local.push_back(moved(own, to_origin));

@@ -99,19 +99,6 @@ std::string length_fault(const Snapshot& s) {
                      {"rest/vertex_weights", rest.vertex_weights.size()}})});
 }
 
-/// Fragments are numbered without a gap: others would have no face.
-std::string fragment_fault(const Snapshot& s) {
-    std::vector<char> there(s.faces.size() + 1, 0);
-    Index most = -1;
-    for (const Index fragment : s.face_fragment) {
-        there[fragment] = 1;
-        most = std::max(most, fragment);
-    }
-    for (Index fragment = 0; fragment < most; ++fragment)
-        if (!there[fragment]) return fmt::format("face/fragment has {} and no {}", most, fragment);
-    return "";
-}
-
 /// Of fields of faces, of which a frame may have none.
 std::string field_fault(const Snapshot& s) {
     std::string fault;
@@ -228,7 +215,7 @@ std::string inconsistency(const Snapshot& s, std::size_t unbroken_vertices) {
         return "edge/state has an unknown state";
     if (std::ranges::any_of(s.edge_held, [](double share) { return !(share >= 0 && share <= 1); }))
         return fmt::format("{} has what is no share", held_edges);
-    return first_of({fragment_fault(s), ancestry_fault(s)});
+    return ancestry_fault(s);
 }
 
 std::string inconsistency(const RecordingHeader& header) {
