@@ -80,7 +80,6 @@ int cut(const CutOptions& options) {
     std::vector<std::string> warnings;
     ReadMeshOptions read = options.read;
     if (options.repair) read.repair = Repair::all;
-    read.join_duplicate_points |= read.join_distance > 0;
     Mesh mesh = read_mesh(options.mesh, read, warnings);
     print_warnings(warnings);
     const Mesh before = mesh;

@@ -76,7 +76,7 @@ std::string explicit_words(const RunTotals& totals) {
 
 /// Time schemes take energy, or are not right for what happens in a step.
 void add_made_energy(std::string& text, const RunTotals& totals, const Scene& scene) {
-    constexpr double much = 0.1;  // of the largest energy
+    constexpr double much = 0.1;  // share of the largest energy
     const double made = -totals.last.lost_to_scheme;
     if (!scene.is_static() && made > much * totals.largest_energy)
         add_row(text, "energy from nowhere",

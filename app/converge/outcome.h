@@ -19,10 +19,10 @@ struct Outcome {
     std::size_t faces = 0;
     std::int64_t steps = 0, cracks = 0;
     double seconds = 0;  ///< of wall time
-    /// Of every gauge what it is to record: displacement, principal stress, curvature and membrane strain at
-    /// the end and the largest one, and the components of the last three at the end. Of every support and
-    /// obstacle the largest force, the elastic energy at the end, the peaks of hinges, and in statics the
-    /// largest load and the one at which it fell for the first time.
+    /// Each gauge gives what it records: displacement, principal stress, curvature and membrane strain at the
+    /// end and the largest one, and the components of the last three at the end. Each support and obstacle
+    /// gives its largest force. The elastic energy at the end, the peaks of hinges and, in statics, the
+    /// largest load and the one at which it fell for the first time follow.
     std::vector<Quantity> quantities;
 };
 

@@ -46,8 +46,8 @@ class PendingFile {
     std::optional<OutputLock> own;
 };
 
-/// Throws Error (input) when `file` exists and not `force`, or is there but not an ordinary file, or is one
-/// of those that the command reads: not even `force` may replace these.
+/// Throws Error (input) when `file` exists and not `force`, when it is no ordinary file, and when it is in
+/// `read`, the files that the command reads: not even `force` may replace them.
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read = {});
 

@@ -25,7 +25,7 @@ class ProgressObserver : public RunObserver {
     RunReporter reporter;
     const Scene& scene;
     const RunTotals& totals;
-    bool warned = false;  ///< of many substeps
+    bool warned = false;  ///< whether many substeps have been warned of
 };
 
 }  // namespace sherd

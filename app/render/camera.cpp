@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double most_zoom = 1e6, farthest = 1e12;  // beyond, rays have no digits left
-constexpr double margin = 1.08;                     // of the picture's size over that of what must be in it
+constexpr double margin = 1.08;  // ratio of the picture's size to that of what must be in it
 
 void check_angle(const std::string& text, double angle) {
     if (angle < 1 || angle > 120)

@@ -17,8 +17,8 @@ namespace sherd {
 /// is done that turns a face away from the surface.
 class Remeshing {
   public:
-    /// unsplit: [F] m, which edges of a face of the surface are not split, those up to this length: 0 where
-    /// they may be. The surface and the sizes have to outlive this.
+    /// unsplit: [F] m, length up to which the edges of a face of the surface stay whole; 0: it is the wanted
+    /// one. The surface and the sizes have to outlive this.
     Remeshing(const InputSurface& surface, const SizeField& sizes, const std::vector<double>& unsplit);
     Remeshing(const Remeshing&) = delete;
     Remeshing& operator=(const Remeshing&) = delete;
@@ -84,7 +84,7 @@ class Remeshing {
     Mesh work;
     Mesh::Property_map<Vertex, Site> site;
     Mesh::Property_map<Edge, LineStretch> stretch;
-    Mesh::Property_map<Edge, double> whole;  ///< m, a length up to which it is not split
+    Mesh::Property_map<Edge, double> whole;  ///< m, length up to which an edge is not split
     Random random{1};
 };
 

@@ -10,10 +10,11 @@
 namespace sherd {
 namespace {
 
-constexpr double borne_at_once = 0.5;  // of a strength; sudden loads reach twice the strain of slow ones
+constexpr double borne_at_once =
+    0.5;                     // share of a strength: sudden loads reach twice the strain of slow ones
 constexpr double slow = 10;  // periods of the slowest vibration, in which a load grows as in statics
 
-/// One sheet at rest, and nothing else but weight, which statics put on.
+/// Returns a scene of statics that has this sheet and its weight only.
 Scene alone(const Scene& scene, const SheetSpec& sheet) {
     Scene result = scene;
     result.sheets = {sheet};

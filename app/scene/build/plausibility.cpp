@@ -25,9 +25,10 @@ constexpr double most_short_edges = 0.05;  // share of the edges that may be sho
 
 constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 
-constexpr double smallest_edge = 0.02;    // of the mean
-constexpr double coarsest_places = 1e-7;  // of the mean edge; thin glass breaks at a hundred times that
-constexpr double steps_a_period = 10;     // of the slowest vibration, whose first peak then is 39 % low
+constexpr double smallest_edge = 0.02;  // share of the mean edge
+constexpr double coarsest_places =
+    1e-7;  // share of the mean edge; thin glass breaks at a hundred times that strain
+constexpr double steps_a_period = 10;  // period of the slowest vibration: its first peak then is 39 % low
 
 /// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
 /// breaks at a millionth, what is as stiff as wood or stiffer not at a fifth (whiskers and fibres: a tenth),

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int moments_beside_keys = 200;
 constexpr int looks = 16;                 // at what is between, before the gap is narrow
-constexpr double noticed_squeeze = 1e-2;  // of the thickness
-constexpr double bend_slack = 0.05;       // of a sheet's size: it bends while it flies
+constexpr double noticed_squeeze = 1e-2;  // share of the thickness
+constexpr double bend_slack = 0.05;       // share of a sheet's size, by which it bends while it flies
 constexpr double needle_width = 1e-6;     // of its length
 
 /// A sheet where it starts.
