@@ -2,13 +2,13 @@
 #include "fracture/simulation.h"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "core/contact/colliders/start_depth.h"
 #include "core/shell/mean_edge_length.h"
+#include "core/shell/position_spacing.h"
 #include "fracture/hinge_measures.h"
 #include "fracture/kept_loads.h"
 #include "fracture/residual_stress.h"
@@ -19,8 +19,7 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 10;
-constexpr double coarsest_places = 1e-7;  // of the mean edge: what Newton's corrections must get below
-constexpr double no_freedom = 1e-9;       // of a projection that is zero but for round-off
+constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
 
 /// Snapshot::edge_held, [E].
 std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {
@@ -147,8 +146,8 @@ void Simulation::give_up(const StepReport& report) const {
     text << "a step of " << step_size.size() << unit << " cannot be solved within " << options.max_iterations
          << " iterations; ";
     const double farthest = breakable.mechanics().position.cwiseAbs().maxCoeff();
-    if (const double spacing = std::numeric_limits<double>::epsilon() * farthest;
-        spacing > coarsest_places * mean_edge_length(breakable.mechanics()))
+    if (const double spacing = position_spacing(farthest);
+        spacing > coarsest_spacing * mean_edge_length(breakable.mechanics()))
         text << "it lies " << farthest << " m from the origin, where positions have steps of " << spacing
              << " m: place the scene near the origin";
     else

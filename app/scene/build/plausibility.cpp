@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "app/scene/build/deforming_mesh.h"
@@ -13,6 +12,7 @@
 #include "app/scene/build/round_step.h"
 #include "app/scene/build/thickness.h"
 #include "core/bending/share_bound.h"
+#include "core/shell/position_spacing.h"
 #include "meshops/mesh_measures.h"
 
 namespace sherd {
@@ -26,9 +26,7 @@ constexpr double most_short_edges = 0.05;  // share of the edges that may be sho
 constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 
 constexpr double smallest_edge = 0.02;  // share of the mean edge
-constexpr double coarsest_places =
-    1e-7;  // share of the mean edge; thin glass breaks at a hundred times that strain
-constexpr double steps_a_period = 10;  // period of the slowest vibration: its first peak then is 39 % low
+constexpr double steps_a_period = 10;   // the slowest vibration: with that many its first peak is 39 % low
 
 /// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
 /// breaks at a millionth, what is as stiff as wood or stiffer not at a fifth (whiskers and fibres: a tenth),
@@ -225,9 +223,9 @@ void warn_of_distance(const SheetInput& input, const SheetSpec& sheet, std::vect
     double farthest = 0;
     for (const Vertex v : input.mesh.vertices())
         farthest = std::max(farthest, input.starts_at(v).cwiseAbs().maxCoeff());
-    const double spacing = std::numeric_limits<double>::epsilon() * farthest;
+    const double spacing = position_spacing(farthest);
     const double edge = measure(input.mesh).mean_edge;
-    if (spacing <= coarsest_places * edge) return;
+    if (spacing <= coarsest_spacing * edge) return;
     warnings.push_back(
         fmt::format("{}: sheet.{} is {:.3g} m from the origin, where positions have steps of {:.1g} m, "
                     "strains of {:.1g} in its edges of {:.3g} m: place the scene near the origin",
