@@ -101,6 +101,9 @@ std::vector<Corners> triangulate_flat(const std::vector<Point2>& flat) {
         if (triangulation.number_of_vertices() > before) corner.back()->info() = i;
     }
     if (triangulation.dimension() != 2) return {};
+    // A side along the axis that was dropped has no length here; CGAL takes no such constraint.
+    for (std::size_t i = 0; i < corner.size(); ++i)
+        if (corner[i] == corner[(i + 1) % corner.size()]) return {};
     for (std::size_t i = 0; i < corner.size(); ++i) {
         triangulation.insert_constraint(corner[i], corner[(i + 1) % corner.size()]);
     }

@@ -130,6 +130,9 @@ TEST_F(ReadMesh, TriangulatesPolygons) {
     // Two sides that go back on others, so that there are as many triangles between sides as a polygon has.
     expect_failure("spikes.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n",
                    "crosses");
+    // Warped so much that a side has no length along the axis nearest to the polygon's normal.
+    expect_failure("folded.obj", "v 0 1 0\nv 0 0 0\nv 0 0 1\nv 1 1 1\nv 2 2 2\nv 3 2 2\nf 1 2 3 4 5 6\n",
+                   "crosses");
 }
 
 TEST_F(ReadMesh, TurnsTheFewerFacesOver) {
