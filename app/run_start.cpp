@@ -52,8 +52,8 @@ void require_whole(const std::filesystem::path& file, const Scene& scene, double
                                 scene.duration));
     if (!scene.is_static() && time < end_time * (1 - rounding))
         throw Error(fmt::format(
-            "'{}' is complete at {:g} s, and was so before its first output.checkpoint, so that none "
-            "was kept from which it could be made longer; --force instead of --resume runs it from its "
+            "'{}' is complete at {:g} s, and has no checkpoint from which it could be made longer (none is "
+            "written before the first output.checkpoint); --force instead of --resume runs it from its "
             "beginning",
             file.string(), time));
     if (recording.header().scene_text != scene.text)

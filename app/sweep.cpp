@@ -15,6 +15,7 @@
 #include "app/scene/build/built_scene.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
+#include "app/sweep/python_measure.h"
 #include "app/sweep/slurm.h"
 #include "app/sweep/sweep_folder.h"
 #include "app/sweep/sweep_runner.h"
@@ -109,6 +110,7 @@ bool run_rows(const Sweep& sweep, const SweepOptions& options) {
     std::vector<std::size_t> wanted = rows_to_run(sweep, state, options.retry);
     std::erase_if(wanted, [begin = begin, end = end](std::size_t row) { return row < begin || row >= end; });
     if (wanted.empty()) return true;
+    if (!sweep.rows.python.empty()) require_measure(sweep.rows.python);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     watch_for_interruption();
     SweepRunner runner(sweep.study, sweep.rows, sweep.folder, wanted,
@@ -180,6 +182,7 @@ int submit_sweep(const Sweep& sweep, const SweepOptions& options) {
         print_message("sherd: no row is left to run; --collect makes the tables\n");
         return 0;
     }
+    if (!sweep.rows.python.empty()) require_measure(sweep.rows.python);
     const SlurmOptions slurm = slurm_options(sweep.study.slurm, options.on_slurm);
     const RowCost cost = estimated_row_cost(sweep.rows, wanted);
     const std::size_t chunk = slurm.chunk > 0 ? slurm.chunk : chunk_size(sweep.rows.rows.size(), cost);

@@ -229,6 +229,10 @@ bool has_vertices(const PlyElement& element) {
     return element.name == "vertex" || element.name == "vertices";
 }
 
+bool has_faces(const PlyElement& element) {
+    return element.name == "face" || element.name == "faces";
+}
+
 void skip(PlyRows& rows, const PlyElement& element) {
     if (element.properties.empty()) return;
     for (std::size_t row = 0; row < element.rows; ++row) rows.next(element, row);
@@ -257,12 +261,37 @@ std::vector<std::size_t> corners(const std::vector<double>& values) {
     return polygon;
 }
 
-void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
+/// The number of the property that lists vertices.
+std::size_t vertex_list(const std::filesystem::path& file, const PlyElement& element) {
     const auto list = element.find({"vertex_indices", "vertex_index"});
     if (!list || !element.properties[*list].count || !is_integer(element.properties[*list].type))
-        throw Error(soup.file.string() + ":" + std::to_string(element.line) + ": element " + element.name +
+        throw Error(file.string() + ":" + std::to_string(element.line) + ": element " + element.name +
                     " of the PLY file needs a list of vertex numbers: write `property list uchar int "
                     "vertex_indices`");
+    return *list;
+}
+
+/// Strips of triangles, as scanners of the nineties wrote them: each vertex makes one with the two before it,
+/// every other one turned over; -1 begins another strip, and a vertex that is there twice only turns.
+void read_strips(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
+    const std::size_t list = vertex_list(soup.file, element);
+    for (std::size_t row = 0; row < element.rows; ++row) {
+        const std::vector<std::size_t> strip = corners(rows.next(element, row)[list]);
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < strip.size(); ++i) {
+            if (strip[i] == static_cast<std::size_t>(-1)) begin = i + 1;
+            if (i < begin + 2) continue;
+            const bool is_turned = (i - begin) % 2 == 1;
+            const std::size_t a = strip[i - 2], b = strip[i - 1], c = strip[i];
+            if (a == b || b == c || a == c) continue;
+            soup.polygons.push_back(is_turned ? std::vector{b, a, c} : std::vector{a, b, c});
+            if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
+        }
+    }
+}
+
+void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
+    const std::size_t list = vertex_list(soup.file, element);
     std::vector<std::size_t> axis;
     for (const char* name : {"axis_x", "axis_y", "axis_z"})
         if (const auto found = element.find({name}); found && !element.properties[*found].count)
@@ -271,7 +300,7 @@ void read_faces(PlyRows& rows, const PlyElement& element, PolygonSoup& soup) {
     for (std::size_t row = 0; row < element.rows; ++row) {
         const auto& values = rows.next(element, row);
         colours.add(values);
-        soup.polygons.push_back(corners(values[*list]));
+        soup.polygons.push_back(corners(values[list]));
         if (rows.line_number() > 0) soup.polygon_line.push_back(rows.line_number());
         if (axis.size() == 3)
             soup.axis.emplace_back(values[axis[0]][0], values[axis[1]][0], values[axis[2]][0]);
@@ -286,13 +315,23 @@ PolygonSoup parse_ply(const std::filesystem::path& file, std::string_view conten
     PolygonSoup soup;
     soup.file = file;
     PlyRows rows(file, content, header);
+    const bool any_faces = std::ranges::any_of(
+        header.elements, [](const PlyElement& element) { return has_faces(element) && element.rows > 0; });
     for (const PlyElement& element : header.elements) {
-        if (has_vertices(element))
+        if (has_vertices(element)) {
             read_vertices(rows, element, soup);
-        else if (element.name == "face" || element.name == "faces")
+        } else if (has_faces(element)) {
             read_faces(rows, element, soup);
-        else
+        } else if (element.name == "tristrips" && !any_faces) {
+            read_strips(rows, element, soup);
+        } else {
             skip(rows, element);
+            if (element.rows > 0)
+                soup.warnings.push_back(std::to_string(element.rows) +
+                                        (element.rows == 1 ? " row" : " rows") + " of element `" +
+                                        element.name + (element.rows == 1 ? "` was" : "` were") +
+                                        " passed over (line " + std::to_string(element.line) + ")");
+        }
     }
     return soup;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/progress/run_progress.h"
+#include "app/words/split.h"
 
 namespace sherd {
 namespace {
@@ -72,6 +73,31 @@ int ChildRun::finish() {
     const int exit_code = process.wait();
     meter.end(exit_code == 0 ? "took" : "ended after");
     return exit_code;
+}
+
+ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments) {
+    ChildRun run("", 1, arguments, program);
+    while (run.listen()) {
+        std::vector<pollfd> pipes;
+        run.add_pipes(pipes);
+        poll(pipes.data(), pipes.size(), -1);
+    }
+    ProgramEnd end;
+    end.err = run.take_words();
+    end.out = run.results;
+    end.exit_code = run.finish();
+    return end;
+}
+
+std::string reason_in(const std::string& words) {
+    std::string last;
+    for (const std::string& line : split(words, '\n')) {
+        constexpr std::string_view error = "sherd: error: ";
+        if (const std::size_t at = line.find(error); at != std::string::npos)
+            return line.substr(at + error.size());
+        if (!line.empty()) last = line;
+    }
+    return last;
 }
 
 }  // namespace sherd

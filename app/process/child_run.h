@@ -46,4 +46,16 @@ class ChildRun {
     bool out_open = true, err_open = true, reports_open = true;
 };
 
+/// How a program has ended, and all that it said.
+struct ProgramEnd {
+    int exit_code = 0;
+    std::string out, err;
+};
+
+/// Runs a program to its end. Throws Error (run) when it cannot be started.
+ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments);
+
+/// The error that a program of ours tells in its words, or the last line of another one.
+std::string reason_in(const std::string& words);
+
 }  // namespace sherd

@@ -5,25 +5,34 @@
 
 #include <algorithm>
 
+#include "app/files/program_file.h"
 #include "app/json/json.h"
+#include "app/process/child_run.h"
 #include "app/sweep/study_column_names.h"
 #include "meshops/error.h"
 
 namespace sherd {
 namespace {
 
-/// argv: folder of the package in a build tree, file, recording.
-constexpr const char* script = R"(
+/// argv: folder of the package, file, recording; without the last nothing is measured.
+constexpr const char* script = R"python(
 import json, pathlib, runpy, sys
-folder, file, recording = sys.argv[1:]
+folder, file, *recording = sys.argv[1:]
 if pathlib.Path(folder).is_dir():
     sys.path.insert(0, folder)
 sys.path.insert(0, str(pathlib.Path(file).parent))
 results, sys.stdout = sys.stdout, sys.stderr
 import sherd
-values = runpy.run_path(file)["measure"](sherd.Recording(recording))
-print(json.dumps({str(key): None if value is None else float(value) for key, value in values.items()}), file=results)
-)";
+measure = runpy.run_path(file).get("measure")
+if not callable(measure):
+    sys.exit("it has no function measure(recording)")
+if recording:
+    values = measure(sherd.Recording(recording[0]))
+    if not isinstance(values, dict):
+        sys.exit("measure(recording) must return a dictionary of numbers by name")
+    numbers = {str(key): None if value is None else float(value) for key, value in values.items()}
+    print(json.dumps(numbers), file=results)
+)python";
 
 /// Where the module is that belongs to this program: beside it in a build, below the prefix of an
 /// installation.
@@ -40,11 +49,16 @@ std::vector<std::string> python_arguments(const std::filesystem::path& file,
     return {"-c", script, package_folder().string(), file.string(), recording.string()};
 }
 
+void require_measure(const std::filesystem::path& file) {
+    const ProgramEnd end =
+        end_of(python_to_start(), {"-c", script, package_folder().string(), file.string()});
+    if (end.exit_code != 0) throw Error(fmt::format("{}: {}", file.string(), reason_in(end.err)));
+}
+
 std::vector<std::pair<std::string, double>> python_values(const std::string& printed) {
     std::vector<std::pair<std::string, double>> values;
     const Json json = Json::parse(printed, nullptr, false);
-    if (!json.is_object())
-        throw Error("measure(recording) must return a dictionary of numbers by name", Fault::run);
+    if (!json.is_object()) throw Error("it ended before measure(recording) returned", Fault::run);
     for (const auto& [key, value] : json.items()) {
         if (is_study_column(key))
             throw Error(fmt::format("measure(recording) returned '{}', which is a column already", key),

@@ -8,6 +8,10 @@
 
 namespace sherd {
 
+/// Throws Error (input) unless a Python file runs and has a function `measure`: before hours of runs instead
+/// of behind them.
+void require_measure(const std::filesystem::path& file);
+
 /// Arguments of python3 that print what the function `measure(recording)` of a Python file says of a
 /// recording, as JSON in the last line. It gets a sherd.Recording; what it prints itself goes to stderr.
 std::vector<std::string> python_arguments(const std::filesystem::path& file,

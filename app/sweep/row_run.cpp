@@ -13,7 +13,6 @@
 #include "app/sweep/python_measure.h"
 #include "app/sweep/study_measures.h"
 #include "app/sweep/unlocked_output.h"
-#include "app/words/split.h"
 #include "meshops/error.h"
 
 namespace sherd {
@@ -27,18 +26,6 @@ bool can_go_on(const fs::path& recording, std::uint64_t program) {
     std::vector<std::string> warnings;
     const std::optional<Checkpoint> last = last_checkpoint(recording, warnings);
     return last && last->origin.program.find(fmt::format("{:016x}", program)) != std::string::npos;
-}
-
-/// What a program said of its failure, or the last that it said.
-std::string reason_in(const std::string& words) {
-    std::string last;
-    for (const std::string& line : split(words, '\n')) {
-        constexpr std::string_view error = "sherd: error: ";
-        if (const std::size_t at = line.find(error); at != std::string::npos)
-            return line.substr(at + error.size());
-        if (!line.empty()) last = line;
-    }
-    return last;
 }
 
 }  // namespace

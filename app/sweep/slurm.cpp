@@ -25,25 +25,6 @@ constexpr double longest_chunk = 3600, shortest_time = 300;  // s
 constexpr double most_tasks = 1000;  // Slurm's MaxArraySize is 1001 unless it is told otherwise
 constexpr double megabyte = 1e6, spare_memory = 300e6;  // bytes
 
-struct ProgramEnd {
-    int exit_code = 0;
-    std::string out, err;
-};
-
-ProgramEnd end_of(const std::string& program, const std::vector<std::string>& arguments) {
-    ChildRun run("", 1, arguments, program);
-    while (run.listen()) {
-        std::vector<pollfd> pipes;
-        run.add_pipes(pipes);
-        poll(pipes.data(), pipes.size(), -1);
-    }
-    ProgramEnd end;
-    end.err = run.take_words();
-    end.out = run.results;
-    end.exit_code = run.finish();
-    return end;
-}
-
 fs::path job_file(const fs::path& folder) {
     return folder / "slurm" / "job.json";
 }

@@ -71,15 +71,11 @@ Number largest_force(const Measures& measures) {
     return std::ranges::max(measures.peak_forces, {}, &PeakForce::force).force;
 }
 
-/// "floor" of "obstacle.floor", and "sheet.plate.pin" as it is.
-std::string short_name(const RecordedSupport& support) {
-    constexpr std::string_view obstacle = "obstacle.";
-    return support.name.starts_with(obstacle) ? support.name.substr(obstacle.size()) : support.name;
-}
-
-bool is_of_support(const std::string& name) {
-    return (name.starts_with(peak_force) && name.size() > peak_force.size()) ||
-           (name.starts_with(peak_time) && name.size() > peak_time.size());
+/// The support or obstacle that a measure names; empty: none.
+std::string support_of(const std::string& measure) {
+    for (const std::string_view prefix : {peak_force, peak_time})
+        if (measure.starts_with(prefix)) return measure.substr(prefix.size());
+    return "";
 }
 
 }  // namespace
@@ -147,12 +143,26 @@ const std::vector<StudyMeasure>& study_measures() {
 std::string measure_mistake(const std::string& name) {
     std::vector<std::string> names;
     for (const StudyMeasure& measure : study_measures()) names.push_back(measure.name);
-    if (is_of_support(name) || std::ranges::find(names, name) != names.end()) return "";
+    if (!support_of(name).empty() || std::ranges::find(names, name) != names.end()) return "";
     names.insert(names.end(), {"peak_force.NAME", "peak_force_time.NAME"});
     const std::string nearest = nearest_name(name, names);
     return fmt::format("there is no measure '{}'; {}there are: {}", name,
                        nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
                        fmt::join(names, ", "));
+}
+
+std::string name_in_measures(const std::string& support) {
+    constexpr std::string_view obstacle = "obstacle.";
+    return support.starts_with(obstacle) ? support.substr(obstacle.size()) : support;
+}
+
+std::string support_mistake(const std::string& measure, const std::set<std::string>& supports) {
+    const std::string support = support_of(measure);
+    if (support.empty() || supports.contains(support)) return "";
+    const std::string nearest = nearest_name(support, std::vector(supports.begin(), supports.end()));
+    return fmt::format("{}: the scene has no support or obstacle '{}'; {}there {}", measure, support,
+                       nearest.empty() ? "" : fmt::format("did you mean '{}'? ", nearest),
+                       supports.empty() ? "is none" : fmt::format("are: {}", fmt::join(supports, ", ")));
 }
 
 std::string measure_unit(const std::string& name) {
@@ -168,8 +178,8 @@ std::map<std::string, double> measure_values(const Measures& measures) {
         if (const Number value = measure.value(measures); value && std::isfinite(*value))
             values[measure.name] = *value;
     for (const PeakForce& peak : measures.peak_forces) {
-        values[std::string(peak_force) + short_name(peak.support)] = peak.force;
-        values[std::string(peak_time) + short_name(peak.support)] = peak.time;
+        values[std::string(peak_force) + name_in_measures(peak.support.name)] = peak.force;
+        values[std::string(peak_time) + name_in_measures(peak.support.name)] = peak.time;
     }
     return values;
 }

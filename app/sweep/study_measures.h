@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ const std::vector<StudyMeasure>& study_measures();
 /// What is wrong with a name, with the nearest that is none; empty: nothing. "peak_force.NAME" and
 /// "peak_force_time.NAME" are right for any support or obstacle.
 std::string measure_mistake(const std::string& name);
+
+/// The name of a support or obstacle behind "peak_force.": "floor" of "obstacle.floor", and "sheet.plate.pin"
+/// as it is.
+std::string name_in_measures(const std::string& support);
+
+/// What is wrong with a measure of a support or obstacle that is not among those of the scenes, with the
+/// nearest; empty: nothing.
+std::string support_mistake(const std::string& measure, const std::set<std::string>& supports);
 
 /// Of a measure's name; empty: a plain number.
 std::string measure_unit(const std::string& name);

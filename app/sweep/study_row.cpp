@@ -11,9 +11,11 @@
 #include "app/files/checksum.h"
 #include "app/files/program_file.h"
 #include "app/scene/build/built_scene.h"
+#include "app/scene/build/supports.h"
 #include "app/scene/read/scene.h"
 #include "app/scene/read/shipped_scenes.h"
 #include "app/sweep/design.h"
+#include "app/sweep/study_measures.h"
 #include "app/words/number.h"
 #include "app/words/shell_word.h"
 #include "meshops/error.h"
@@ -125,6 +127,8 @@ class RowReader {
                                     all.scene.string()));
         Scene scene = parse_scene(text, all.scene, point.choice);
         const std::uint64_t files = files_hash(scene, hashes);
+        for (const SupportName& support : support_names(scene))
+            supports.insert(name_in_measures(support.name));
         for (std::int64_t repeat = 0; repeat < study.repeats; ++repeat) {
             StudyRow row = point;
             row.seed = scene.seed + repeat;
@@ -151,6 +155,13 @@ class RowReader {
         refuse(error.what());
     }
 
+    /// After all rows: a measure of a support may have no value in some of them.
+    void require_supports() {
+        for (const std::string& measure : study.measures)
+            if (const std::string mistake = support_mistake(measure, supports); !mistake.empty())
+                refuse(fmt::format("{}: measures: {}", study.file.string(), mistake));
+    }
+
     void throw_if_any() const {
         if (mistakes.empty()) return;
         const std::size_t shown = std::min(mistakes.size(), most_mistakes);
@@ -170,6 +181,7 @@ class RowReader {
     bool has_variants = false;
     std::uint64_t measured = 0;
     FileHashes hashes;
+    std::set<std::string> supports;  ///< of all rows, as measures name them
     std::vector<std::string> mistakes;
 };
 
@@ -206,6 +218,7 @@ StudyRows study_rows(const Study& study, bool build) {
         reader.add(row);
     }
     reader.throw_if_any();
+    reader.require_supports();
     if (build)
         for (const std::size_t row : rows_to_build(study, all.rows)) reader.build(all.rows[row]);
     reader.throw_if_any();

@@ -65,7 +65,7 @@ TEST(Outcome, OfCoupledHingesIsOfSecondOrderInTheEdges) {
     EXPECT_NEAR(*found.limit, 0.1 / 8 * 3 / 250, 0.02 * 1.5e-4);
 }
 
-const Quantity& quantity(const Outcome& outcome, const std::string& name) {
+Quantity quantity(const Outcome& outcome, const std::string& name) {
     const auto found = std::ranges::find(outcome.quantities, name, &Quantity::name);
     if (found == outcome.quantities.end()) throw std::runtime_error("no quantity is " + name);
     return *found;
@@ -78,7 +78,7 @@ TEST(Outcome, OfAGaugeOfStressIsItsComponentsAndThePrincipalOneInPascal) {
     const Outcome result = outcome(built_from(text).scene);
     EXPECT_EQ(result.quantities[0].name, "tip, stress top 00, at the end");
     EXPECT_EQ(result.quantities[0].unit, "Pa");
-    const Quantity& principal = quantity(result, "tip, principal stress, at the end");
+    const Quantity principal = quantity(result, "tip, principal stress, at the end");
     EXPECT_EQ(principal.unit, "Pa");
     EXPECT_EQ(quantity(result, "tip, principal stress, largest").value, principal.value) << "the load grows";
     // 3 q (L - x)^2 / t^2 with q = 0.1 Pa, on the side that is pulled; a face is as long as 0.06 L.

@@ -64,6 +64,20 @@ class Studies(unittest.TestCase):
                 self.table(name)
             self.run_program(PROGRAM, "plot", table, *rest)
 
+    def test_a_python_file_that_measures_nothing_is_refused_before_a_run(self):
+        if not (MODULE / "sherd").exists():
+            self.skipTest("a build without the module for Python")
+        study = pathlib.Path(self.room.name, "nothing.toml")
+        study.write_text('scene = "plate_drop"\npython = "nothing.py"\n', encoding="utf-8")
+        for text, reason in (("", "nothing.py: it has no function measure(recording)"),
+                             ("import nowhere\n", "nothing.py: ModuleNotFoundError: No module named 'nowhere'")):
+            pathlib.Path(self.room.name, "nothing.py").write_text(text, encoding="utf-8")
+            done = subprocess.run([PROGRAM, "sweep", study], cwd=self.room.name, env=self.environment,
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(reason, done.stderr)
+            self.assertFalse(any(pathlib.Path(self.room.name, "nothing", "runs").glob("*")))
+
     def fitted(self, script, header, rows, *names):
         table = pathlib.Path(self.room.name, "made.csv")
         table.write_text("\n".join([header] + [",".join(map(str, row)) for row in rows]) + "\n", encoding="utf-8")

@@ -184,6 +184,23 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
 }
 
 // Programs write colours in whatever type they have, and 0 to 255 in all of them.
+TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
+    const std::string header = "ply\nformat ascii 1.0\n" + replaced(points_of_header, "3", "6") +
+                               "element tristrips 1\nproperty list int int vertex_indices\n";
+    const PolygonSoup strips = parse(header + "end_header\n" + points + "10 0 1 2 3 -1 2 3 3 4 5\n");
+    // A vertex that is there twice makes two triangles of no area, which are left out.
+    EXPECT_EQ(strips.polygons, (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {2, 1, 3}, {3, 4, 5}}));
+    EXPECT_TRUE(strips.warnings.empty());
+    const PolygonSoup both =
+        parse(header + faces_of_header + "end_header\n" + points + "4 0 1 2 3\n3 0 1 2\n");
+    EXPECT_EQ(both.polygons.size(), 1U) << "strips beside faces are the faces once more";
+    EXPECT_EQ(both.warnings,
+              (std::vector<std::string>{"1 row of element `tristrips` was passed over (line 7)"}));
+    EXPECT_EQ(failure(header + "end_header\n" + points + "3 0 1 9\n"),
+              "a.ply:14: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
+}
+
 TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     const auto content_of = [](const std::string& type, const std::string& colours) {
         std::string content = good;

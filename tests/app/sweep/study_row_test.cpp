@@ -103,6 +103,19 @@ TEST(StudyRows, ScenesThatWouldBeRefusedAreRefusedBeforeAnythingRuns) {
     EXPECT_NE(folder.mistake("python = \"none.py\"\n").find("none.py"), std::string::npos);
 }
 
+TEST(StudyRows, MeasuresOfSupportsThatNoRowHasAreRefused) {
+    const StudyFolder folder;
+    folder.directory.write(
+        "disc.toml", falling_disc + "[obstacle.floor]\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n");
+    EXPECT_EQ(folder.mistake("measures = [\"peak_force.floor\", \"peak_force_time.floor\"]\n"), "");
+    const std::string mistake = folder.mistake("measures = [\"peak_force.flour\"]\n");
+    EXPECT_NE(mistake.find(
+                  "study.toml: measures: peak_force.flour: the scene has no support or obstacle 'flour'; did "
+                  "you mean 'floor'? there are: floor"),
+              std::string::npos)
+        << mistake;
+}
+
 TEST(StudyRows, OfAVariantOneIsNamedOrVaried) {
     const StudyFolder folder;
     folder.directory.write("disc.toml", falling_disc +
