@@ -198,7 +198,7 @@ TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
     EXPECT_EQ(both.warnings,
               (std::vector<std::string>{"1 row of element `tristrips` was passed over (line 7)"}));
     EXPECT_EQ(failure(header + "end_header\n" + points + "3 0 1 9\n"),
-              "a.ply:14: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
+              "a.ply:16: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
 }
 
 TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
