@@ -24,6 +24,8 @@ namespace sherd {
 
 namespace {
 
+constexpr const char* still_running = "running, or killed: `sherd run --resume` goes on then";
+
 std::vector<SheetInfo> sheets_of(const RecordingHeader& header, const Snapshot& frame) {
     std::vector<SheetInfo> sheets;
     for (const std::string& name : header.sheet_names) sheets.push_back({name, 0, 0});
@@ -317,7 +319,7 @@ std::string run_info_text(const RunInfo& info) {
     std::string text;
     auto out = std::back_inserter(text);
     fmt::format_to(out, "scene        {}, seed {}\n", info.scene_file, info.seed);
-    fmt::format_to(out, "end          {}", info.end);
+    fmt::format_to(out, "end          {}", info.end == "running" ? still_running : info.end);
     if (info.wall_seconds > 0) fmt::format_to(out, ", after {:.1f} s of wall time", info.wall_seconds);
     if (info.modes.empty())
         fmt::format_to(out, "\nrun          {}, {}, {}\n", counted(last.step, "step"),

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <map>
 
+#include "app/words/counted.h"
+
 namespace sherd {
 
 std::vector<TipInfo> tips_of(std::span<const TipRecord> records) {
@@ -39,7 +41,8 @@ void add_tip_table(std::string& text, std::vector<TipInfo> tips, const std::stri
                        tip.last.tip, tip.first.time, tip.last.time, tip.fastest,
                        tip.largest / tip.last.toughness, tip.last.opening, tip.last.shear, tip.last.bending,
                        tip.last.twist);
-    if (count > most) fmt::format_to(out, "... and {} tips that bore less; all are in /tips\n", count - most);
+    if (count > most)
+        fmt::format_to(out, "... and {} that bore less; all are in /tips\n", counted(count - most, "tip"));
 }
 
 Json tips_json(std::span<const TipInfo> tips) {

@@ -55,7 +55,10 @@ class ObjParser {
         warn_of_skipped();
         if (!has_texture) soup.texture.clear();
         for (auto& [name, material] : materials) material->definition = definitions[name];
-        if (materials.empty()) soup.material.clear();
+        if (materials.empty())
+            soup.material.clear();
+        else
+            soup.warnings.insert(soup.warnings.end(), missing_libraries.begin(), missing_libraries.end());
         return std::move(soup);
     }
 
@@ -186,8 +189,9 @@ class ObjParser {
             if (is_there(name))
                 definitions.merge(read_material_library(soup.file.parent_path() / name));
             else
-                soup.warnings.push_back("line " + std::to_string(line_number) + ": the file of materials '" +
-                                        name + "' is not there; they have names only");
+                missing_libraries.push_back("line " + std::to_string(line_number) +
+                                            ": the file of materials '" + name +
+                                            "' is not there; they have names only");
         }
     }
 
@@ -271,8 +275,9 @@ class ObjParser {
     std::string object;               ///< name of the last `o` line
     GroupNames face_groups;           ///< groups and object; created when a face needs them
     std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< by name, that are used
-    std::map<std::string, std::string> definitions;                     ///< of those of the libraries
-    FaceMaterial face_material;                                         ///< of the last `usemtl` line
+    std::vector<std::string> missing_libraries;      ///< warnings, for a mesh that uses materials
+    std::map<std::string, std::string> definitions;  ///< of those of the libraries
+    FaceMaterial face_material;                      ///< of the last `usemtl` line
     TextLines lines;
     std::string joined_line;      ///< holds a line that continues over several
     std::size_t line_number = 0;  ///< of the current line, from 1

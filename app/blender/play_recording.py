@@ -1,26 +1,42 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """blender --python play_recording.py -- RUN.h5...
 
-Plays recordings of Sherd with the add-on beside it, which need not be installed for that."""
+Plays recordings of Sherd with the add-on beside it, which need not be installed for that. One that is installed and
+enabled, perhaps an older one, makes room for it until Blender ends."""
 
 import os
 import sys
 
 import bpy
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import sherd_recording  # noqa: E402
 
+def leave_installed():
+    """Takes the installed add-on out of Blender's menus and handlers, and out of Python's modules."""
+    installed = sys.modules.get("sherd_recording")
+    if installed is None:
+        return
+    installed.unregister()
+    for name in [name for name in sys.modules if name.split(".")[0] == "sherd_recording"]:
+        del sys.modules[name]
 
 
 def remove_startup_cube():
     """Blender starts with a cube of 2 m, in which most recordings would be hidden; it goes unless a file was opened."""
     cube = bpy.data.objects.get("Cube")
     if not bpy.data.filepath and cube and cube.type == "MESH" and len(cube.data.vertices) == 8:
+        mesh = cube.data
         bpy.data.objects.remove(cube)
+        bpy.data.meshes.remove(mesh)
 
+
+leave_installed()
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import sherd_recording  # noqa: E402
 
 sherd_recording.register()
 remove_startup_cube()
 for path in sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []:
-    sherd_recording.load(os.path.abspath(path), bpy.context)
+    try:
+        sherd_recording.load(os.path.abspath(path), bpy.context)
+    except (OSError, KeyError, ValueError) as error:
+        sys.exit(f"sherd: {path}: {error}")

@@ -86,6 +86,23 @@ material = { preset = "porcelain" }
     EXPECT_FALSE(contains(scaled.out, "warning")) << scaled.out;
 }
 
+// Cracks have nowhere to go in a disc that is one polygon, and what comes of it is taken for a prediction.
+TEST(Plausibility, MeshesTooCoarseToBreakAreTold) {
+    const TemporaryDirectory directory;
+    directory.write("square.obj", "v 0 0 0\nv 0.2 0 0\nv 0.2 0.2 0\nv 0 0.2 0\nf 1 2 3 4\n");
+    const auto said = [&](const std::string& mesh, const std::string& fracture) {
+        directory.write("scene.toml", "duration = 1e-4\n[sheet.plate]\nmesh = { file = \"square.obj\"" +
+                                          mesh + " }\nmaterial = { preset = \"glass\" }\n" + fracture);
+        return run_sherd({"check", "scene.toml", "--no-try"}, directory.path).out;
+    };
+    const std::string breaking = "fracture = { preset = true }\n";
+    EXPECT_TRUE(
+        contains(said("", breaking), "the longest edge of sheet.plate is 0.28 m, in a sheet 0.28 m large"));
+    EXPECT_TRUE(contains(said("", breaking), "add remesh = 0.008 to its mesh"));
+    EXPECT_FALSE(contains(said(", remesh = 0.02", breaking), "longest edge"));
+    EXPECT_FALSE(contains(said("", ""), "longest edge")) << "what does not break";
+}
+
 TEST(Plausibility, StrengthsInTheWrongUnitAreTold) {
     for (const char* wrong : {"strength=60", "strength=[60,30]", "strain=4e-4"}) {
         const std::string weak = with({std::string("sheet.disc.fracture.") + wrong});

@@ -84,8 +84,11 @@ TEST_F(ReadMesh, ReadsWhatObjFilesHold) {
 
 // The system refuses to look for a file with such a name, which is another thing than that there is none.
 TEST_F(ReadMesh, TellsOfMaterialsWhoseNameIsTooLong) {
-    read("a.obj", "mtllib " + std::string(300, 'm') + "\n" + test::square + "f 1 2 3\nf 1 3 4\n");
+    const std::string library = "mtllib " + std::string(300, 'm') + "\n" + test::square;
+    read("a.obj", library + "usemtl red\nf 1 2 3\nf 1 3 4\n");
     expect_warning("mmm' is not there; they have names only");
+    read("b.obj", library + "f 1 2 3\nf 1 3 4\n");
+    EXPECT_TRUE(warnings.empty()) << "it has no materials that could miss it";
 }
 
 TEST_F(ReadMesh, HasNoTextureWhereTheFileHasNone) {

@@ -5,6 +5,7 @@ Opens in Blender what `sherd export` wrote into FOLDER (export_all.py) and what 
 compares every frame with the recording."""
 
 import os
+import runpy
 import sys
 
 import bpy
@@ -183,6 +184,17 @@ def check_played(target, frame, number):
         assert target.data.attributes["fragment"].data[face].value == frame["face/fragment"][face]
 
 
+def check_script_beside_the_installed():
+    """play_recording.py makes room for the add-on where that is installed and enabled; two at once cannot be."""
+    clear()
+    sherd_recording.register()
+    given, sys.argv = sys.argv, ["blender", "--", RECORDING]
+    runpy.run_path(os.path.join(BLENDER, "play_recording.py"))
+    sys.argv = given
+    assert any("sherd_recording" in target for target in bpy.data.objects), "the script has loaded nothing"
+    assert [handler.__name__ for handler in bpy.app.handlers.frame_change_pre] == ["play"]
+
+
 def main():
     with h5py.File(RECORDING, "r") as file:
         all_frames = frames(file)
@@ -195,6 +207,7 @@ def main():
             check_glb(name, all_frames)
         check_vdb(all_frames)
         check_player(all_frames)
+    check_script_beside_the_installed()
     print(f"Blender shows all {len(all_frames)} frames of obj, ply, stl, pc2, mdd, glb, vdb and the recording itself")
 
 

@@ -26,6 +26,8 @@ constexpr double most_short_edges = 0.05;  // share of the edges that may be sho
 constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 
 constexpr double smallest_edge = 0.02;  // share of the mean edge
+constexpr double longest_edge = 0.25;   // share of the sheet's size
+constexpr double advised_edge = 0.03;   // share of the sheet's size
 constexpr double steps_a_period = 10;   // the slowest vibration: with that many its first peak is 39 % low
 
 /// Strain at which a sheet breaks, of the least and of the most that is credible: nothing that holds together
@@ -89,6 +91,20 @@ void warn_of_tiny_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
     warnings.push_back(
         fmt::format("{}: the shortest edge of sheet.{}, {:.3g} m, is far below the mean, {:.3g} m: remesh",
                     sheet.where, sheet.name, mesh.smallest_edge, mesh.mean_edge));
+}
+
+/// A mesh that was modelled with as few faces as its form needs, as one disc of an n-gon.
+void warn_of_long_edges(const SheetInput& input, const SheetSpec& sheet, std::vector<std::string>& warnings) {
+    const MeshFile* file = std::get_if<MeshFile>(&sheet.mesh);
+    if (!sheet.fracture || !file || file->remesh) return;
+    const MeshMeasures mesh = measure(input.mesh);
+    const double size = (mesh.upper - mesh.lower).norm();
+    if (mesh.largest_edge <= longest_edge * size) return;
+    warnings.push_back(
+        fmt::format("{}: the longest edge of sheet.{} is {:.2g} m, in a sheet {:.2g} m large: where faces "
+                    "are so large, neither "
+                    "stress nor cracks mean anything; add remesh = {:g} to its mesh, or less",
+                    sheet.where, sheet.name, mesh.largest_edge, size, round_step(size * advised_edge)));
 }
 
 /// Whether no face can lock, by its edges and the angles between faces alone.
@@ -248,6 +264,7 @@ void warn_of_implausible(const Scene& scene, const std::vector<SheetInput>& inpu
         if (!scene.is_static()) warn_of_material(inputs[s], scene.sheets[s], warnings);
         warn_of_short_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_tiny_edges(inputs[s], scene.sheets[s], warnings);
+        warn_of_long_edges(inputs[s], scene.sheets[s], warnings);
         warn_of_distance(inputs[s], scene.sheets[s], warnings);
         warn_of_locking(inputs[s], scene.sheets[s], scene, warnings);
         warn_of_long_step(inputs[s], scene.sheets[s], scene, warnings);

@@ -142,7 +142,8 @@ Material read_material(TomlTable& table, const MaterialPreset* chosen, bool has_
         material.yield = table.number("yield", "Pa", positive);
     else if (preset)
         material.yield = preset->yield;
-    check_constants(table, material);
+    const bool has_unknown_preset = chosen && chosen->name.empty();
+    if (!has_unknown_preset) check_constants(table, material);
     table.finish();
     return material;
 }
