@@ -26,7 +26,7 @@ constexpr double most_short_edges = 0.05;  // share of the edges that may be sho
 constexpr double most_locked_faces = 0.05;  // share of the faces that may lock
 
 constexpr double smallest_edge = 0.02;  // share of the mean edge
-constexpr double longest_edge = 0.25;   // share of the sheet's size
+constexpr double coarsest_edge = 0.25;  // share of the sheet's size
 constexpr double advised_edge = 0.03;   // share of the sheet's size
 constexpr double steps_a_period = 10;   // the slowest vibration: with that many its first peak is 39 % low
 
@@ -99,7 +99,7 @@ void warn_of_long_edges(const SheetInput& input, const SheetSpec& sheet, std::ve
     if (!sheet.fracture || !file || file->remesh) return;
     const MeshMeasures mesh = measure(input.mesh);
     const double size = (mesh.upper - mesh.lower).norm();
-    if (mesh.largest_edge <= longest_edge * size) return;
+    if (mesh.largest_edge <= coarsest_edge * size) return;
     warnings.push_back(
         fmt::format("{}: the longest edge of sheet.{} is {:.2g} m, in a sheet {:.2g} m large: where faces "
                     "are so large, neither "
