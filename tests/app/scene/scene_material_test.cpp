@@ -10,6 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scene_of.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -23,6 +24,15 @@ std::string scene_with(const std::string& material, const std::string& mesh = ""
 Scene scene_made_of(const std::string& material) {
     const TemporaryDirectory directory;
     return read_scene(directory.write("scene.toml", scene_with(material)));
+}
+
+// Constants that are missing for it are no mistakes of their own.
+TEST(SceneMaterial, APresetThatIsNotKnownIsOneMistake) {
+    std::string text = scene_with("");
+    text.replace(text.find("cotton"), 6, "coton");
+    const std::string said = thrown_by([&] { scene_of(text); });
+    EXPECT_NE(said.find("did you mean \"cotton\"?"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
 }
 
 TEST(SceneMaterial, OrthotropicConstantsArrive) {

@@ -33,27 +33,6 @@ mesh = { generate = "rectangle", width = 2, height = 1, edge_length = 0.25 }
 material = { preset = "glass" }
 )";
 
-TEST(Scene, APresetThatIsNotKnownIsOneMistake) {
-    std::string text = small_scene;
-    text.replace(text.find("glass"), 5, "glas");
-    const std::string said = thrown_by([&] { scene_of(text); });
-    EXPECT_NE(said.find("did you mean \"glass\"?"), std::string::npos) << said;
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-}
-
-TEST(Scene, AMeshOrARecordingInPlaceOfAFileIsNamedAsSuch) {
-    const TemporaryDirectory directory;
-    for (const auto& [name, content, reason] :
-         {std::tuple("bowl.obj", "v 0 0 0\n",
-                     "bowl.obj: cannot read the scene: it is a mesh, which a scene names"),
-          {"bowl.h5", "\x89HDF\r\n\x1a\n",
-           "bowl.h5: cannot read the scene: it is an HDF5 file, as recordings are"}}) {
-        const std::filesystem::path file = directory.write(name, content);
-        const std::string said = thrown_by([&] { read_scene_text(file); });
-        EXPECT_NE(said.find(reason), std::string::npos) << said;
-    }
-}
-
 TEST(Scene, EveryKeyArrives) {
     const Scene scene = scene_of(R"(duration = 2
 seed = 7

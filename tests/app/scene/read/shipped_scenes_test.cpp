@@ -9,9 +9,11 @@
 #include <set>
 #include <sstream>
 
-#include "app/scene/toml/toml_file.h"
+#include "app/files/checksum.h"
+#include "app/scene/read/scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/thrown_by.h"
 
 namespace sherd::test {
 namespace {
@@ -20,12 +22,21 @@ namespace fs = std::filesystem;
 
 const fs::path scenes = fs::canonical(SHERD_SCENES);
 
-std::string text_of(const fs::path& file) {
-    return read_toml_text(file, "file");
-}
-
 std::string without_suffix(const std::string& name) {
     return name.substr(0, name.size() - std::string(".toml").size());
+}
+
+TEST(SceneText, AMeshOrARecordingInPlaceOfAFileIsNamedAsSuch) {
+    const TemporaryDirectory directory;
+    for (const auto& [name, content, reason] :
+         {std::tuple("bowl.obj", "v 0 0 0\n",
+                     "bowl.obj: cannot read the scene: it is a mesh, which a scene names"),
+          {"bowl.h5", "\x89HDF\r\n\x1a\n",
+           "bowl.h5: cannot read the scene: it is an HDF5 file, as recordings are"}}) {
+        const std::filesystem::path file = directory.write(name, content);
+        const std::string said = thrown_by([&] { read_scene_text(file); });
+        EXPECT_NE(said.find(reason), std::string::npos) << said;
+    }
 }
 
 TEST(ShippedScenes, AreListedOneALineWithWhatTheirFilesSay) {
