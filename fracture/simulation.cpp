@@ -19,7 +19,7 @@ namespace {
 
 /// Few are enough between two stages: the strains that matter next are those near the edges that just failed.
 constexpr int iterations_between_stages = 10;
-constexpr double no_freedom = 1e-9;  // of a projection that is zero but for round-off
+constexpr double no_freedom = 1e-9;  // projections below this are round-off
 
 /// Snapshot::edge_held, [E].
 std::vector<double> held_shares(std::span<const EdgeState> states, const Stepper& stepper) {

@@ -276,8 +276,8 @@ class ObjParser {
     GroupNames face_groups;           ///< groups and object; created when a face needs them
     std::map<std::string, std::shared_ptr<SurfaceMaterial>> materials;  ///< by name, that are used
     std::vector<std::string> missing_libraries;      ///< warnings, for a mesh that uses materials
-    std::map<std::string, std::string> definitions;  ///< of those of the libraries
-    FaceMaterial face_material;                      ///< of the last `usemtl` line
+    std::map<std::string, std::string> definitions;  ///< of materials in the libraries, by name
+    FaceMaterial face_material;                      ///< by the last `usemtl` line
     TextLines lines;
     std::string joined_line;      ///< holds a line that continues over several
     std::size_t line_number = 0;  ///< of the current line, from 1

@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// Throws Error (input) unless a Python file runs and has a function `measure`: before hours of runs instead
-/// of behind them.
+/// Throws Error (input) unless a Python file runs and has a function `measure`. Asked before the runs, it
+/// spares hours of them.
 void require_measure(const std::filesystem::path& file);
 
 /// Arguments of python3 that print what the function `measure(recording)` of a Python file says of a

@@ -31,8 +31,8 @@ std::string measure_mistake(const std::string& name);
 /// as it is.
 std::string name_in_measures(const std::string& support);
 
-/// What is wrong with a measure of a support or obstacle that is not among those of the scenes, with the
-/// nearest; empty: nothing.
+/// The mistake in a measure of a support or obstacle that the scenes do not have, with the nearest name that
+/// they have; empty: there is none.
 std::string support_mistake(const std::string& measure, const std::set<std::string>& supports);
 
 /// Of a measure's name; empty: a plain number.

@@ -181,7 +181,7 @@ class RowReader {
     bool has_variants = false;
     std::uint64_t measured = 0;
     FileHashes hashes;
-    std::set<std::string> supports;  ///< of all rows, as measures name them
+    std::set<std::string> supports;  ///< in all rows, by their names in measures
     std::vector<std::string> mistakes;
 };
 

@@ -27,12 +27,10 @@ from limits import limit  # noqa: E402
 
 MEMORY = 4 << 30  # bytes
 PATIENCE = 20  # s of processor time
-LIMITS = f"no end in {PATIENCE} s and {MEMORY >> 30} GiB"
 FINER = 8  # times shorter steps, where a crossing is to be confirmed
 OFTEN = 0.05  # of gentle blows, which may end with the error
 GENTLE = 0.1  # sheet sizes a step, at most
 SELDOM = 0.02  # of all blows, which may be stopped before they end
-NO_MEMORY = "there is not enough memory for this"  # what the program says at the limit
 # Words of the errors by which a blow may end
 PROPER = ["cannot be solved", "passes through", "have become unstable", "would need substeps"]
 
@@ -50,7 +48,7 @@ class Result:
 
 @dataclasses.dataclass
 class Done:
-    code: int | None  # None: no end within the limits
+    code: int | None  # None: no end
     words: str  # of the error
     recording: pathlib.Path
     seconds: float  # of processor time
@@ -68,9 +66,8 @@ def run(sherd, folder, blow, finer=1):
                           capture_output=True, text=True, check=False, preexec_fn=lambda: limit(MEMORY, PATIENCE))
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     errors = [line for line in done.stderr.splitlines() if line.startswith("sherd: error: ")]
-    words = (errors or [done.stderr[-300:]])[0].removeprefix("sherd: error: ")
-    stopped = -done.returncode in (signal.SIGKILL, signal.SIGXCPU) or words == NO_MEMORY
-    return Done(None if stopped else done.returncode, words, recording, seconds)
+    return Done(None if -done.returncode in (signal.SIGKILL, signal.SIGXCPU) else done.returncode,
+                (errors or [done.stderr[-300:]])[0].removeprefix("sherd: error: "), recording, seconds)
 
 
 def judged(sherd, seed, folder):
@@ -87,7 +84,7 @@ def judged(sherd, seed, folder):
     if seen.passed:
         return result("passed", seen.words())
     if done.code != 0:
-        return result(*(("error", done.words) if done.code == 1 else ("slow", LIMITS)))
+        return result(*(("error", done.words) if done.code == 1 else ("slow", f"no end in {PATIENCE} s")))
     return result(*confirmed(sherd, folder, blow, seen)) if seen.crossed else result("held")
 
 
@@ -143,7 +140,7 @@ def verdict(results):
     gentle = [r for r in results if r.pace < GENTLE]
     errors, slow = sum(r.outcome == "error" for r in gentle), sum(r.outcome == "slow" for r in results)
     print(f"\n{errors} of {len(gentle)} below {GENTLE} sizes a step end with the error; {slow} of {len(results)} have "
-          f"{LIMITS}; {sum(r.seconds for r in results) / len(results):.2f} s a blow")
+          f"no end in {PATIENCE} s; {sum(r.seconds for r in results) / len(results):.2f} s a blow")
     for result in results:
         if result.outcome in FAULTS:
             print(f"seed {result.seed}, {result.kind}, {result.scheme}, {result.pace:.3g} sizes a step: "

@@ -86,7 +86,7 @@ material = { preset = "porcelain" }
     EXPECT_FALSE(contains(scaled.out, "warning")) << scaled.out;
 }
 
-// Cracks have nowhere to go in a disc that is one polygon, and what comes of it is taken for a prediction.
+// Cracks have nowhere to go in a sheet that is one polygon, and what comes of it is taken for a prediction.
 TEST(Plausibility, MeshesTooCoarseToBreakAreTold) {
     const TemporaryDirectory directory;
     directory.write("square.obj", "v 0 0 0\nv 0.2 0 0\nv 0.2 0.2 0\nv 0 0.2 0\nf 1 2 3 4\n");

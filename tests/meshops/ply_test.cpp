@@ -183,7 +183,7 @@ TEST(Ply, PropertiesOfVerticesAreReadByName) {
               std::string::npos);
 }
 
-// Programs write colours in whatever type they have, and 0 to 255 in all of them.
+// Scans of the nineties, such as Stanford's, have no faces but strips.
 TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
     const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
     const std::string header = "ply\nformat ascii 1.0\n" + replaced(points_of_header, "3", "6") +
@@ -201,6 +201,7 @@ TEST(Ply, StripsOfTrianglesAreReadWhereThereAreNoFaces) {
               "a.ply:16: face 0: index out of range: there is no vertex 9, the file has 6 (numbered from 0)");
 }
 
+// Programs write colours in whatever type they have, and 0 to 255 in all of them.
 TEST(Ply, TheLargestColourTellsWhatFullLightIs) {
     const auto content_of = [](const std::string& type, const std::string& colours) {
         std::string content = good;

@@ -31,10 +31,10 @@ std::string read_toml_text(const std::filesystem::path& file, std::string_view k
     };
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) throw fail("it is a directory");
-    for (const char* ending : {".obj", ".ply", ".off", ".stl"})
-        if (file.extension() == ending) throw fail("it is a mesh, which a scene names as mesh = \"FILE\"");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw fail(std::generic_category().message(errno));
+    for (const char* ending : {".obj", ".ply", ".off", ".stl"})
+        if (file.extension() == ending) throw fail("it is a mesh, which a scene names as mesh = \"FILE\"");
     try {
         const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
         if (text.starts_with("\x89HDF")) throw fail("it is an HDF5 file, as recordings are");
