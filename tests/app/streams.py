@@ -76,7 +76,10 @@ class Streams(unittest.TestCase):
             self.assertEqual(self.end_of(f"{stream}.h5"), "complete")
 
     def test_a_terminal_that_has_gone_ends_no_run(self):
-        ends = pty.openpty()
+        try:
+            ends = pty.openpty()
+        except OSError:
+            self.skipTest("this machine makes no pseudo terminals: is /dev/pts mounted?")
         run = subprocess.Popen([SHERD, "run", "s.toml", "-o", "r.h5", "--set", "duration=0.3"], cwd=self.folder,
                                stdin=ends[1], stdout=subprocess.DEVNULL, stderr=ends[1])
         os.close(ends[1])

@@ -110,6 +110,41 @@ TEST(NearPairs, LongMotionsEndWhereTheyMeetSomething) {
     EXPECT_GT(freedom(1e9), 1) << "128 widths of 11 mm, each plate its half";
 }
 
+// An obstacle that is far larger than the sheet, with 36,672 edges, took all memory where it moved by five
+// sheets in a step: all pairs within reach of the whole way were kept. What is on the way must still be seen.
+TEST(NearPairs, OnALongWayWhatIsPassedIsNearby) {
+    const double apart = 0.1;
+    const Shell shell = test::stacked_plates(2, 8, apart, test::ceramic);
+    const NearPairs near{ContactSurface(shell)};
+    const auto half = shell.position.cols() / 2;
+    const auto upper_by = [&](double up) {
+        Positions motion = Positions::Zero(3, 2 * half);
+        motion.rightCols(half).row(2).setConstant(up);
+        return motion;
+    };
+    const auto nearby = [&](double up) {
+        std::vector<ContactPair> seen;
+        near.each_nearby(shell.position, upper_by(up),
+                         [&](const ContactPair& pair) { seen.push_back(pair); });
+        std::vector<test::PairName> names = test::names_of(seen);
+        std::ranges::sort(names);
+        names.erase(std::unique(names.begin(), names.end()), names.end());
+        return names;
+    };
+    const std::vector<test::PairName> at_rest = nearby(0);
+    EXPECT_EQ(nearby(-0.5 * apart), at_rest);
+    EXPECT_EQ(nearby(10 * apart), at_rest);
+    EXPECT_TRUE(nearby(-1e9).empty()) << "farther than a motion is looked at";
+    const Positions when_they_meet = shell.position + upper_by(-apart);
+    const auto met = test::pairs_nearer_than(1, near.surface(), when_they_meet);
+    const std::size_t edges = near.surface().edges().size();
+    for (const double down : {1.1, 2.0, 10.0}) {
+        const std::vector<test::PairName> seen = nearby(-down * apart);
+        EXPECT_TRUE(std::ranges::includes(seen, met)) << down;
+        EXPECT_LT(seen.size(), edges * edges / 8) << down << ": not all pairs of edges";
+    }
+}
+
 // A step in which two plates change places is none, though they are apart at both ends; one in which they
 // slide over each other, or come nearer than their thickness for a moment, is.
 TEST(NearPairs, WhatChangesPlacesPasses) {

@@ -209,12 +209,12 @@ Vector3d SurfacePairs::pushed_along(const PairPlaces& from, const PairPlaces& to
     Vector3d most = Vector3d::Zero();
     if (!may_meet(from, to)) return most;
     const Positions all = seen(from), way = seen({from.here, to.there, to.at_start}) - all;
-    for (const ContactPair& pair : near().pairs_nearby(all, way)) {
+    near().each_nearby(all, way, [&](const ContactPair& pair) {
         const PairPositions moved = in_space(pair.vertices, to) - in_space(pair.vertices, from);
         for (int i = 0; i < 4; ++i)
             if (pair.vertices[i] < first() && moved.col(i).squaredNorm() > most.squaredNorm())
                 most = moved.col(i);
-    }
+    });
     return most;
 }
 

@@ -92,12 +92,16 @@ const std::vector<ContactPair>& NearPairs::active_pairs(const Positions& x) cons
     return active;
 }
 
-double NearPairs::free_fraction(const Positions& x, const Positions& motion, Kept kept) const {
+double NearPairs::parts(const Positions& x, const Positions& motion) const {
     const Positions way = Neighbourhood(x, motion, 0, of.collider_vertices()).motion;
     const double length = way.cols() > 0 ? way.colwise().norm().maxCoeff() : 0;
     const double longest = widths_of_part * mean_width(of, x);
-    if (!(longest > 0 && length > longest)) return free_fraction_of_part(x, motion, kept);
-    const double parts = std::ceil(length / longest);
+    return longest > 0 && length > longest ? std::ceil(length / longest) : 1;
+}
+
+double NearPairs::free_fraction(const Positions& x, const Positions& motion, Kept kept) const {
+    const double parts = this->parts(x, motion);
+    if (parts == 1) return free_fraction_of_part(x, motion, kept);
     const Positions part = motion / parts;
     for (double before = 0; before < std::min(parts, most_parts); ++before)
         if (const double fraction = free_fraction_of_part(x + before * part, part, kept); fraction < 1)
@@ -139,15 +143,21 @@ bool NearPairs::leave_room_for_barriers(const Positions& x) const {
     });
 }
 
-std::vector<ContactPair> NearPairs::pairs_nearby_once(const Positions& x) const {
+std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x) const {
     const Neighbourhood near = surroundings(x, Positions::Zero(3, x.cols()));
     return ContactCandidates(of, near, trees, threads).pick(of, near);
 }
 
-std::vector<ContactPair> NearPairs::pairs_nearby(const Positions& x, const Positions& motion) const {
-    const Neighbourhood near = surroundings(x, motion);
-    if (!found.neighbourhood().contains(near)) find(x, motion);
-    return found.pick(of, near);
+void NearPairs::each_nearby(const Positions& x, const Positions& motion,
+                            const std::function<void(const ContactPair&)>& see) const {
+    const double parts = this->parts(x, motion);
+    if (parts > most_parts) return;
+    const Positions part = motion / parts;
+    for (double before = 0; before < parts; ++before) {
+        const Neighbourhood near = surroundings(x + before * part, part);
+        if (!found.neighbourhood().contains(near)) find(x + before * part, part);
+        std::ranges::for_each(found.pick(of, near), see);
+    }
 }
 
 std::vector<ContactPair> NearPairs::pairs_within_reach(const Positions& x, const Positions& motion) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <set>
 
 #include "core/contact/detection/contact_candidates.h"
@@ -50,11 +51,13 @@ class NearPairs {
     double least_share(const Positions& x) const;
     /// Whether pairs at x that are springs could be barriers, with some of their range left.
     bool leave_room_for_barriers(const Positions& x) const;
-    /// A superset of the pairs that are active somewhere between x and x + motion, and of those that are
-    /// nearer there than a tenth of the thinnest sheet's thickness.
-    std::vector<ContactPair> pairs_nearby(const Positions& x, const Positions& motion) const;
-    /// The same for one look at x alone, by a search that costs less and leaves nothing for the next one.
-    std::vector<ContactPair> pairs_nearby_once(const Positions& x) const;
+    /// A superset of the pairs that are active at x, and of those that are nearer there than a tenth of the
+    /// thinnest sheet's thickness, by a search that leaves nothing for the next one.
+    std::vector<ContactPair> pairs_nearby(const Positions& x) const;
+    /// Calls see(pair) for a superset of such pairs anywhere between x and x + motion, for some several
+    /// times; for none where the motion is longer than safe_fraction() looks at.
+    void each_nearby(const Positions& x, const Positions& motion,
+                     const std::function<void(const ContactPair&)>& see) const;
     /// The pairs that may be active somewhere in a straight motion from x.
     std::vector<ContactPair> pairs_within_reach(const Positions& x, const Positions& motion) const;
     /// Appends the pairs of shell vertices, numbered as in the shell, that have a block in a Hessian at x;
@@ -78,7 +81,9 @@ class NearPairs {
     enum class Kept { minimum, nothing };
     double free_fraction(const Positions& x, const Positions& motion, Kept kept) const;
     double free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const;
-    Neighbourhood surroundings(const Positions& x, const Positions& motion) const;  ///< of pairs_nearby()
+    /// A motion is looked at in so many parts.
+    double parts(const Positions& x, const Positions& motion) const;
+    Neighbourhood surroundings(const Positions& x, const Positions& motion) const;  ///< of each_nearby()
     // The candidates of a neighbourhood with x, and with the motion from it:
     const ContactCandidates& candidates(const Positions& x) const;
     const ContactCandidates& candidates(const Positions& x, const Positions& motion) const;

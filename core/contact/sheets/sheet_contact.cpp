@@ -106,11 +106,12 @@ Positions SheetContact::pushed_along(const Positions& x) const {
     Positions way = Positions::Zero(3, end.cols() + x.cols());
     way.leftCols(end.cols()) = end - start;
     const Index first = surface().collider_vertices();
-    for (const ContactPair& pair : near.pairs_nearby(with(start, x), way))
+    near.each_nearby(with(start, x), way, [&](const ContactPair& pair) {
         for (const Index of_collider : pair.vertices)
             for (const Index of_sheet : pair.vertices)
                 if (of_collider < first && of_sheet >= first && way.col(of_collider).squaredNorm() > 0)
                     pushed.col(of_sheet - first) = way.col(of_collider);
+    });
     return pushed;
 }
 

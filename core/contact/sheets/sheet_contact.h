@@ -58,9 +58,7 @@ class SheetContact : public Energy {
         return near.active_pairs(all);
     }
     /// A superset of these and of all pairs that are nearer than a tenth of the thinnest sheet's thickness.
-    std::vector<ContactPair> pairs_nearby(const Positions& x) const {
-        return near.pairs_nearby_once(at_end(x));
-    }
+    std::vector<ContactPair> pairs_nearby(const Positions& x) const { return near.pairs_nearby(at_end(x)); }
     /// The same as active_pairs(), with the colliders where they are at the beginning of the step.
     const std::vector<ContactPair>& active_pairs_at_start(const Positions& x) const {
         return near.active_pairs(with(start, x));
