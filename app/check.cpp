@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <numbers>
@@ -9,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/fault_picture.h"
+#include "app/progress/idle_timer.h"
 #include "app/run_cost.h"
 #include "app/scene/build/bending_words.h"
 #include "app/scene/build/built_scene.h"
@@ -122,6 +124,9 @@ void print_cost(const Scene& scene, BuiltScene built, const CheckOptions& option
     RunCost cost = run_cost(scene, built);
     if (!options.no_try && cost.memory < cost.machine_memory) {
         warn_of_own_weight(scene, built.inputs, warnings);
+        const IdleTimer long_first_step(std::chrono::seconds(10), [] {
+            print_message("sherd: the first steps are still being tried; --no-try leaves them out\n");
+        });
         const TriedSteps tried = try_steps(scene, std::move(built));
         add(cost, tried);
         if (!tried.failure.empty())

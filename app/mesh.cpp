@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -16,6 +15,7 @@
 #include "meshops/error.h"
 #include "meshops/material_library.h"
 #include "meshops/stl.h"
+#include "meshops/text_line.h"
 #include "meshops/write_mesh.h"
 
 namespace sherd {
@@ -37,8 +37,7 @@ struct MeshJob {
 };
 
 bool is_kind(const fs::path& file, std::string_view wanted) {
-    return std::ranges::equal(file.extension().string(), wanted,
-                              [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+    return lower_case(file.extension().string()) == wanted;
 }
 
 std::vector<const SheetSpec*> chosen_sheets(const Scene& scene, const std::string& name) {

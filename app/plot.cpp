@@ -242,6 +242,7 @@ int plot(PlotOptions options) {
         options.output = std::filesystem::path(options.input).replace_extension(".svg");
     if (!is_table && !(options.axes.x + options.axes.y + options.axes.by + options.log).empty())
         throw Error("--x, --y, --by and --log are for the table of a study (.csv)");
+    require_kind(options.output, ".svg", "plots are SVG; name a .svg file");
     check_free(options.output, options.force, {options.input});
     const OutputLock lock(options.output);
     PendingFile pending(lock, Fault::input);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/files/pending_file.h"
 #include "app/machine/threads.h"
 #include "app/number_check.h"
 #include "app/progress/interruption.h"
@@ -123,6 +124,8 @@ int run(const Scene& scene, const std::filesystem::path& file, const RunOptions&
 }
 
 int run(const RunOptions& options) {
+    require_kind(options.output, ".h5",
+                 "a recording is HDF5; name a .h5 file, of which sherd export makes others");
     const std::vector<Scene> scenes = read_scenes(options.scene);
     const Scene& first = scenes.front();
     if (options.scene.choice.variant.empty() && !first.variant.empty() && fs::is_fifo(options.scene.file))

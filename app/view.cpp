@@ -145,6 +145,7 @@ Pace pace_of_page(const ViewOptions& options, const Recording& recording) {
 int view(ViewOptions options) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.recording).replace_extension(".html");
+    require_kind(options.output, ".html", "a page is HTML; name a .html file");
     check_free(options.output, options.force, {options.recording});
     const OutputLock lock(options.output);
     std::vector<std::string> warnings;

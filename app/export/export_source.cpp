@@ -35,11 +35,8 @@ ExportSource::ExportSource(const ExportOptions& options_, const std::string& ext
     const std::string given = output.extension().string();
     single = given == extension && chosen.size() == 1;
     stem = given == extension ? output.replace_extension() : output / options.recording.stem();
-    for (const char* other :
-         {".obj", ".ply", ".stl", ".off", ".vtp", ".pvd", ".pc2", ".mdd", ".glb", ".vdb", ".csv", ".json"})
-        if (given == other && given != extension)
-            throw Error(fmt::format("-o {}: the extension does not fit --to {}; name a {} file or a folder",
-                                    options.output.string(), options.format, extension));
+    require_kind(options.output, extension,
+                 fmt::format("--to {} makes {} files; name one or a folder", options.format, extension));
 }
 
 const Snapshot& ExportSource::frame(std::size_t number) {

@@ -14,6 +14,7 @@
 #include "app/files/descriptor.h"
 #include "app/files/disk_file.h"
 #include "app/files/disk_room.h"
+#include "meshops/text_line.h"
 
 namespace sherd {
 
@@ -84,6 +85,15 @@ void check_free(const std::filesystem::path& file, bool force,
     if (!force)
         throw Error(
             fmt::format("'{}' exists; name another file, or pass --force to replace it", file.string()));
+}
+
+void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice) {
+    const std::string ending = lower_case(file.extension().string());
+    for (const std::string_view kind :
+         {".h5",   ".xdmf", ".obj", ".ply",  ".stl", ".off", ".vtp", ".pvd", ".pc2", ".mdd",  ".glb",
+          ".gltf", ".vdb",  ".csv", ".json", ".svg", ".pdf", ".png", ".jpg", ".mp4", ".html", ".toml"})
+        if (ending == kind && ending != extension)
+            throw Error(fmt::format("-o {}: {}", file.string(), advice));
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -51,6 +51,10 @@ class PendingFile {
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read = {});
 
+/// Throws Error (input) when the name of a file that a command writes ends like another kind of file than its
+/// own `extension`, with `advice` on what the command makes.
+void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice);
+
 /// Makes a folder unless it is there; those above it must be there. Throws Error (input).
 void make_folder(const std::filesystem::path& folder);
 

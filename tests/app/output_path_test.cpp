@@ -64,6 +64,28 @@ TEST(OutputPath, WhatACommandReadsIsNeverReplaced) {
     }
 }
 
+// A recording with the name of a mesh is one that no mesh program opens.
+TEST(OutputPath, ANameOfAnotherKindOfFileIsAnErrorWithTheRightOne) {
+    const TemporaryDirectory directory;
+    directory.write("scene.toml", falling_plate);
+    ASSERT_EQ(
+        run_sherd({"run", "scene.toml", "-o", "run_0.5", "--set", "duration=2e-4"}, directory.path).exit_code,
+        0);
+    const auto before = directory.contents();
+    for (const auto& [command, words] :
+         std::initializer_list<std::pair<std::vector<std::string>, std::string>>{
+             {{"run", "scene.toml", "-o", "x.OBJ"}, "-o x.OBJ: a recording is HDF5; name a .h5 file"},
+             {{"plot", "run_0.5", "-o", "x.png"}, "-o x.png: plots are SVG; name a .svg file"},
+             {{"view", "run_0.5", "-o", "x.svg"}, "-o x.svg: a page is HTML; name a .html file"},
+             {{"export", "run_0.5", "--to", "obj", "-o", "x.glb"},
+              "-o x.glb: --to obj makes .obj files; name one or a folder"}}) {
+        const ProgramResult result = run_sherd(command, directory.path);
+        EXPECT_EQ(result.exit_code, 2) << command[0] << ": " << result.err;
+        EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+        EXPECT_EQ(directory.contents(), before) << command[0];
+    }
+}
+
 TEST(OutputPath, AnImpossiblePathIsAnErrorBeforeTheRun) {
     for (const std::string path : {"missing/out.h5", "scene.toml/out.h5", ".", "/proc/out.h5"}) {
         const TemporaryDirectory directory;
