@@ -36,7 +36,8 @@ ExportSource::ExportSource(const ExportOptions& options_, const std::string& ext
     single = given == extension && chosen.size() == 1;
     stem = given == extension ? output.replace_extension() : output / options.recording.stem();
     require_kind(options.output, extension,
-                 fmt::format("--to {} makes {} files; name one or a folder", options.format, extension));
+                 fmt::format("the extension does not fit --to {}; name a {} file or a folder", options.format,
+                             extension));
 }
 
 const Snapshot& ExportSource::frame(std::size_t number) {

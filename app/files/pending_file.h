@@ -51,8 +51,9 @@ class PendingFile {
 void check_free(const std::filesystem::path& file, bool force,
                 const std::vector<std::filesystem::path>& read = {});
 
-/// Throws Error (input) when the name of a file that a command writes ends like another kind of file than its
-/// own `extension`, with `advice` on what the command makes.
+/// Throws Error (input), with `advice` on what to name instead, when a command that writes files with this
+/// `extension` was given a name that ends with that of another kind of file. Other endings are part of a
+/// name, as in run_0.5.
 void require_kind(const std::filesystem::path& file, std::string_view extension, std::string_view advice);
 
 /// Makes a folder unless it is there; those above it must be there. Throws Error (input).

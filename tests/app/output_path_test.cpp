@@ -78,7 +78,7 @@ TEST(OutputPath, ANameOfAnotherKindOfFileIsAnErrorWithTheRightOne) {
              {{"plot", "run_0.5", "-o", "x.png"}, "-o x.png: plots are SVG; name a .svg file"},
              {{"view", "run_0.5", "-o", "x.svg"}, "-o x.svg: a page is HTML; name a .html file"},
              {{"export", "run_0.5", "--to", "obj", "-o", "x.glb"},
-              "-o x.glb: --to obj makes .obj files; name one or a folder"}}) {
+              "-o x.glb: the extension does not fit --to obj; name a .obj file or a folder"}}) {
         const ProgramResult result = run_sherd(command, directory.path);
         EXPECT_EQ(result.exit_code, 2) << command[0] << ": " << result.err;
         EXPECT_NE(result.err.find(words), std::string::npos) << result.err;

@@ -68,7 +68,9 @@ TEST(Race, IsOfTheSameLapsForAll) {
     const std::vector<Scene> scenes{small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=cubic", method}),
                                     small_plate({"solver.bending=coupled", method})};
-    const std::vector<RaceResult> results = race(scenes, {.step = 1e-4, .settling = 2, .laps = 3});
+    // Laps of milliseconds may take several times as long where the machine does other work.
+    const std::vector<RaceResult> results =
+        race(scenes, {.step = 1e-4, .settling = 2, .laps = 3, .allowance = 1e9});
     ASSERT_EQ(results.size(), 3u);
     for (const RaceResult& result : results) {
         EXPECT_TRUE(result.has_finished()) << result.failure;

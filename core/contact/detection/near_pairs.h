@@ -54,8 +54,9 @@ class NearPairs {
     /// A superset of the pairs that are active at x, and of those that are nearer there than a tenth of the
     /// thinnest sheet's thickness, by a search that leaves nothing for the next one.
     std::vector<ContactPair> pairs_nearby(const Positions& x) const;
-    /// Calls see(pair) for a superset of such pairs anywhere between x and x + motion, for some several
-    /// times; for none where the motion is longer than safe_fraction() looks at.
+    /// Calls see(pair) for a superset of the pairs that pairs_nearby() finds anywhere between x and x +
+    /// motion, several times for some of them. Where the motion is longer than safe_fraction() looks, there
+    /// are none.
     void each_nearby(const Positions& x, const Positions& motion,
                      const std::function<void(const ContactPair&)>& see) const;
     /// The pairs that may be active somewhere in a straight motion from x.
@@ -81,9 +82,10 @@ class NearPairs {
     enum class Kept { minimum, nothing };
     double free_fraction(const Positions& x, const Positions& motion, Kept kept) const;
     double free_fraction_of_part(const Positions& x, const Positions& motion, Kept kept) const;
-    /// A motion is looked at in so many parts.
+    /// How many parts a motion is looked at in; one where it is short.
     double parts(const Positions& x, const Positions& motion) const;
-    Neighbourhood surroundings(const Positions& x, const Positions& motion) const;  ///< of each_nearby()
+    /// The neighbourhood in which each_nearby() and pairs_nearby() look.
+    Neighbourhood surroundings(const Positions& x, const Positions& motion) const;
     // The candidates of a neighbourhood with x, and with the motion from it:
     const ContactCandidates& candidates(const Positions& x) const;
     const ContactCandidates& candidates(const Positions& x, const Positions& motion) const;

@@ -53,19 +53,22 @@ TEST(ProgressLine, IsShorterThanAnyTerminal) {
 // Whoever reads a log file must see that a long step is not the end of the program.
 TEST(ProgressDisplay, SaysAgainHowFarThingsAreWhereNothingNewHappens) {
     testing::internal::CaptureStderr();
-    const auto printed = [](std::size_t least) {
+    const auto printed = [] {
         struct stat file {};
-        while (fstat(STDERR_FILENO, &file) == 0 && static_cast<std::size_t>(file.st_size) < least)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_EQ(fstat(STDERR_FILENO, &file), 0);
+        return file.st_size;
+    };
+    const auto wait_for_more = [&](off_t than) {
+        while (printed() <= than) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     };
     {
         ProgressMeter meter(10);
         ProgressDisplay display(0, std::chrono::milliseconds(1));
         display.begin();
-        printed(1);
+        wait_for_more(0);
         meter.update(3, {{{"step 3", 0}}, {}});
         display.show(std::array{&meter});
-        printed(200);
+        wait_for_more(printed());
     }
     const std::string text = testing::internal::GetCapturedStderr();
     EXPECT_TRUE(text.starts_with("sherd: nothing is done yet, after 0:00\n")) << text;
