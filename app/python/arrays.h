@@ -46,6 +46,12 @@ inline py::array array_of(const Positions& columns, py::handle owner = {}) {
     return numbers(columns.data(), static_cast<std::size_t>(columns.cols()), 3, owner);
 }
 
+/// The matrix [4, 4] of a motion.
+inline py::array array_of(const Eigen::Isometry3d& motion) {
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = motion.matrix();
+    return numbers(rows.data(), 4, 4);
+}
+
 /// The vertices of each face.
 std::vector<std::array<Index, 3>> corners_of(const Shell& shell);
 

@@ -62,10 +62,8 @@ py::dict poses(const Recording& recording, py::ssize_t frame) {
     const std::vector<RecordedObstacle> obstacles = recording.obstacles();
     const std::vector<Eigen::Isometry3d> places = recording.poses(number_of(recording, frame));
     py::dict by_name;
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-        const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = places[i].matrix();
-        by_name[obstacles[i].name.c_str()] = numbers(rows.data(), 4, 4);
-    }
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        by_name[obstacles[i].name.c_str()] = array_of(places[i]);
     return by_name;
 }
 

@@ -11,6 +11,7 @@
 #include "app/python/live_run.h"
 #include "app/python/tables.h"
 #include "app/python/without_lock.h"
+#include "app/run/obstacle_track.h"
 #include "app/scene/build/supports.h"
 #include "app/scene/read/fields.h"
 #include "meshops/error.h"
@@ -35,6 +36,19 @@ py::dict reactions(LiveRun& run) {
     for (std::size_t i = 0; i < names.size(); ++i)
         by_name[names[i].name.c_str()] =
             py::make_tuple(value_of(report->reactions[i].force), value_of(report->reactions[i].moment));
+    return by_name;
+}
+
+/// The pose of each obstacle and body as the run stands.
+py::dict current_poses(LiveRun& run) {
+    const Simulation& simulation = run.simulation();
+    const std::vector<Obstacle>& obstacles = simulation.obstacles();
+    const std::vector<RigidBody>& bodies = simulation.bodies();
+    py::dict by_name;
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        by_name[run.scene().obstacles[i].name.c_str()] = array_of(pose_of(obstacles[i], simulation.time()));
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        by_name[run.scene().bodies[i].name.c_str()] = array_of(bodies[i].pose());
     return by_name;
 }
 
@@ -96,6 +110,9 @@ void bind_simulation(py::module_& module) {
             "reactions", &reactions,
             "Force [3] N and moment [3] N m about the origin, on the sheets, of each support and\n"
             "obstacle at the end of the last step, by name: \"sheet.plate.pin\".")
+        .def_property_readonly("poses", &current_poses,
+                               "Of each obstacle and body, by name: the matrix [4, 4] from its own frame to\n"
+                               "space, as Recording.poses has it.")
         .def_property_readonly(
             "positions", [](LiveRun& run) { return array_of(shell_of(run).position); },
             "[V, 3] m, a copy. Vertices are those of the sheets in the order of the scene; copies\n"

@@ -45,6 +45,10 @@ GridSurface square(const PlaneShape& plane, const Eigen::Isometry3d& pose, const
 
 }  // namespace
 
+Eigen::Isometry3d pose_of(const Obstacle& obstacle, double time) {
+    return obstacle.deformation != nullptr ? Eigen::Isometry3d::Identity() : obstacle.motion.at(time);
+}
+
 ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
     const std::vector<Obstacle>& obstacles = simulation.obstacles();
     const Eigen::AlignedBox3d box = box_of(simulation);
@@ -70,11 +74,8 @@ ObstacleTrack::ObstacleTrack(const Scene& scene, const Simulation& simulation) {
 
 std::vector<Eigen::Isometry3d> ObstacleTrack::poses(const Simulation& simulation) const {
     std::vector<Eigen::Isometry3d> poses;
-    for (const std::size_t number : numbers) {
-        const Obstacle& obstacle = simulation.obstacles()[number];
-        poses.push_back(obstacle.deformation != nullptr ? Eigen::Isometry3d::Identity()
-                                                        : obstacle.motion.at(simulation.time()));
-    }
+    for (const std::size_t number : numbers)
+        poses.push_back(pose_of(simulation.obstacles()[number], simulation.time()));
     for (const RigidBody& body : simulation.bodies()) poses.push_back(body.pose());
     return poses;
 }

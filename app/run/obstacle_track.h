@@ -7,6 +7,10 @@
 
 namespace sherd {
 
+/// Returns the motion from an obstacle's own frame to space at a time (s). The frame of one that deforms is
+/// space.
+Eigen::Isometry3d pose_of(const Obstacle& obstacle, double time);
+
 /// Holds what a recording shows of a scene's obstacles, the free ones last. Of a plane it shows a square
 /// around where everything else starts: its half side is as long as the diagonal of the box around that.
 class ObstacleTrack {

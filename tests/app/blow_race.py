@@ -3,7 +3,8 @@
 """blow_race SHERD [--blows N] [--first SEED] [--jobs N] [--seed SEED [--keep DIR]]: random blows (blow_scenes.py), each
 run by the real program and judged by the recording (blow_recording.py): nothing may pass through a sheet. A blow is
 held, or ends with the error, at most 5 % of those below 0.1 sheet sizes a step. A crossing between two frames, where no
-side is known, counts if the same blow in steps of an eighth has one, too, or has an effect that this one does not have.
+side is known, counts if the same blow in steps of an eighth has one, too, or has an effect that this one does not have,
+and if one of the steps that the program made between the frames has one (blow_steps.py, by the module for Python).
 --seed judges one blow again, and --keep leaves scenes and recordings in a folder. Exit code 1: a blow passed, the
 program crashed, or too many blows did not end as they should."""
 import os
@@ -95,11 +96,30 @@ def confirmed(sherd, folder, blow, seen):
         return "held", f"{seen.words()}; no end at an eighth of the step"
     there = blow_recording.Seen(blow, finer.recording)
     if there.passed or (seen.deep and there.deep):
-        return "passed", f"{seen.words()}; at an eighth of the step {there.words()}"
+        return by_each_step(sherd, folder, blow, seen, f"at an eighth of the step {there.words()}")
     if finer.code == 0 and seen.shows_less_than(there):
-        return "passed", (f"{seen.words()}; changes of velocity are {seen.shoved} m/s, at an eighth of the step "
-                          f"{there.shoved}")
+        return by_each_step(sherd, folder, blow, seen, f"changes of velocity are {seen.shoved} m/s, at an eighth of "
+                                                       f"the step {there.shoved}")
     return "held", f"{seen.words()}; not so at an eighth of the step"
+
+
+def by_each_step(sherd, folder, blow, seen, why):
+    """What becomes of a blow that shorter steps confirm, by the steps that were made between the frames: it is held if
+    none of them has a crossing and they end where the recording ends, bit for bit; outcome and words."""
+    recording, words = folder / "steps.h5", f"{seen.words()}; {why}"
+    here = pathlib.Path(__file__).resolve().parent
+    modules = os.environ.get("PYTHONPATH", pathlib.Path(sherd).resolve().parent / "python")
+    done = subprocess.run([sys.executable, here / "blow_steps.py", folder / "s.toml", recording], capture_output=True,
+                          text=True, check=False, env=os.environ | {"PYTHONPATH": str(modules)},
+                          preexec_fn=lambda: limit(MEMORY, PATIENCE))
+    if done.returncode != 0:
+        return "passed", f"{words}; its steps could not be looked at: {done.stderr[-300:]}"
+    each = blow_recording.Seen(blow, recording)
+    if each.passed or each.crossed:
+        return "passed", f"{words}; of its {len(each.times) - 1} steps {each.words()}"
+    if each.positions[-1].tobytes() != seen.positions[-1].tobytes():
+        return "passed", f"{words}; its steps from Python end elsewhere"
+    return "held", f"{words}; none of its {len(each.times) - 1} steps has a crossing"
 
 
 def one(task):

@@ -51,6 +51,10 @@ class Bits(unittest.TestCase):
                                (state.edge_strains, "edge/strain"), (state.masses, "vertex/mass"),
                                (state.originals, "vertex/original"), (state.rest_positions, "rest/position")):
                 self.assertEqual(mine.tobytes(), last[name][:].tobytes(), name)
+            names = [name.decode() for name in file["obstacles/names"]]
+            self.assertEqual(sorted(simulation.poses), sorted(names))
+            for name, pose in zip(names, last["obstacle/pose"][:]):
+                self.assertEqual(simulation.poses[name][:3].tobytes(), pose.tobytes(), name)
             return simulation
 
     def test_implicit_steps_that_break_are_those_of_the_program(self):
