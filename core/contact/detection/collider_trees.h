@@ -15,14 +15,20 @@ class ColliderTrees {
     struct Trees {
         BoxTree points, edges, triangles;
     };
-    /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin.
-    /// They are valid until the next call for the same collider.
-    const Trees& of(std::size_t collider, const ContactSurface& surface, const Neighbourhood& within);
+    /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin;
+    /// null where the box around all of them does not meet `reach`. They are valid until the next call for
+    /// the same collider.
+    const Trees* within_reach(const Box& reach, std::size_t collider, const ContactSurface& surface,
+                              const Neighbourhood& within);
 
   private:
+    struct Divisions {
+        BoxTree::Division points, edges, triangles;
+    };
     struct Kept {
         Positions from, to;  ///< m, of its vertices at the beginning and the end of the motion
         Trees trees;
+        Divisions divisions;
     };
     std::vector<Kept> kept;
 };

@@ -107,9 +107,10 @@ double PairBlocks::Block::cell_spread(const std::vector<Box>& boxes) const {
 }
 
 void PairBlocks::add(const std::vector<Entry>& entries, const Positions& x) {
+    start = x;
+    if (blocks.empty() && entries.empty()) return;
     const std::vector<Entry> sorted = sorted_in_space(entries, x);
     cells.cover(x);
-    start = x;
     std::vector<char> seen(x.cols(), 0);
     for (std::size_t first = 0; first < sorted.size(); first += block_size)
         blocks.emplace_back(std::span(sorted).subspan(first, std::min(block_size, sorted.size() - first)), x,
