@@ -104,13 +104,13 @@ def confirmed(sherd, folder, blow, seen):
 
 
 def by_each_step(sherd, folder, blow, seen, why):
-    """What becomes of a blow that shorter steps confirm, by the steps that were made between the frames: it is held if
-    none of them has a crossing and they end where the recording ends, bit for bit; outcome and words."""
+    """Returns outcome and words of a blow that shorter steps confirm: it is held if none of the steps that the program
+    made has a crossing and these steps, made once more from Python, end where the recording ends, bit for bit."""
     recording, words = folder / "steps.h5", f"{seen.words()}; {why}"
     here = pathlib.Path(__file__).resolve().parent
-    modules = os.environ.get("PYTHONPATH", pathlib.Path(sherd).resolve().parent / "python")
+    module = pathlib.Path(sherd).resolve().parent / "python"  # beside the program, in the build folder
     done = subprocess.run([sys.executable, here / "blow_steps.py", folder / "s.toml", recording], capture_output=True,
-                          text=True, check=False, env=os.environ | {"PYTHONPATH": str(modules)},
+                          text=True, check=False, env=os.environ | {"PYTHONPATH": str(module)},
                           preexec_fn=lambda: limit(MEMORY, PATIENCE))
     if done.returncode != 0:
         return "passed", f"{words}; its steps could not be looked at: {done.stderr[-300:]}"

@@ -37,12 +37,12 @@ const ColliderTrees::Trees* ColliderTrees::within_reach(const Box& reach, std::s
         boxes.push_back(
             {from.col(v).array().min(to.col(v).array()), from.col(v).array().max(to.col(v).array())});
     auto& [points, edges, triangles] = known.divisions;
-    known.from = from;
-    known.to = to;
     known.trees = {
         BoxTree(boxes, points),
         tree(surface.collider_edges(), first.edge, end.edge, first.vertex, boxes, edges),
         tree(surface.collider_triangles(), first.triangle, end.triangle, first.vertex, boxes, triangles)};
+    known.from = from;
+    known.to = to;
     return &known.trees;
 }
 

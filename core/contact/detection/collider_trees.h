@@ -16,8 +16,8 @@ class ColliderTrees {
         BoxTree points, edges, triangles;
     };
     /// The trees around the paths of a collider's vertices on the motion of `within`, without any margin;
-    /// null where the box around all of them does not meet `reach`. They are valid until the next call for
-    /// the same collider.
+    /// null where the box around all paths does not meet `reach`. Trees are valid until this collider is
+    /// asked for again.
     const Trees* within_reach(const Box& reach, std::size_t collider, const ContactSurface& surface,
                               const Neighbourhood& within);
 

@@ -159,7 +159,8 @@ void ContactCandidates::meet_on_sheets(const ContactSurface& surface, const std:
     const auto triangles = those(surface.triangles(), boxes, has_changed, &kept.triangles);
     const auto edges = those(surface.edges(), boxes, has_changed, &kept.edges);
     meet(PairKind::vertex_triangle, vertices, triangles);
-    if (std::ranges::find(changed, 0) != changed.end()) {
+    const bool all_have_changed = std::ranges::find(changed, 0) == changed.end();
+    if (!all_have_changed) {
         meet(PairKind::vertex_triangle, vertices,
              those(surface.triangles(), boxes, others_at(vertices.tree)));
         meet(PairKind::vertex_triangle, those(all_points, boxes, others_at(triangles.tree)), triangles);
@@ -180,10 +181,9 @@ void ContactCandidates::meet_on_colliders(const ContactSurface& surface, const s
     const auto all_points = points(surface.collider_vertices(), surface.vertices());
     for (std::size_t collider = 0; collider + 1 < surface.collider_starts().size(); ++collider) {
         const ContactSurface::Start first = surface.collider_starts()[collider];
-        const ColliderTrees::Trees* known = colliders.within_reach(reach, collider, surface, within);
-        if (known == nullptr) continue;
-        const auto& [corners, sides, faces] = *known;
-        const Box around = corners.bounds();
+        const ColliderTrees::Trees* trees = colliders.within_reach(reach, collider, surface, within);
+        if (trees == nullptr) continue;
+        const Box around = trees->points.bounds();
         const auto wanted = [&](const auto& element, const Box& box) {
             return box.meets(around) &&
                    std::any_of(element.begin(), element.end(), [&](Index v) { return changed[v]; });
@@ -191,14 +191,14 @@ void ContactCandidates::meet_on_colliders(const ContactSurface& surface, const s
         const auto vertices = those(all_points, boxes, wanted);
         const auto edges = those(surface.edges(), boxes, wanted);
         const auto triangles = those(surface.triangles(), boxes, wanted);
-        vertices.tree.meet(faces, [&](Index i, Index j) {
+        vertices.tree.meet(trees->triangles, [&](Index i, Index j) {
             take({PairKind::vertex_triangle,
                   both(vertices.vertices[i], surface.collider_triangles()[first.triangle + j])});
         });
-        triangles.tree.meet(corners, [&](Index i, Index j) {
+        triangles.tree.meet(trees->points, [&](Index i, Index j) {
             take({PairKind::vertex_triangle, both(std::array{first.vertex + j}, triangles.vertices[i])});
         });
-        edges.tree.meet(sides, [&](Index i, Index j) {
+        edges.tree.meet(trees->edges, [&](Index i, Index j) {
             take({PairKind::edge_edge, both(edges.vertices[i], surface.collider_edges()[first.edge + j])});
         });
     }

@@ -108,7 +108,7 @@ double PairBlocks::Block::cell_spread(const std::vector<Box>& boxes) const {
 
 void PairBlocks::add(const std::vector<Entry>& entries, const Positions& x) {
     start = x;
-    if (blocks.empty() && entries.empty()) return;
+    if (blocks.empty() && entries.empty()) return;  // cells serve blocks only, and take long to make
     const std::vector<Entry> sorted = sorted_in_space(entries, x);
     cells.cover(x);
     std::vector<char> seen(x.cols(), 0);
