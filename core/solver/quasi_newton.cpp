@@ -45,6 +45,12 @@ constexpr double slowest_rate = 0.99;
 /// Share of the tolerance that may be left of the way. The last correction of Newton's method is the square
 /// of the one before, and what is left after it far smaller; energy balances show it.
 constexpr double may_be_left = 0.1;
+/// A correction tells how far it is to the minimum if the largest force falls to this share. It does not
+/// where a contact has become far too stiff: its force is then halved at best, and positions that hardly move
+/// do not show how wrong it is. So many more are made, unless they are below that share of the tolerance,
+/// where round-off is what is left.
+constexpr double forces_fall = 0.3, share_of_round_off = 1e-3;
+constexpr int most_more = 20;
 /// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
 /// long.
 constexpr double entries_of_forces = 1000, entries_of_hessian = 2500;
@@ -209,6 +215,7 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
     Search search;
     begin(potential, x, search);
     const int limit = max_iterations * per_newton_iteration;
+    int more = 0;
     while (result.iterations < limit) {
         refit(potential, x, search);
         double slope = 0;
@@ -217,12 +224,16 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         ++search.iterations;
         ++search.total;
         result.correction = direction.cwiseAbs().maxCoeff();
-        result.converged = left(direction, search) <= may_be_left * tolerance;
+        const bool is_near = left(direction, search) <= may_be_left * tolerance;
+        result.converged |= is_near;
         if (result.converged) keep_momentum(potential, x, search.gradient, tolerance, direction);
         potential.moved_to(x);
         const bool was_exact = search.exact;
+        const double force = search.gradient.cwiseAbs().maxCoeff();
         if (slope < 0 && advance(potential, direction, slope, x, search)) {
-            if (result.converged) break;
+            const bool falls = search.gradient.cwiseAbs().maxCoeff() <= forces_fall * force ||
+                               result.correction <= share_of_round_off * tolerance;
+            if ((is_near && falls) || (result.converged && ++more > most_more)) break;
             if (was_exact) search.judge_factor(result.correction);
         } else if (result.converged || was_exact) {
             break;

@@ -148,6 +148,43 @@ TEST(QuasiNewton, SeesThatContactStopsASmallShard) {
     EXPECT_LT(iterations(40, falling_shards(), options, Method::quasi_newton), 2 * newton);
 }
 
+/// Springs (N/m) that press each vertex against a floor from a metre below it, and a barrier (J).
+struct PressedOnAFloor : Energy {
+    explicit PressedOnAFloor(const Positions& x) : home(x) { home.row(2).setConstant(-1); }
+    double value(const Positions& x) const override {
+        return spring / 2 * (x - home).squaredNorm() - barrier * x.row(2).array().log().sum();
+    }
+    void add_gradient(const Positions& x, Positions& gradient) const override {
+        gradient += spring * (x - home);
+        gradient.row(2).array() -= barrier / x.row(2).array();
+    }
+    void add_hessian(const Positions& x, Curvature, BlockMatrix& hessian) const override {
+        for (Index v = 0; v < static_cast<Index>(x.cols()); ++v)
+            hessian.add(v, v, Vector3d(spring, spring, spring + barrier / (x(2, v) * x(2, v))).asDiagonal());
+    }
+    double safe_fraction(const Positions& x, const Positions& motion) const override {
+        const double share = (-motion.row(2).array() / x.row(2).array()).maxCoeff();
+        return share > 0.9 ? 0.9 / share : 1;
+    }
+    void visit_state(StateVisitor&) override {}
+    Positions home;
+    double spring = 0.01, barrier = 1e-9;
+};
+
+// Nearer to a floor than its force allows, each correction doubles the distance: a tenth of the tolerance
+// moves nothing that matters, but the force of contact that is recorded would be a hundred times too large.
+TEST(QuasiNewton, MeetsForcesWhereContactIsFarTooStiff) {
+    const Shell shell = test::two_triangles(test::rubber);
+    PressedOnAFloor pressed(shell.position);
+    TimeSpent spent;
+    Potential potential(shell, {&pressed}, spent);
+    potential.begin(test::step_of(shell, 0, 1e-3));
+    Positions x = shell.position;
+    x.row(2).setConstant(1e-9);
+    EXPECT_TRUE(QuasiNewton(1e-8).minimise(potential, 10, x).converged);
+    EXPECT_LT(potential.gradient(x).cwiseAbs().maxCoeff(), 1e-3 * pressed.spring);
+}
+
 // A part that nothing holds, and NaN, must end with an error and not in a loop.
 TEST(QuasiNewton, SaysThatNothingIsDefinite) {
     Shell shell = test::two_triangles(test::rubber);
