@@ -5,12 +5,15 @@ what bounces, what stands across. Exit code 1: it says something else of one."""
 import math
 import pathlib
 import sys
+import tempfile
+import types
 import unittest
 
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import blow_judge as judge  # noqa: E402
+import blow_race  # noqa: E402
 from blow_parts import Keys  # noqa: E402
 from blow_solids import ball, closed_box, prism, turned  # noqa: E402
 
@@ -182,6 +185,62 @@ class SidesOfSheets(unittest.TestCase):
             sides = judge.Sides("large", large, numpy.array([[0.01, 0.02, 0.03]]))
             found = sides.step([numpy.array([[0.01, 0.02, -0.03]])], self.flat + [0, 0, shift], True)
             self.assertEqual(found[0], beyond)
+
+
+
+class StepsThatWereMade(unittest.TestCase):
+    """A crossing between frames is forgiven only if no step of the program has one."""
+    MODULE = """
+import types
+import numpy
+{data}
+class Simulation:
+    def __init__(self, scene):
+        self.scene, self.time, self.velocities = types.SimpleNamespace(sheets=["sheet"]), 0, 0 * positions[0]
+    def step(self):
+        self.time += 1
+    def snapshot(self):
+        return types.SimpleNamespace(masses=numpy.ones(len(positions[0])), faces=faces, face_sheets=0 * faces[:, 0])
+    has_ended = property(lambda self: self.time + 1 == len(positions))
+    positions = property(lambda self: positions[self.time])
+    poses = property(lambda self: {{"solid": numpy.hstack([numpy.eye(3), places[self.time][:, None]])}})
+"""
+
+    def outcome(self, heights, fall=0.0, fault=""):
+        """Outcome and words where a ball was at these heights, at the last one the sheet lower by `fall`. fault: a
+        statement of the module."""
+        corner, faces = grid()
+        positions = numpy.array([corner] * len(heights))
+        positions[-1, :, 2] -= fall
+        arrays = {"faces": faces, "positions": positions, "places": numpy.outer(heights, [0, 0, 1])}
+        data = "\n".join(f"{name} = numpy.array({array.tolist()})" for name, array in arrays.items())
+        solid, triangles = ball(0.05)
+        blow = types.SimpleNamespace(solids={"solid": (solid + arrays["places"][0], triangles)}, turns={}, struck=None,
+                                     border=None, speed=1)
+        seen = types.SimpleNamespace(words=lambda: "it crossed", positions=[corner])
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "python").mkdir()
+            (folder / "python/sherd.py").write_text(self.MODULE.format(data=data) + fault)
+            return blow_race.by_each_step(folder / "sherd", folder, blow, seen, "why")
+
+    def test_one_that_crosses_is_a_passage(self):
+        outcome, words = self.outcome([0.2, -0.2])
+        self.assertEqual(outcome, "passed", words)
+        self.assertIn("of its 1 steps frame 1: sheet and solid", words)
+
+    def test_none_that_crosses_is_none(self):
+        self.assertEqual(self.outcome([0.2, 0.1, 0.2])[0], "held")
+
+    def test_steps_that_end_elsewhere_prove_nothing(self):
+        outcome, words = self.outcome([0.2, 0.1], fall=1e-9)
+        self.assertEqual(outcome, "passed")
+        self.assertIn("end elsewhere", words)
+
+    def test_steps_that_cannot_be_made_prove_nothing(self):
+        outcome, words = self.outcome([0.2, 0.1], fault="raise MemoryError")
+        self.assertEqual(outcome, "passed")
+        self.assertIn("could not be looked at", words)
 
 
 if __name__ == "__main__":
