@@ -47,8 +47,8 @@ constexpr double slowest_rate = 0.99;
 constexpr double may_be_left = 0.1;
 /// A correction tells how far it is to the minimum if the largest force falls to this share. It does not
 /// where a contact has become far too stiff: its force is then halved at best, and positions that hardly move
-/// do not show how wrong it is. So many more are made, unless they are below that share of the tolerance,
-/// where round-off is what is left.
+/// do not show how wrong it is. Up to `most_more` corrections follow then, unless one is below
+/// `share_of_round_off` of the tolerance, where round-off is all that is left.
 constexpr double forces_fall = 0.3, share_of_round_off = 1e-3;
 constexpr int most_more = 20;
 /// Forces and all else of an iteration, and a Hessian, in entries of a factor for each vertex that take as
@@ -231,9 +231,10 @@ MinimiserResult QuasiNewton::minimise(Potential& potential, int max_iterations, 
         const bool was_exact = search.exact;
         const double force = search.gradient.cwiseAbs().maxCoeff();
         if (slope < 0 && advance(potential, direction, slope, x, search)) {
-            const bool falls = search.gradient.cwiseAbs().maxCoeff() <= forces_fall * force ||
-                               result.correction <= share_of_round_off * tolerance;
-            if ((is_near && falls) || (result.converged && ++more > most_more)) break;
+            if (is_near && (search.gradient.cwiseAbs().maxCoeff() <= forces_fall * force ||
+                            result.correction <= share_of_round_off * tolerance))
+                break;
+            if (result.converged && ++more > most_more) break;
             if (was_exact) search.judge_factor(result.correction);
         } else if (result.converged || was_exact) {
             break;

@@ -187,7 +187,6 @@ class SidesOfSheets(unittest.TestCase):
             self.assertEqual(found[0], beyond)
 
 
-
 class StepsThatWereMade(unittest.TestCase):
     """A crossing between frames is forgiven only if no step of the program has one."""
     MODULE = """

@@ -75,7 +75,7 @@ def solver(chance, steps):
 def scene(seed):
     """The text of a scene, its files, and its duration (s)."""
     chance = Chance(seed)
-    size, steps = chance.between(0.03, 0.3), chance.randint(6, 14)
+    size, steps = chance.between(0.03, 0.3), chance.randint(10, 24)
     end, step = solver(chance, steps)
     speed = min(chance.between(8, 100), 0.3 * size / step)
     lines, files = [f"duration = {step * steps:.6g}", f"seed = {seed}"] + sheet(chance, size), {}
