@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -42,6 +43,9 @@ class Parts {
         return vertex < earlier.rest.position.cols() &&
                earlier.rest.position.col(vertex) == later.rest.position.col(vertex);
     }
+    bool any_mixed() const { return !earlier.rest.face_mixed.empty() || !later.rest.face_mixed.empty(); }
+    std::vector<Index> parts_of(const std::set<Index>& unbroken) const;
+    std::vector<Index> nearest_parts(Index unbroken) const;
     Vector3d coordinates(Index face, const Vector3d& point) const;
     Vector3d corner_place(std::size_t face, int corner) const {
         return later.rest.position.col(later.rest.faces[face][corner]);
@@ -77,6 +81,34 @@ Vector3d Parts::coordinates(Index face, const Vector3d& point) const {
     return {1 - second - third, second, third};
 }
 
+/// The earlier faces in some unbroken ones.
+std::vector<Index> Parts::parts_of(const std::set<Index>& unbroken) const {
+    std::vector<Index> found;
+    for (const Index face : unbroken)
+        for (auto part = std::ranges::lower_bound(parts, Part(face, 0));
+             part != parts.end() && part->first == face; ++part)
+            found.push_back(part->second);
+    return found;
+}
+
+/// The earlier faces in the unbroken ones around an unbroken face, as far around as there are any: where
+/// cracks have moved vertices, the faces that have parts of it may all have more of its neighbours.
+std::vector<Index> Parts::nearest_parts(Index unbroken) const {
+    const auto& faces = later.rest.unbroken_faces;
+    std::set<Index> ring{unbroken};
+    std::vector<Index> found;
+    for (std::size_t before = 0; found.empty() && before < ring.size();) {
+        before = ring.size();
+        std::set<Index> corners;
+        for (const Index face : ring) corners.insert(faces[face].begin(), faces[face].end());
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            if (std::ranges::any_of(faces[f], [&](Index v) { return corners.contains(v); }))
+                ring.insert(static_cast<Index>(f));
+        found = parts_of(ring);
+    }
+    return found;
+}
+
 Index Parts::whole_of(std::size_t face) {
     const Index parent = later.rest.face_parent[face];
     Vector3d centre = Vector3d::Zero();
@@ -87,13 +119,13 @@ Index Parts::whole_of(std::size_t face) {
         const double inside = coordinates(candidate, centre).minCoeff();
         if (inside > depth) std::tie(whole, depth) = std::pair(candidate, inside);
     };
-    for (auto part = std::ranges::lower_bound(parts, Part(parent, 0));
-         part != parts.end() && part->first == parent; ++part)
-        look_at(part->second);
-    if (!later.rest.face_mixed.empty() || !earlier.rest.face_mixed.empty())
+    std::ranges::for_each(parts_of({parent}), look_at);
+    if (any_mixed()) {
         for (const Index v : later.rest.faces[face])
             if (v < static_cast<Index>(faces_around.size()))
                 for (const Index around : faces_around[v]) look_at(around);
+        if (whole < 0) std::ranges::for_each(nearest_parts(parent), look_at);
+    }
     if (whole < 0)
         throw Error(fmt::format(
             "face {} at {:g} s is a part of face {} of the unbroken mesh, which has none at {:g} s", face,
@@ -115,8 +147,7 @@ std::pair<Index, Vector3d> Parts::place(std::size_t face, int corner, Index whol
     Index nearest = whole;
     Vector3d best = coordinates(whole, point);
     constexpr double inside = -1e-9;
-    if (best.minCoeff() >= inside || (earlier.rest.face_mixed.empty() && later.rest.face_mixed.empty()))
-        return {nearest, best};
+    if (best.minCoeff() >= inside || !any_mixed()) return {nearest, best};
     for (const Index vertex : earlier.rest.faces[whole])
         for (const Index around : faces_around[vertex]) {
             const Vector3d place = coordinates(around, point);

@@ -12,8 +12,7 @@
 namespace sherd::test {
 namespace {
 
-RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()) {
-    const unsigned shape = *rc::gen::inRange(0u, sheet_shapes), seed = *rc::gen::inRange(0u, 1u << 30);
+void expect_recorded_and_followed(unsigned shape, unsigned seed) {
     Matrix3d linear;
     linear << 1.1, 0.2, 0, -0.1, 0.9, 0.3, 0.4, 0, 1;
     std::vector<Snapshot> frames = advanced_frames(shape, seed, linear);
@@ -34,7 +33,17 @@ RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()
             EXPECT_LE(worst, is_flat_sheet(shape) ? 1e-9 : 0.15) << other << " to " << k;
         }
     }
+}
+
+RC_GTEST_PROP(AdvancedRecording, HoldsWhatItWasGivenAndFramesFollowEachOther, ()) {
+    expect_recorded_and_followed(*rc::gen::inRange(0u, sheet_shapes), *rc::gen::inRange(0u, 1u << 30));
     RC_ASSERT(!testing::Test::HasFailure());
+}
+
+// Here a face of the unbroken mesh has most of a face at 0.5 s, whose corners are all born after 0.3 s, and
+// of none at 0.3 s: its parts are in faces that have more of its neighbours.
+TEST(AdvancedRecording, FollowsAFaceWhoseParentHadNoFaceBefore) {
+    expect_recorded_and_followed(3, 396980017);
 }
 
 // Whatever is known of the unbroken mesh is carried over to a later one by parents and weights.
